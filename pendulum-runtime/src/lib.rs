@@ -1,0 +1,3 @@
+//! wip
+#![no_std]
+pub mod double;
