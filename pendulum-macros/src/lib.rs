@@ -1,1 +1,8 @@
 //! wip
+#![allow(dead_code)]
+mod check;
+mod exact;
+mod motion;
+mod parse;
+mod report;
+mod scene;

@@ -1,0 +1,216 @@
+//! Real numbers "exact enough": `dashu-float` at a working precision far beyond what any emitted constant needs.
+//!
+//! The working precision covers the digits the user wrote, the cancellation of π − θ0, and 256 bits besides, so that a
+//! constant rounded once at the end is the correctly rounded one of the exact real value.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use dashu_float::{DBig, FBig, round::mode::HalfEven};
+use pendulum_runtime::double::Double;
+use std::str::FromStr;
+
+type Big = FBig<HalfEven, 2>;
+
+/// Bits carried beyond those that the input's own digits and its distance from π ask for.
+const GUARD_BITS: usize = 256;
+
+/// A real number at the working precision of its [`Context`].
+#[derive(Clone, Debug, PartialEq, PartialOrd)]
+pub(crate) struct Real(Big);
+
+/// The working precision: everything derived from one request carries it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Context {
+    bits: usize,
+}
+
+impl Context {
+    /// Enough for numbers written with up to `digits` decimal digits: their differences (π − θ0, v0 − 2ω) may cancel all
+    /// of them, and squares of those differences matter.
+    pub(crate) fn for_digits(digits: usize) -> Self {
+        Self { bits: GUARD_BITS + 7 * digits.max(20) }
+    }
+
+    pub(crate) fn integer(self, n: i64) -> Real {
+        Real(Big::from(n).with_precision(self.bits).value())
+    }
+
+    pub(crate) fn ratio(self, numerator: i64, denominator: i64) -> Real {
+        self.integer(numerator) / self.integer(denominator)
+    }
+
+    pub(crate) fn pi(self) -> Real {
+        Real(Big::pi(self.bits))
+    }
+
+    /// A decimal literal without suffix or underscores; `None` if malformed.
+    pub(crate) fn decimal(self, text: &str) -> Option<Real> {
+        let decimal = DBig::from_str(text).ok()?;
+        Some(Real(decimal.with_rounding::<HalfEven>().with_base_and_precision::<2>(self.bits).value()))
+    }
+
+    /// An `f64`, exactly; `None` for NaN and infinities.
+    pub(crate) fn float(self, x: f64) -> Option<Real> {
+        if !x.is_finite() {
+            return None;
+        }
+        Some(Real(Big::try_from(x).ok()?.with_precision(self.bits).value()))
+    }
+
+    /// Below this relative size two differently computed values of one number may differ.
+    pub(crate) fn resolution(self) -> Real {
+        self.power_of_two(64 - self.bits as i64)
+    }
+
+    pub(crate) fn power_of_two(self, exponent: i64) -> Real {
+        Real(Big::from_parts(1.into(), exponent as isize).with_precision(self.bits).value())
+    }
+}
+
+impl Real {
+    pub(crate) fn context(&self) -> Context {
+        Context { bits: self.0.precision() }
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.0 == Big::ZERO
+    }
+
+    pub(crate) fn is_negative(&self) -> bool {
+        self.0 < Big::ZERO
+    }
+
+    pub(crate) fn abs(&self) -> Self {
+        if self.is_negative() { -self.clone() } else { self.clone() }
+    }
+
+    pub(crate) fn sqrt(&self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    pub(crate) fn exp(&self) -> Self {
+        Self(self.0.exp())
+    }
+
+    pub(crate) fn sin_cos(&self) -> (Self, Self) {
+        let (sin, cos) = self.0.sin_cos();
+        (Self(sin), Self(cos))
+    }
+
+    pub(crate) fn atan2(&self, x: &Self) -> Self {
+        Self(self.0.atan2(&x.0))
+    }
+
+    pub(crate) fn square(&self) -> Self {
+        self * self
+    }
+
+    /// x · 2ᵏ, exactly.
+    pub(crate) fn scale(&self, k: i64) -> Self {
+        self * &self.context().power_of_two(k)
+    }
+
+    /// Arithmetic-geometric mean of two positive numbers (Gauss); each step doubles the number of correct digits.
+    pub(crate) fn agm(&self, other: &Self) -> Self {
+        let (mut a, mut b) = (self.clone(), other.clone());
+        let tolerance = self.context().resolution();
+        loop {
+            let mean = (&a + &b).scale(-1);
+            if (&a - &b).abs() <= &mean * &tolerance {
+                return mean;
+            }
+            b = (&a * &b).sqrt();
+            a = mean;
+        }
+    }
+
+    /// The nearest `f64`, ties to even, subnormals included.
+    pub(crate) fn to_f64(&self) -> f64 {
+        let tiny = self.context().power_of_two(-1022);
+        if self.abs() < tiny {
+            // Rounded as an integer multiple of 2⁻¹⁰⁷⁴: the library rounds subnormals to zero too early.
+            let units = self.scale(1074).abs().0.to_int().value();
+            let magnitude = f64::from_bits(u64::try_from(units).unwrap_or(0));
+            return if self.is_negative() { -magnitude } else { magnitude };
+        }
+        self.0.to_f64().value()
+    }
+
+    /// The nearest `f32`, ties to even, subnormals included.
+    pub(crate) fn to_f32(&self) -> f32 {
+        let tiny = self.context().power_of_two(-126);
+        if self.abs() < tiny {
+            let units = self.scale(149).abs().0.to_int().value();
+            let magnitude = f32::from_bits(u32::try_from(units).unwrap_or(0));
+            return if self.is_negative() { -magnitude } else { magnitude };
+        }
+        self.0.to_f32().value()
+    }
+
+    /// Rounded to two `f64` words.
+    pub(crate) fn to_double(&self) -> Double {
+        let hi = self.to_f64();
+        match self.context().float(hi) {
+            Some(head) => Double { hi, lo: (self - &head).to_f64() },
+            None => Double::new(hi),
+        }
+    }
+}
+
+/// Operators on values and references alike, so that formulas read as formulas.
+macro_rules! operators {
+    ($($trait:ident $method:ident),*) => {$(
+        impl $trait<&Real> for &Real {
+            type Output = Real;
+            fn $method(self, other: &Real) -> Real { Real($trait::$method(&self.0, &other.0)) }
+        }
+        impl $trait<Real> for Real {
+            type Output = Real;
+            fn $method(self, other: Real) -> Real { $trait::$method(&self, &other) }
+        }
+        impl $trait<&Real> for Real {
+            type Output = Real;
+            fn $method(self, other: &Real) -> Real { $trait::$method(&self, other) }
+        }
+        impl $trait<Real> for &Real {
+            type Output = Real;
+            fn $method(self, other: Real) -> Real { $trait::$method(self, &other) }
+        }
+    )*};
+}
+operators!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Real {
+    type Output = Real;
+    fn neg(self) -> Real {
+        Real(-self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_round_correctly_down_to_subnormals() {
+        let context = Context::for_digits(20);
+        for text in ["0.1", "5e-324", "3e-324", "2e-324", "2.2250738585072011e-308", "1.5e-310", "1e22", "12."] {
+            let expected: f64 = text.parse().unwrap();
+            assert_eq!(context.decimal(text).unwrap().to_f64(), expected, "{text}");
+            let expected: f32 = text.parse().unwrap();
+            assert_eq!(context.decimal(text).unwrap().to_f32(), expected, "{text} as f32");
+        }
+    }
+
+    #[test]
+    fn two_words_hold_pi() {
+        assert_eq!(Context::for_digits(20).pi().to_double(), Double::PI);
+    }
+
+    #[test]
+    fn agm_of_one_and_root_two_is_gauss_constant() {
+        let context = Context::for_digits(40);
+        let gauss = context.integer(1) / context.integer(1).agm(&context.integer(2).sqrt());
+        let known = context.decimal("0.83462684167407318628142973279904680899399301349").unwrap();
+        assert!((gauss - known).abs() < context.decimal("1e-46").unwrap());
+    }
+}

@@ -1,0 +1,335 @@
+//! Tokens → [`Request`]: what was asked for, as written. Nothing is evaluated or judged here beyond its syntax.
+
+pub(crate) mod number;
+
+use crate::report::{Report, nearest};
+use number::Number;
+use proc_macro2::{Span, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser};
+use syn::{Attribute, Error, Ident, LitInt, Result, Token, Visibility, bracketed};
+
+/// One invocation of `pendulum!`.
+pub(crate) struct Request {
+    pub(crate) form: Form,
+    pub(crate) theta0: Option<Given<Number>>,
+    pub(crate) velocity0: Option<Given<Number>>,
+    pub(crate) omega: Option<Given<Number>>,
+    pub(crate) g: Option<Given<Number>>,
+    pub(crate) length: Option<Given<Number>>,
+    pub(crate) n: Option<Given<usize>>,
+    pub(crate) tol: Option<Given<Number>>,
+    pub(crate) t_max: Option<Given<Number>>,
+    pub(crate) method: Option<Given<Method>>,
+    pub(crate) float: Option<Given<Float>>,
+    pub(crate) outputs: Option<Given<Vec<Output>>>,
+}
+
+/// What the invocation expands to.
+pub(crate) enum Form {
+    /// A zero-sized fn item.
+    Expression,
+    /// `#[…] vis struct Name;`
+    Item(Item),
+}
+
+/// The header of the item form.
+pub(crate) struct Item {
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) visibility: Visibility,
+    pub(crate) name: Ident,
+}
+
+/// A parameter that was given: its name's span, its value and the value's tokens for messages.
+#[derive(Clone)]
+pub(crate) struct Given<T> {
+    pub(crate) name: Ident,
+    pub(crate) value: T,
+    pub(crate) tokens: TokenStream,
+}
+
+/// Declares an enum whose variants have names in the macro's input.
+macro_rules! keywords {
+    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(crate) enum $name { $($(#[$variant_doc])* $variant),* }
+
+        impl $name {
+            pub(crate) const WORDS: &'static [&'static str] = &[$($word),*];
+
+            pub(crate) fn word(self) -> &'static str {
+                match self { $(Self::$variant => $word),* }
+            }
+
+            fn from_word(word: &str) -> Option<Self> {
+                match word { $($word => Some(Self::$variant),)* _ => None }
+            }
+        }
+    };
+}
+
+keywords! {
+    /// How the motion is approximated.
+    Method {
+        /// Eq. 3: θ0 cos ωt.
+        SmallAngle = "small_angle",
+        /// Eq. 17: θ0 cos(2πt/T).
+        Harmonic = "harmonic",
+        /// Eq. 22: 2 arcsin(k sn_N).
+        Fourier = "fourier",
+        /// The Fourier series of θ itself.
+        Series = "series",
+        /// A polynomial in the reduced phase.
+        Polynomial = "polynomial",
+    }
+}
+
+keywords! {
+    /// The type of t and of the results.
+    Float { F64 = "f64", F32 = "f32" }
+}
+
+keywords! {
+    /// A quantity to be computed.
+    Output {
+        Theta = "theta",
+        Velocity = "velocity",
+        Acceleration = "acceleration",
+        Position = "position",
+        Wrapped = "wrapped",
+    }
+}
+
+const PARAMETERS: [&str; 11] =
+    ["theta0", "velocity0", "omega", "g", "length", "n", "tol", "t_max", "method", "float", "outputs"];
+
+/// Parses one invocation, recording every mistake; `None` where not even the form could be told.
+pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request> {
+    let parsed = (|input: ParseStream| {
+        let form = form(input)?;
+        Ok((form, input.parse::<TokenStream>()?))
+    })
+    .parse2(tokens);
+    let (form, parameters) = report.take(parsed)?;
+    let mut request = Request {
+        form,
+        theta0: None,
+        velocity0: None,
+        omega: None,
+        g: None,
+        length: None,
+        n: None,
+        tol: None,
+        t_max: None,
+        method: None,
+        float: None,
+        outputs: None,
+    };
+    for parameter in split_at_commas(parameters) {
+        if let Err(error) = request.take_parameter(parameter) {
+            report.add(error);
+        }
+    }
+    Some(request)
+}
+
+/// `#[…] vis struct Name;` or nothing.
+fn form(input: ParseStream) -> Result<Form> {
+    let attributes = input.call(Attribute::parse_outer)?;
+    let visibility: Visibility = input.parse()?;
+    let bare = attributes.is_empty() && matches!(visibility, Visibility::Inherited);
+    if bare && !input.peek(Token![struct]) {
+        return Ok(Form::Expression);
+    }
+    if !input.peek(Token![struct]) {
+        return Err(input.error("expected `struct Name;` after attributes or a visibility"));
+    }
+    input.parse::<Token![struct]>()?;
+    let name = input.parse()?;
+    if !input.peek(Token![;]) {
+        return Err(input.error("expected `;`: the struct is a unit struct, its parameters follow after the semicolon"));
+    }
+    input.parse::<Token![;]>()?;
+    Ok(Form::Item(Item { attributes, visibility, name }))
+}
+
+/// The parameters, each as its own token stream, so that a mistake in one doesn't hide those in the next.
+fn split_at_commas(tokens: TokenStream) -> Vec<TokenStream> {
+    let mut parts = vec![Vec::new()];
+    for tree in tokens {
+        match &tree {
+            TokenTree::Punct(punct) if punct.as_char() == ',' => parts.push(Vec::new()),
+            _ => parts.last_mut().expect("starts non-empty").push(tree),
+        }
+    }
+    if parts.last().is_some_and(Vec::is_empty) {
+        parts.pop();
+    }
+    parts.into_iter().map(|part| part.into_iter().collect()).collect()
+}
+
+impl Request {
+    fn take_parameter(&mut self, tokens: TokenStream) -> Result<()> {
+        if tokens.is_empty() {
+            return Err(Error::new(Span::call_site(), "expected a parameter between two commas"));
+        }
+        let (name, value) = named_value(tokens)?;
+        let fresh = |taken: bool| {
+            if taken { Err(Error::new(name.span(), format!("`{name}` is given twice: keep one"))) } else { Ok(()) }
+        };
+        match name.to_string().as_str() {
+            "theta0" | "θ0" => fresh(self.theta0.is_some()).and(number(&name, value).map(|v| self.theta0 = Some(v))),
+            "velocity0" => fresh(self.velocity0.is_some()).and(number(&name, value).map(|v| self.velocity0 = Some(v))),
+            "omega" | "ω" => fresh(self.omega.is_some()).and(number(&name, value).map(|v| self.omega = Some(v))),
+            "g" => fresh(self.g.is_some()).and(number(&name, value).map(|v| self.g = Some(v))),
+            "length" => fresh(self.length.is_some()).and(number(&name, value).map(|v| self.length = Some(v))),
+            "tol" => fresh(self.tol.is_some()).and(number(&name, value).map(|v| self.tol = Some(v))),
+            "t_max" => fresh(self.t_max.is_some()).and(number(&name, value).map(|v| self.t_max = Some(v))),
+            "n" => fresh(self.n.is_some()).and(count(&name, value).map(|v| self.n = Some(v))),
+            "method" => fresh(self.method.is_some())
+                .and(word(&name, value, "method", Method::WORDS, Method::from_word).map(|v| self.method = Some(v))),
+            "float" => fresh(self.float.is_some())
+                .and(word(&name, value, "float", Float::WORDS, Float::from_word).map(|v| self.float = Some(v))),
+            "outputs" => fresh(self.outputs.is_some()).and(outputs(&name, value).map(|v| self.outputs = Some(v))),
+            unknown => Err(Error::new(name.span(), unknown_parameter(unknown))),
+        }
+    }
+}
+
+fn unknown_parameter(name: &str) -> String {
+    nearest(name, &PARAMETERS).map_or_else(
+        || format!("unknown parameter `{name}`: the parameters are {}", list(&PARAMETERS)),
+        |known| format!("unknown parameter `{name}`: did you mean `{known}`?"),
+    )
+}
+
+/// `name = value`, the value's tokens untouched.
+fn named_value(tokens: TokenStream) -> Result<(Ident, TokenStream)> {
+    let parse = |input: ParseStream| {
+        let name = input.call(Ident::parse_any).map_err(|_| input.error("expected `name = value`"))?;
+        if input.parse::<Option<Token![=]>>()?.is_none() {
+            return Err(Error::new(name.span(), format!("expected a value: `{name} = …`")));
+        }
+        let value: TokenStream = input.parse()?;
+        if value.is_empty() {
+            return Err(Error::new(name.span(), format!("`{name} =` lacks its value")));
+        }
+        Ok((name, value))
+    };
+    parse.parse2(tokens)
+}
+
+fn number(name: &Ident, tokens: TokenStream) -> Result<Given<Number>> {
+    Ok(Given { name: name.clone(), value: Number::parse_all(tokens.clone())?, tokens })
+}
+
+fn count(name: &Ident, tokens: TokenStream) -> Result<Given<usize>> {
+    let wrong =
+        |_| Error::new_spanned(&tokens, format!("`{name}` takes a whole number of terms, such as `{name} = 4`"));
+    let literal: LitInt = syn::parse2(tokens.clone()).map_err(wrong)?;
+    let value =
+        if literal.suffix().is_empty() { literal.base10_parse() } else { Err(Error::new(Span::call_site(), "")) };
+    Ok(Given { name: name.clone(), value: value.map_err(wrong)?, tokens })
+}
+
+fn word<T>(
+    name: &Ident,
+    tokens: TokenStream,
+    what: &str,
+    words: &[&str],
+    from_word: fn(&str) -> Option<T>,
+) -> Result<Given<T>> {
+    let ident = syn::parse2::<Ident>(tokens.clone())
+        .map_err(|_| Error::new_spanned(&tokens, format!("`{name}` is one of {}", list(words))))?;
+    Ok(Given { name: name.clone(), value: one_word(&ident, what, words, from_word)?, tokens })
+}
+
+fn one_word<T>(ident: &Ident, what: &str, words: &[&str], from_word: fn(&str) -> Option<T>) -> Result<T> {
+    let text = ident.to_string();
+    from_word(&text).ok_or_else(|| {
+        let message = nearest(&text, words).map_or_else(
+            || format!("unknown {what} `{text}`: it is one of {}", list(words)),
+            |known| format!("unknown {what} `{text}`: did you mean `{known}`?"),
+        );
+        Error::new(ident.span(), message)
+    })
+}
+
+fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Output>>> {
+    let parse = |input: ParseStream| {
+        let inner;
+        bracketed!(inner in input);
+        let words = inner.parse_terminated(Ident::parse_any, Token![,])?;
+        let mut outputs = Vec::new();
+        for ident in words {
+            let output = one_word(&ident, "output", Output::WORDS, Output::from_word)?;
+            if outputs.contains(&output) {
+                return Err(Error::new(ident.span(), format!("output `{ident}` is listed twice: keep one")));
+            }
+            outputs.push(output);
+        }
+        Ok(outputs)
+    };
+    let looks_like_list = matches!(tokens.clone().into_iter().next(), Some(TokenTree::Group(_)));
+    if !looks_like_list {
+        return Err(Error::new_spanned(&tokens, "`outputs` is a list, such as `[theta, velocity]`"));
+    }
+    let value = parse.parse2(tokens.clone())?;
+    if value.is_empty() {
+        let all = list(Output::WORDS);
+        return Err(Error::new_spanned(&tokens, format!("`outputs` is empty: list at least one of {all}")));
+    }
+    Ok(Given { name: name.clone(), value, tokens })
+}
+
+/// `` `a`, `b` or `c` ``
+pub(crate) fn list(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        Some((last, _)) => last.clone(),
+        None => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn request(text: &str) -> Result<Request> {
+        let mut report = Report::default();
+        let request = parse(text.parse().unwrap(), &mut report);
+        report.finish().map(|()| request.unwrap())
+    }
+
+    #[test]
+    fn reads_both_forms() {
+        let expression = request("θ0 = 7π/8, n = 4").unwrap();
+        assert!(matches!(expression.form, Form::Expression));
+        assert_eq!(expression.n.unwrap().value, 4);
+        let item = request("/// Doc\n pub(crate) struct Clock; theta0 = 1, outputs = [theta, velocity],").unwrap();
+        let Form::Item(header) = item.form else { panic!("an item") };
+        assert_eq!(header.name, "Clock");
+        assert_eq!(header.attributes.len(), 1);
+        assert_eq!(item.outputs.unwrap().value, [Output::Theta, Output::Velocity]);
+    }
+
+    #[test]
+    fn reports_every_mistake() {
+        let error = request("theta = 1, n = 0.5, n = 3, n = 4, method = furier, float = f16").err().unwrap();
+        let messages: Vec<String> = error.into_iter().map(|e| e.to_string()).collect();
+        assert_eq!(messages.len(), 5, "{messages:#?}");
+        assert!(messages[0].contains("did you mean `theta0`"));
+        assert!(messages[1].contains("whole number"));
+        assert!(messages[2].contains("twice"));
+        assert!(messages[3].contains("`fourier`"));
+    }
+
+    #[test]
+    fn refuses_empty_and_repeated_outputs() {
+        assert!(request("theta0 = 1, outputs = []").err().unwrap().to_string().contains("empty"));
+        assert!(request("theta0 = 1, outputs = [theta, theta]").err().unwrap().to_string().contains("twice"));
+        assert!(request("theta0 = 1, outputs = theta").err().unwrap().to_string().contains("list"));
+    }
+}
