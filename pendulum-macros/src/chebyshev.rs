@@ -1,0 +1,145 @@
+//! Chebyshev series on [−1, 1] in double-double arithmetic: sampling, truncation, conversion to powers.
+
+use pendulum_runtime::double::Double;
+
+/// cos(πj/(2m)) for every j, from one table of a quarter wave.
+pub(crate) struct CosineTable {
+    m: usize,
+    quarter: Vec<Double>,
+}
+
+impl CosineTable {
+    /// For m sampling points.
+    pub(crate) fn new(m: usize) -> Self {
+        let quarter = (0..=m).map(|j| cos_pi(Double::new(j as f64) / Double::new(2.0 * m as f64))).collect();
+        Self { m, quarter }
+    }
+
+    fn get(&self, j: usize) -> Double {
+        let j = j % (4 * self.m);
+        let j = if j > 2 * self.m { 4 * self.m - j } else { j };
+        if j > self.m { -self.quarter[2 * self.m - j] } else { self.quarter[j] }
+    }
+
+    /// The points cos(π(2i + 1)/(2m)).
+    pub(crate) fn points(&self) -> impl Iterator<Item = Double> + '_ {
+        (0..self.m).map(|i| self.get(2 * i + 1))
+    }
+
+    /// The first `count` ≤ m coefficients of the interpolant through `values` at [`Self::points`] (the zeroth one whole, not
+    /// doubled).
+    pub(crate) fn coefficients(&self, values: &[Double], count: usize) -> Vec<Double> {
+        let coefficient = |j: usize| {
+            let sum = (0..self.m).fold(Double::ZERO, |sum, i| sum + values[i] * self.get(j * (2 * i + 1)));
+            sum * (if j == 0 { 1.0 } else { 2.0 }) / Double::new(self.m as f64)
+        };
+        (0..count.min(self.m)).map(coefficient).collect()
+    }
+}
+
+/// cos πx for |x| ≤ 1, within 2⁻¹⁰⁰ (Taylor's series of cosine or sine on [0, π/4]).
+pub(crate) fn cos_pi(x: Double) -> Double {
+    let x = x.abs();
+    if x.hi > 0.5 {
+        return -cos_pi(Double::ONE - x);
+    }
+    if x.hi > 0.25 {
+        return sine(Double::PI * (Double::new(0.5) - x));
+    }
+    cosine(Double::PI * x)
+}
+
+/// sin πx for |x| ≤ 1.
+pub(crate) fn sin_pi(x: Double) -> Double {
+    let value = cos_pi(Double::new(0.5) - x.abs());
+    if x.hi < 0.0 { -value } else { value }
+}
+
+fn cosine(x: Double) -> Double {
+    alternating(x, Double::ONE, 0)
+}
+
+fn sine(x: Double) -> Double {
+    alternating(x, x, 1)
+}
+
+/// Σ (−1)ʲ first·x²ʲ·k!/(k + 2j)!.
+fn alternating(x: Double, first: Double, k: u32) -> Double {
+    let square = x * x;
+    let (mut term, mut sum, mut n) = (first, first, f64::from(k));
+    while term.hi.abs() > 1e-34 * sum.hi.abs() {
+        term = -(term * square) / Double::new((n + 1.0) * (n + 2.0));
+        sum = sum + term;
+        n += 2.0;
+    }
+    sum
+}
+
+/// Coefficients in powers of τ of Σ aⱼ Tⱼ(τ), by Clenshaw's recurrence on polynomials.
+pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
+    // bⱼ = aⱼ + 2τ·bⱼ₊₁ − bⱼ₊₂, the sum being a₀ + τ·b₁ − b₂.
+    let degree = series.len() - 1;
+    let (mut next, mut after) = (vec![Double::ZERO; degree + 1], vec![Double::ZERO; degree + 1]);
+    for j in (0..=degree).rev() {
+        let factor = if j == 0 { 1.0 } else { 2.0 };
+        let mut current = vec![Double::ZERO; degree + 1];
+        for i in 0..=degree - j {
+            let shifted = if i == 0 { Double::ZERO } else { next[i - 1] * factor };
+            current[i] = shifted - after[i];
+        }
+        current[0] = current[0] + series[j];
+        after = next;
+        next = current;
+    }
+    next
+}
+
+/// Coefficients in powers of x of Σ cⱼ (x·scale − 1)ʲ, by repeated synthetic division.
+pub(crate) fn shift_by_one(powers: &[Double], scale: Double) -> Vec<Double> {
+    let mut shifted = powers.to_vec();
+    for i in 0..shifted.len() {
+        for j in (i..shifted.len() - 1).rev() {
+            shifted[j] = shifted[j] - shifted[j + 1];
+        }
+    }
+    let mut factor = Double::ONE;
+    for coefficient in &mut shifted {
+        *coefficient = *coefficient * factor;
+        factor = factor * scale;
+    }
+    shifted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cosine_of_known_angles() {
+        let half = cos_pi(Double::ONE / Double::new(3.0)) - Double::new(0.5);
+        assert!(half.hi.abs() < 1e-31);
+        let root = cos_pi(Double::new(0.25));
+        assert!((root * root - Double::new(0.5)).hi.abs() < 1e-31);
+        assert!((sin_pi(Double::new(-0.5)) + Double::ONE).hi.abs() < 1e-31);
+    }
+
+    #[test]
+    fn recovers_a_polynomial() {
+        // 3 − 2x + 5x³ = 3 + 1.75·T₁ + 1.25·T₃
+        let table = CosineTable::new(9);
+        let cubic = |x: Double| Double::new(3.0) - x * 2.0 + x * x * x * 5.0;
+        let values: Vec<Double> = table.points().map(cubic).collect();
+        let series = table.coefficients(&values, 4);
+        for (found, known) in series.iter().zip([3.0, 1.75, 0.0, 1.25]) {
+            assert!((*found - Double::new(known)).hi.abs() < 1e-30);
+        }
+        for (found, known) in to_powers(&series).iter().zip([3.0, -2.0, 0.0, 5.0]) {
+            assert!((*found - Double::new(known)).hi.abs() < 1e-29);
+        }
+        // Σ cⱼ(2y − 1)ʲ at y = 1 and y = 0.
+        let shifted = shift_by_one(&to_powers(&series), Double::new(2.0));
+        let at_one = shifted.iter().fold(Double::ZERO, |sum, &c| sum + c);
+        assert!((at_one - Double::new(6.0)).hi.abs() < 1e-29);
+        assert!((shifted[0] - Double::ZERO).hi.abs() < 1e-29);
+    }
+}

@@ -1,0 +1,159 @@
+//! The curves that outputs are made of: each a function of the phase alone, with what planning needs to know of it.
+
+use crate::exact::Real;
+use crate::motion::Swing;
+use crate::series::{Parity, Wave, swing_rate};
+use pendulum_runtime::double::Double;
+
+/// A function of the phase s (in anchors) between two anchors.
+#[derive(Clone, Debug)]
+pub(crate) struct Curve {
+    pub(crate) name: &'static str,
+    wave: Wave,
+    shape: Shape,
+    /// Set where the sign changes from anchor to anchor.
+    pub(crate) alternates: bool,
+    /// The largest magnitude for real s.
+    pub(crate) largest: f64,
+    /// The largest |derivative| with respect to s.
+    pub(crate) slope: f64,
+    /// What a tolerance of 1 means: 1, ω, ω².
+    pub(crate) unit: f64,
+}
+
+/// How the curve follows from its wave w.
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    /// w.
+    Wave,
+    /// −(constant + w²/2).
+    Energy { constant: Double },
+}
+
+impl Curve {
+    pub(crate) fn parity(&self) -> Parity {
+        match self.shape {
+            Shape::Wave => self.wave.parity,
+            Shape::Energy { .. } => Parity::Even,
+        }
+    }
+
+    pub(crate) fn at(&self, s: Double) -> Double {
+        let wave = self.wave.at(s);
+        match self.shape {
+            Shape::Wave => wave,
+            Shape::Energy { constant } => -(constant + wave * wave * 0.5),
+        }
+    }
+
+    /// Bounds |curve| for |Im s| ≤ `height`.
+    pub(crate) fn bound(&self, height: f64) -> f64 {
+        let wave = self.wave.bound(height);
+        match self.shape {
+            Shape::Wave => wave,
+            Shape::Energy { constant } => constant.hi.abs() + wave * wave * 0.501,
+        }
+    }
+
+    /// Height of the strip where [`Self::bound`] is finite.
+    pub(crate) fn strip(&self) -> f64 {
+        self.wave.strip()
+    }
+
+    /// What the series' omitted terms can change.
+    pub(crate) fn omitted(&self) -> f64 {
+        match self.shape {
+            Shape::Wave => self.wave.omitted(),
+            Shape::Energy { .. } => self.wave.omitted() * (self.wave.bound(0.0) + self.wave.omitted()),
+        }
+    }
+
+    /// θ0 cos(πs): small angles, Eqs. 3 and 17.
+    pub(crate) fn cosine(amplitude: &Real) -> Self {
+        let largest = amplitude.to_f64();
+        Self {
+            name: "theta",
+            wave: Wave::cosine(amplitude.to_double()),
+            shape: Shape::Wave,
+            alternates: true,
+            largest,
+            slope: largest * std::f64::consts::PI,
+            unit: 1.0,
+        }
+    }
+}
+
+/// The curves of a swing.
+pub(crate) struct SwingCurves<'a> {
+    swing: &'a Swing,
+    omega: &'a Real,
+}
+
+impl<'a> SwingCurves<'a> {
+    pub(crate) fn new(swing: &'a Swing, omega: &'a Real) -> Self {
+        Self { swing, omega }
+    }
+
+    /// Anchors per unit of ωt: π-free, 1/(2K).
+    fn rate(&self) -> Double {
+        (swing_rate(self.swing) / self.omega).to_double()
+    }
+
+    fn modulus(&self) -> f64 {
+        self.swing.elliptic.modulus.to_f64()
+    }
+
+    /// sup |sin θ|.
+    fn largest_sine(&self) -> f64 {
+        let amplitude = self.swing.amplitude.to_f64();
+        if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { amplitude.sin() }
+    }
+
+    fn wave(&self, name: &'static str, order: i32, scale: Double, largest: f64, slope: f64, unit: f64) -> Curve {
+        let wave = Wave::swing(self.swing, order, scale);
+        let slack = 1.0 + 1e-12;
+        Curve { name, wave, shape: Shape::Wave, alternates: true, largest, slope: slope * slack, unit }
+    }
+
+    /// θ; |θ̇| ≤ 2kω.
+    pub(crate) fn theta(&self) -> Curve {
+        let slope = 2.0 * self.modulus() / self.rate().hi;
+        self.wave("theta", 0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0)
+    }
+
+    /// θ̇.
+    pub(crate) fn velocity(&self) -> Curve {
+        let omega = self.omega.to_double();
+        let slope = omega.hi * self.largest_sine() / self.rate().hi;
+        self.wave("velocity", 1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slope, omega.hi)
+    }
+
+    /// θ̈ = −ω² sin θ; its derivative is largest at the lowest point.
+    pub(crate) fn acceleration(&self) -> Curve {
+        let rate = self.rate() * self.omega.to_double();
+        let square = self.omega.square().to_f64();
+        let slope = square * 2.0 * self.modulus() / self.rate().hi;
+        self.wave("acceleration", 2, rate * rate, square * self.largest_sine(), slope, square)
+    }
+
+    /// sin θ = −θ̈/ω².
+    pub(crate) fn sine(&self) -> Curve {
+        let slope = 2.0 * self.modulus() / self.rate().hi;
+        self.wave("x", 2, -(self.rate() * self.rate()), self.largest_sine(), slope, 1.0)
+    }
+
+    /// −cos θ, by the energy: cos θ = cos θ0 + (θ̇/ω)²/2.
+    pub(crate) fn height(&self) -> Curve {
+        let (sine, cosine) = self.swing.amplitude.scale(-1).sin_cos();
+        let constant = cosine.square() - sine.square();
+        let start = constant.to_f64();
+        // |sin θ·θ̇|/ω is largest where 3c² − 2c·cos θ0 − 1 = 0, c = cos θ.
+        let c = (start + (start * start + 3.0).sqrt()) / 3.0;
+        let steepest = ((1.0 - c * c) * 2.0 * (c - start)).max(0.0).sqrt();
+        Curve {
+            shape: Shape::Energy { constant: constant.to_double() },
+            alternates: false,
+            ..self.wave("y", 1, self.rate(), 1.0, steepest / self.rate().hi, 1.0)
+        }
+    }
+}

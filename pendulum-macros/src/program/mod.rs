@@ -1,0 +1,255 @@
+//! Straight-line programs: what a plan computes, one operation a node.
+//!
+//! The same value is interpreted by tests, analysed for rounding, counted for its cost and printed as Rust. All of them
+//! therefore speak of the very same operations in the very same order.
+
+pub(crate) mod cost;
+pub(crate) mod interpret;
+pub(crate) mod rounding;
+
+use crate::parse::Float;
+
+/// A node's index; operands precede their users.
+pub(crate) type Id = usize;
+
+/// One IEEE operation, or a manipulation of a number's bits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Op {
+    /// The time.
+    Input,
+    /// A constant: the number of the program's float, and how far the exact constant is from it.
+    Constant {
+        value: f64,
+        rest: f64,
+    },
+    Add(Id, Id),
+    Sub(Id, Id),
+    Mul(Id, Id),
+    Div(Id, Id),
+    Sqrt(Id),
+    Abs(Id),
+    /// `if limit < x { limit } else { x }`: NaN passes.
+    Min {
+        limit: Id,
+        x: Id,
+    },
+    /// `if x < limit { limit } else { x }`: NaN passes.
+    Max {
+        limit: Id,
+        x: Id,
+    },
+    /// `if a < b { then } else { otherwise }`.
+    Select {
+        a: Id,
+        b: Id,
+        then: Id,
+        otherwise: Id,
+    },
+    /// x without its 26 lowest bits (`f64` only).
+    Head(Id),
+    /// x with its sign flipped where the integer in `magic` (a sum with [`Float::magic`]) is odd.
+    Alternate {
+        x: Id,
+        magic: Id,
+    },
+    /// 2 to the integer in `magic` (a sum with [`Float::magic`]); `f64` only.
+    PowerOfTwo {
+        magic: Id,
+    },
+    /// `f32` to `f64`.
+    Widen(Id),
+    /// `f64` to `f32`.
+    Narrow(Id),
+}
+
+/// An operation, the type of its result, and the name it has in the emitted code (unnamed ones are inlined).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Node {
+    pub(crate) op: Op,
+    pub(crate) float: Float,
+    pub(crate) name: Option<&'static str>,
+}
+
+/// A function of the time with one or more results.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Program {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) results: Vec<Id>,
+}
+
+impl Float {
+    /// Adding this number rounds to an integer, held in the low bits of the sum: 1.5·2⁵² or 1.5·2²³, for magnitudes
+    /// below a third of it.
+    pub(crate) const fn magic(self) -> f64 {
+        match self {
+            Self::F64 => 6_755_399_441_055_744.0,
+            Self::F32 => 12_582_912.0,
+        }
+    }
+
+    /// Half the distance from 1 to the next number.
+    pub(crate) const fn unit(self) -> f64 {
+        match self {
+            Self::F64 => f64::EPSILON / 2.0,
+            Self::F32 => f32::EPSILON as f64 / 2.0,
+        }
+    }
+
+    /// Significant bits.
+    pub(crate) const fn bits(self) -> i32 {
+        match self {
+            Self::F64 => 53,
+            Self::F32 => 24,
+        }
+    }
+
+    /// x rounded to this type.
+    pub(crate) fn round(self, x: f64) -> f64 {
+        match self {
+            Self::F64 => x,
+            Self::F32 => f64::from(x as f32),
+        }
+    }
+}
+
+impl Op {
+    /// The nodes it reads.
+    pub(crate) fn operands(self) -> Vec<Id> {
+        match self {
+            Self::Input | Self::Constant { .. } => vec![],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::Sqrt(x) | Self::Abs(x) | Self::Head(x) | Self::Widen(x) | Self::Narrow(x) => vec![x],
+            Self::Min { limit, x } | Self::Max { limit, x } => vec![limit, x],
+            Self::Select { a, b, then, otherwise } => vec![a, b, then, otherwise],
+            Self::Alternate { x, magic } => vec![x, magic],
+            Self::PowerOfTwo { magic } => vec![magic],
+        }
+    }
+}
+
+/// Writes a program node by node.
+#[derive(Clone, Debug)]
+pub(crate) struct Builder {
+    nodes: Vec<Node>,
+    /// The type of the nodes to come.
+    float: Float,
+}
+
+impl Builder {
+    /// A program whose time, and results, are of type `float`.
+    pub(crate) fn new(float: Float) -> Self {
+        Self { nodes: Vec::new(), float }
+    }
+
+    pub(crate) fn float(&self) -> Float {
+        self.float
+    }
+
+    /// The time, node 0.
+    pub(crate) fn input(&mut self) -> Id {
+        let t = self.push(Op::Input);
+        self.name(t, "t")
+    }
+
+    /// The number nearest to `value + rest`, whose distance from it is kept.
+    pub(crate) fn exact(&mut self, value: f64, rest: f64) -> Id {
+        let rounded = self.float.round(value);
+        self.push(Op::Constant { value: rounded, rest: (value - rounded) + rest })
+    }
+
+    /// A number that is exact as it stands.
+    pub(crate) fn constant(&mut self, value: f64) -> Id {
+        self.exact(value, 0.0)
+    }
+
+    pub(crate) fn add(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Add(a, b))
+    }
+
+    pub(crate) fn sub(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Sub(a, b))
+    }
+
+    pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Mul(a, b))
+    }
+
+    /// Gives `id` a name in the emitted code.
+    pub(crate) fn name(&mut self, id: Id, name: &'static str) -> Id {
+        self.nodes[id].name = Some(name);
+        id
+    }
+
+    /// Appends `op`; an operation that is there already (with the same name or none) is shared.
+    pub(crate) fn push(&mut self, op: Op) -> Id {
+        if let Some(id) = self.nodes.iter().position(|node| node.op == op && node.float == self.float) {
+            return id;
+        }
+        self.nodes.push(Node { op, float: self.float, name: None });
+        self.nodes.len() - 1
+    }
+
+    /// Converts `x` to `float` and continues in it.
+    pub(crate) fn convert(&mut self, x: Id, float: Float) -> Id {
+        if self.float == float {
+            return x;
+        }
+        self.float = float;
+        self.push(if float == Float::F64 { Op::Widen(x) } else { Op::Narrow(x) })
+    }
+
+    /// The finished program, without the nodes that no result needs.
+    pub(crate) fn finish(self, results: Vec<Id>) -> Program {
+        Program { nodes: self.nodes, results }.pruned()
+    }
+}
+
+impl Program {
+    fn pruned(self) -> Self {
+        let mut needed = vec![false; self.nodes.len()];
+        for &result in &self.results {
+            needed[result] = true;
+        }
+        for id in (0..self.nodes.len()).rev() {
+            if needed[id] {
+                self.nodes[id].op.operands().into_iter().for_each(|operand| needed[operand] = true);
+            }
+        }
+        let mut renamed = vec![Id::MAX; self.nodes.len()];
+        let mut nodes = Vec::new();
+        for (id, node) in self.nodes.into_iter().enumerate().filter(|(id, _)| needed[*id]) {
+            renamed[id] = nodes.len();
+            nodes.push(Node { op: node.op.renamed(&renamed), ..node });
+        }
+        Self { nodes, results: self.results.iter().map(|&id| renamed[id]).collect() }
+    }
+
+    /// The node of this name, if the program has one.
+    pub(crate) fn named(&self, name: &str) -> Option<Id> {
+        self.nodes.iter().position(|node| node.name == Some(name))
+    }
+}
+
+impl Op {
+    fn renamed(self, to: &[Id]) -> Self {
+        match self {
+            Self::Input | Self::Constant { .. } => self,
+            Self::Add(a, b) => Self::Add(to[a], to[b]),
+            Self::Sub(a, b) => Self::Sub(to[a], to[b]),
+            Self::Mul(a, b) => Self::Mul(to[a], to[b]),
+            Self::Div(a, b) => Self::Div(to[a], to[b]),
+            Self::Sqrt(x) => Self::Sqrt(to[x]),
+            Self::Abs(x) => Self::Abs(to[x]),
+            Self::Head(x) => Self::Head(to[x]),
+            Self::Widen(x) => Self::Widen(to[x]),
+            Self::Narrow(x) => Self::Narrow(to[x]),
+            Self::Min { limit, x } => Self::Min { limit: to[limit], x: to[x] },
+            Self::Max { limit, x } => Self::Max { limit: to[limit], x: to[x] },
+            Self::Select { a, b, then, otherwise } => {
+                Self::Select { a: to[a], b: to[b], then: to[then], otherwise: to[otherwise] }
+            }
+            Self::Alternate { x, magic } => Self::Alternate { x: to[x], magic: to[magic] },
+            Self::PowerOfTwo { magic } => Self::PowerOfTwo { magic: to[magic] },
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! The Fourier series of the outputs: independent values to sample, and bounds in the complex plane.
+
+use crate::chebyshev::{cos_pi, sin_pi};
+use crate::exact::Real;
+use crate::motion::{Elliptic, Rotation, Swing};
+use pendulum_runtime::double::Double;
+
+/// Σ aₘ cos(mπs) or linear·s + Σ aₘ sin(mπs), s being the phase in anchors.
+#[derive(Clone, Debug)]
+pub(crate) struct Wave {
+    pub(crate) parity: Parity,
+    linear: Double,
+    constant: Double,
+    /// (m, aₘ), m increasing.
+    terms: Vec<(u32, Double)>,
+    /// Bounds what the omitted terms can add, for real s.
+    omitted: f64,
+    /// |aₘ| ≤ growth·mʲ·decayᵐ for all m, with this j: the bound of the omitted terms.
+    envelope: Envelope,
+}
+
+/// The symmetry about an anchor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Parity {
+    Even,
+    Odd,
+}
+
+/// |aₘ| ≤ size·mᵖ·exp(−rate·m).
+#[derive(Clone, Copy, Debug)]
+struct Envelope {
+    size: f64,
+    power: i32,
+    rate: f64,
+    step: u32,
+}
+
+/// Relative to the first term, terms below this are omitted: far below the rounding of any output.
+const NEGLIGIBLE: f64 = 1e-23;
+
+impl Wave {
+    /// θ of a swing about its turning point (the series of θ itself, differentiated `order` times with respect to s):
+    /// θ = 8 Σ (−1)ⁿ⁻¹ q^(n−½)/((2n−1)(1 + q²ⁿ⁻¹)) cos((2n−1)πs), `scale` times.
+    pub(crate) fn swing(swing: &Swing, order: i32, scale: Double) -> Self {
+        let nome = swing.elliptic.nome.to_double();
+        let root = swing.elliptic.nome.sqrt().to_double();
+        let envelope = Envelope {
+            size: 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order),
+            power: order - 1,
+            rate: decay(&swing.elliptic) / 2.0,
+            step: 2,
+        };
+        let mut power = root; // q^(m/2)
+        let terms = (1..).step_by(2).map(|m: u32| {
+            let odd = m % 4 == 3;
+            let size = power * 8.0 / (Double::ONE + power * power) * scale;
+            power = power * nome;
+            let rate =
+                (0..order).fold(Double::ONE, |rate, _| rate * Double::PI * f64::from(m)) / Double::new(f64::from(m));
+            // Derivatives of the cosine: −sin, −cos, sin, cos.
+            let negative = odd ^ matches!(order % 4, 1 | 2);
+            (m, if negative { -(size * rate) } else { size * rate })
+        });
+        let parity = if order % 2 == 0 { Parity::Even } else { Parity::Odd };
+        Self::collect(parity, [Double::ZERO; 2], terms, envelope)
+    }
+
+    /// θ − π of a rotation about the top, differentiated `order` times with respect to s (in turns):
+    /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `scale` times.
+    pub(crate) fn rotation(rotation: &Rotation, order: i32, scale: Double) -> Self {
+        let nome = rotation.elliptic.nome.to_double();
+        let envelope = Envelope {
+            size: 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order),
+            power: order - 1,
+            rate: decay(&rotation.elliptic) / 2.0,
+            step: 2,
+        };
+        let mut power = nome;
+        let terms = (1..).map(|n: u32| {
+            let size = power * 4.0 / (Double::ONE + power * power) / Double::new(f64::from(n)) * scale;
+            power = power * nome;
+            let rate = (0..order).fold(Double::ONE, |rate, _| rate * Double::PI * f64::from(2 * n));
+            let negative = (n % 2 == 1) ^ matches!(order % 4, 2 | 3);
+            (2 * n, if negative { -(size * rate) } else { size * rate })
+        });
+        let turn = Double::PI * 2.0 * scale;
+        let (parity, polynomial) = match order {
+            0 => (Parity::Odd, [turn, Double::ZERO]),
+            1 => (Parity::Even, [Double::ZERO, turn]),
+            _ => (if order % 2 == 0 { Parity::Odd } else { Parity::Even }, [Double::ZERO; 2]),
+        };
+        Self::collect(parity, polynomial, terms, envelope)
+    }
+
+    /// scale·cos(πs).
+    pub(crate) fn cosine(scale: Double) -> Self {
+        let envelope = Envelope { size: scale.hi.abs() * 1e300, power: 0, rate: 690.0, step: 2 };
+        Self {
+            parity: Parity::Even,
+            linear: Double::ZERO,
+            constant: Double::ZERO,
+            terms: vec![(1, scale)],
+            omitted: 0.0,
+            envelope,
+        }
+    }
+
+    fn collect(
+        parity: Parity,
+        [linear, constant]: [Double; 2],
+        terms: impl Iterator<Item = (u32, Double)>,
+        envelope: Envelope,
+    ) -> Self {
+        let mut kept: Vec<(u32, Double)> = Vec::new();
+        let mut largest = linear.hi.abs().max(constant.hi.abs());
+        let mut omitted = 0.0;
+        for (m, amplitude) in terms {
+            largest = largest.max(amplitude.hi.abs());
+            if envelope.tail(m, 0.0) <= NEGLIGIBLE * largest {
+                omitted = envelope.tail(m, 0.0);
+                break;
+            }
+            kept.push((m, amplitude));
+        }
+        Self { parity, linear, constant, terms: kept, omitted, envelope }
+    }
+
+    /// The value at the phase s, |s| ≤ 1.
+    pub(crate) fn at(&self, s: Double) -> Double {
+        let (cosine, sine) = (cos_pi(s), sin_pi(s));
+        // Recurrence for cos(mπs), sin(mπs): rotation by one step of the series.
+        let step = self.envelope.step;
+        let turn = if step == 2 { (cosine * cosine - sine * sine, cosine * sine * 2.0) } else { (cosine, sine) };
+        let mut phase = match self.terms.first() {
+            Some(&(2, _)) => turn,
+            _ => (cosine, sine),
+        };
+        let mut sum = self.constant + self.linear * s;
+        for &(_, amplitude) in &self.terms {
+            sum = sum + amplitude * if self.parity == Parity::Even { phase.0 } else { phase.1 };
+            phase = (phase.0 * turn.0 - phase.1 * turn.1, phase.1 * turn.0 + phase.0 * turn.1);
+        }
+        sum
+    }
+
+    /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 1; infinite beyond the strip of convergence.
+    pub(crate) fn bound(&self, height: f64) -> f64 {
+        let growth = std::f64::consts::PI * height;
+        let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * (growth * f64::from(m)).cosh()).sum();
+        let next = self.terms.last().map_or(1, |&(m, _)| m + self.envelope.step);
+        let tail = if self.terms.len() == 1 && self.omitted == 0.0 { 0.0 } else { self.envelope.tail(next, growth) };
+        (self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
+    }
+
+    /// Half the height of the strip in which the series converges, infinite for a finite one.
+    pub(crate) fn strip(&self) -> f64 {
+        self.envelope.rate / std::f64::consts::PI
+    }
+
+    /// What the omitted terms can add for real s.
+    pub(crate) fn omitted(&self) -> f64 {
+        self.omitted
+    }
+}
+
+/// πK′/K: the nome's logarithm.
+fn decay(elliptic: &Elliptic) -> f64 {
+    std::f64::consts::PI * (&elliptic.quarter_complementary / &elliptic.quarter).to_f64()
+}
+
+impl Envelope {
+    /// Bounds Σ |aₘ| exp(growth·m) over m = first, first + step, …
+    fn tail(self, first: u32, growth: f64) -> f64 {
+        let rate = self.rate - growth;
+        if rate <= 0.0 {
+            return f64::INFINITY;
+        }
+        let step = f64::from(self.step);
+        let m = f64::from(first);
+        // mᵖ grows by at most (1 + step/m)ᵖ a step.
+        let ratio = (-rate * step).exp() * (1.0 + step / m).powi(self.power.max(0));
+        if ratio >= 1.0 {
+            return f64::INFINITY;
+        }
+        self.size * m.powi(self.power) * (-rate * m).exp() / (1.0 - ratio)
+    }
+}
+
+/// The rate of anchors: 2/T of a swing.
+pub(crate) fn swing_rate(swing: &Swing) -> Real {
+    swing.period.context().integer(2) / &swing.period
+}
