@@ -263,8 +263,8 @@ impl Tree {
             Self::Binary { left, operator, right, blame } => {
                 let (left, right) = (left.evaluate(context)?, right.evaluate(context)?);
                 match operator {
-                    Operator::Add => left + right,
-                    Operator::Subtract => left - right,
+                    Operator::Add => sum_of(&left, &right),
+                    Operator::Subtract => sum_of(&left, &-right),
                     Operator::Multiply => left * right,
                     Operator::Divide if right.is_zero() => {
                         return Err(Error::new_spanned(blame, "division by zero"));
@@ -274,6 +274,12 @@ impl Tree {
             }
         })
     }
+}
+
+/// A sum whose terms cancel to below the resolution is zero: `sqrt(2)*sqrt(2) - 2` is not a rounding error.
+fn sum_of(left: &Real, right: &Real) -> Real {
+    let sum = left + right;
+    if sum.abs() <= left.abs() * left.context().resolution() { left.context().integer(0) } else { sum }
 }
 
 #[cfg(test)]
@@ -302,6 +308,7 @@ mod tests {
         assert_eq!(value("86_400"), 86_400.0);
         assert_eq!(value("1 - 2 - 3 / 2 / 3"), -1.5);
         assert_eq!(value("1e-3π"), 1e-3 * PI);
+        assert_eq!(value("sqrt(2) * sqrt(2) - 2"), 0.0);
     }
 
     #[test]
