@@ -281,4 +281,30 @@ mod tests {
         let known = context.decimal("0.83462684167407318628142973279904680899399301349").unwrap();
         assert!((gauss - known).abs() < context.decimal("1e-46").unwrap());
     }
+
+    /// Against the library's own arctangent, from tiny to huge quotients and on both axes.
+    #[test]
+    fn arctangent_agrees_with_the_library() {
+        let context = Context::for_digits(20);
+        let one = context.integer(1);
+        for text in ["0", "1e-400", "1e-20", "1e-9", "3e-9", "0.3", "1", "7.5", "1e12", "1e400"] {
+            let y = context.decimal(text).unwrap();
+            let expected = Real(y.0.atan2(&one.0));
+            for scale in [-2000, 0, 2000] {
+                let found = y.scale(scale).atan2(&one.scale(scale));
+                assert!((&found - &expected).abs() <= &expected * &context.resolution(), "{text} · 2^{scale}");
+            }
+        }
+        let right = one.atan2(&context.integer(0));
+        assert!((right - context.pi().scale(-1)).abs() < context.resolution());
+    }
+
+    #[test]
+    fn powers_and_exponents() {
+        let context = Context::for_digits(20);
+        assert_eq!(context.integer(3).power(13), context.integer(1594323));
+        assert_eq!(context.integer(3).power(0), context.integer(1));
+        assert_eq!([1, 7, 8].map(|n| context.integer(n).exponent()), [1, 3, 4]);
+        assert_eq!(context.power_of_two(-5000).exponent(), -4999);
+    }
 }

@@ -173,7 +173,7 @@ fn kind(regime: &Regime) -> &'static str {
     }
 }
 
-/// The smallest n after which all other terms together are at most half a unit in the last place of sn_N ∈ [½, 1):
+/// The smallest n after which all other terms together are at most half a unit in the last place of a sum in [½, 1):
 /// adding them can't bring the computed sum nearer than its own rounding leaves it.
 ///
 /// b₂ₙ₊₁/b₂ₙ₋₁ = q(1 − q^{2n−1})/(1 − q^{2n+1}) < q, so the tail Σ_{m>n} b₂ₘ₋₁ is below b₂ₙ₊₁/(1 − q).
@@ -183,7 +183,7 @@ fn most_useful_terms(swing: &Swing, float: Float) -> usize {
         Float::F32 => f64::from(f32::EPSILON) / 4.0,
     };
     let q = swing.elliptic.nome.to_f64();
-    // b₁ is within [1, 4/π] at every amplitude: from here the ratio alone.
+    // b₁ is within [1, 4/π] at every amplitude; from here on the ratio alone, which can't underflow too early.
     let mut term = swing.fourier_coefficient(1).to_f64();
     let mut odd_power = q;
     let mut n = 0;

@@ -30,11 +30,14 @@ impl Checker<'_> {
         let theta0 = self.angle();
         let velocity0 = self.velocity();
         self.start_is_given()?;
-        let (omega, theta0, velocity0) = (omega?, theta0?, velocity0?);
-        let zero = self.context.integer(0);
+        let (theta0, velocity0) = (theta0?, velocity0?);
+        let [zero, one] = [0, 1].map(|n| self.context.integer(n));
         let theta0 = theta0.unwrap_or_else(|| zero.clone());
         let velocity0 = velocity0.unwrap_or(zero);
-        let motion = Motion::solve(&theta0, &velocity0, &omega).map_err(|why| self.no_motion(why, &theta0))?;
+        // Whether the state moves doesn't depend on the rate: with a mistake in the rate it is judged all the same.
+        let rate = omega.as_ref().unwrap_or(&one);
+        let motion = Motion::solve(&theta0, &velocity0, rate).map_err(|why| self.no_motion(why, &theta0))?;
+        omega?;
         self.representable_period(&motion)?;
         Ok(motion)
     }
@@ -223,7 +226,7 @@ impl Checker<'_> {
             format!("largest `{float}`, {most:e}")
         };
         let side = if small { "below" } else { "above" };
-        let subject = if what == given.name.to_string() {
+        let subject = if given.name == what {
             format!("`{what} = {shown}` is")
         } else {
             format!("`{} = {shown}` puts {what}", given.name)

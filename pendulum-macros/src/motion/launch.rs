@@ -3,8 +3,8 @@
 //! Everything is written in s = sin(θ0/2), c = cos(θ0/2) and w = |θ̇0|/2ω, in which energy is s² + w² (= k², or 1/κ² of
 //! a rotation) and the distance from the separatrix is w² − c². The phases are Carlson integrals,
 //!
-//! - swing, back to or on from the turning point: u = w·R_F(k²c², k²k′², k′²s²), since sin(am) of it is w/(kc);
-//! - rotation, from the lowest point: u = s·R_F(1, κ²w², c²), with κ′² = κ²(w² − c²),
+//! - swing, back to or on from the turning point: `u = w·R_F(k²c², k²k′², k′²s²)`, since sin(am) of it is w/(kc);
+//! - rotation, from the lowest point: `u = s·R_F(1, κ²w², c²)`, with κ′² = κ²(w² − c²),
 //!
 //! and Gauss' transformation (see [`amplitude_at_infinity`]) takes both to an arctangent in quadratically converging
 //! steps without a subtraction, so the phase is accurate relative to itself at the turning point and at the lowest
@@ -101,12 +101,12 @@ fn half_angle(angle: &Real, below_top: &Real) -> (Real, Real) {
     if lower { (small, large) } else { (large, small) }
 }
 
-/// (π/2K)·A·R_F(x², y², z²) for z ≤ x, y, where A² = x² − z² and B² = y² − z² have B/A = k′: the phase angle πu/2K.
+/// `(π/2K)·A·R_F(x², y², z²)` for z ≤ x, y, where A² = x² − z² and B² = y² − z² have B/A = k′: the phase angle πu/2K.
 ///
-/// Gauss' transformation (DLMF 19.22.18) leaves R_F unchanged under
+/// Gauss' transformation (DLMF 19.22.18) leaves `R_F` unchanged under
 /// x ← (x + y)/2, y ← √((z² + xy + AB)/2), z ← zx/y (of the new x and y),
 /// while A and B take one step of the arithmetic-geometric mean; at its limit M = A·AGM(1, k′) = πA/2K, x = y and
-/// R_F = R_C = atan(M/z)/M, so that the result is atan(M/z). No step subtracts.
+/// `R_F = R_C = atan(M/z)/M`, so that the result is atan(M/z). No step subtracts.
 fn amplitude_at_infinity([mut x, mut y, mut z]: [Real; 3], [mut a, mut b]: [Real; 2]) -> Real {
     let tolerance = a.context().resolution();
     while (&a - &b).abs() > &a * &tolerance {

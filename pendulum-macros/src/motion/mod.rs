@@ -86,7 +86,7 @@ impl Motion {
     pub(crate) fn solve(theta0: &Real, velocity0: &Real, omega: &Real) -> Result<Self, NoMotion> {
         let state = State::new(theta0, velocity0, omega)?;
         let regime = match state.excess() {
-            Some(excess) if excess.is_negative() => Regime::Swing(Swing::through(&state, -excess, omega)),
+            Some(excess) if excess.is_negative() => Regime::Swing(Swing::through(&state, &-excess, omega)),
             Some(excess) => Regime::Rotation(Rotation::through(&state, &excess, omega)),
             None => Regime::Separatrix(Separatrix { mirrored: state.mirrored, launch: state.separatrix_phase() }),
         };
@@ -107,7 +107,7 @@ impl Motion {
 
 impl Swing {
     /// The swing through `state`, k′² being cos²(θ0/2) − (v0/2ω)².
-    fn through(state: &State, complementary_squared: Real, omega: &Real) -> Self {
+    fn through(state: &State, complementary_squared: &Real, omega: &Real) -> Self {
         let context = omega.context();
         let released = state.speed.is_zero();
         let (modulus, complementary) = if released {

@@ -79,7 +79,7 @@ keywords! {
         SmallAngle = "small_angle",
         /// Eq. 17: θ0 cos(2πt/T).
         Harmonic = "harmonic",
-        /// Eq. 22: 2 arcsin(k sn_N).
+        /// Eq. 22: `2 arcsin(k sn_N)`.
         Fourier = "fourier",
         /// The Fourier series of θ itself.
         Series = "series",
