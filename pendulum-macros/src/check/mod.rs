@@ -12,7 +12,7 @@ use crate::motion::Motion;
 use crate::parse::number::Number;
 use crate::parse::{Float, Form, Given, Output, Request};
 use crate::report::Report;
-use crate::scene::Scene;
+use crate::scene::{Blame, Scene};
 use quote::ToTokens;
 use std::fmt::Display;
 
@@ -31,6 +31,7 @@ pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
     let t_max = checker.t_max(motion.as_ref().ok());
     let outputs = checker.outputs(motion.as_ref().ok());
     let source = source::of(&request);
+    let blame = blame(&request);
     if !report.is_clean() {
         return None;
     }
@@ -42,8 +43,18 @@ pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
         method: method.ok()?,
         t_max: t_max.ok()?,
         outputs: outputs.ok()?,
+        blame,
         form: request.form,
     })
+}
+
+fn blame(request: &Request) -> Blame {
+    let tokens = |given: &Option<Given<Number>>| given.as_ref().map(|given| given.tokens.clone());
+    let start = tokens(&request.theta0).or_else(|| tokens(&request.velocity0)).unwrap_or_default();
+    let terms = request.n.as_ref().map(|given| given.tokens.clone());
+    let goal = terms.or_else(|| tokens(&request.tol)).unwrap_or_else(|| start.clone());
+    let method = request.method.as_ref().map_or_else(|| goal.clone(), |given| given.tokens.clone());
+    Blame { goal, start, method }
 }
 
 struct Checker<'a> {
@@ -78,7 +89,11 @@ impl Checker<'_> {
 
     /// The value of a parameter that may carry an angle's unit.
     fn evaluated(&mut self, given: &Given<Number>) -> Checked<Real> {
-        self.report.take(given.value.evaluate(self.context)).ok_or(Reported)
+        given.value.evaluate(self.context).map_err(|error| {
+            let message = format!("`{} = {}`: {error}", given.name, source::value(&given.tokens));
+            self.report.at(error.span(), message);
+            Reported
+        })
     }
 
     /// A plain value that has to be positive; `why` ends the message.

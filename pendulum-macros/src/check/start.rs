@@ -76,8 +76,9 @@ impl Checker<'_> {
     /// ω as given, √(g/ℓ), or 1.
     fn omega(&mut self) -> Checked<Real> {
         let request = self.request;
-        let need = "the rate ω of small oscillations needs it so";
-        let omega = self.positive(request.omega.as_ref(), "in radians per unit of t", need);
+        let rate = "ω is the rate of small oscillations; to mirror the motion change the sign of `theta0`";
+        let need = "ω = √(g/length) needs both above 0";
+        let omega = self.positive(request.omega.as_ref(), "in radians per unit of t", rate);
         let g = self.positive(request.g.as_ref(), "in m/s²", need);
         let length = self.positive(request.length.as_ref(), "in m", need);
         self.one_source_of_omega()?;
@@ -135,7 +136,7 @@ impl Checker<'_> {
         let radians = theta0.to_f64();
         let degrees = (theta0 * &self.context.ratio(180, 1) / self.context.pi()).to_f64();
         let value = format!("{shown} is {radians:?} rad = {degrees:?}°");
-        let moving = velocity.is_some_and(|given| !given.tokens.is_empty()) && why == NoMotion::BeyondTop;
+        let moving = self.request.mentions("velocity0");
         let message = match why {
             NoMotion::Hanging if angle.is_some() => {
                 format!("{shown} at rest hangs still: release it at another angle, or push it with `velocity0`")
@@ -147,22 +148,30 @@ impl Checker<'_> {
                 "{value}, balanced on the top, where nothing moves: release it at |θ0| < π, or give it a `velocity0`"
             ),
             NoMotion::BeyondTop if moving => {
-                format!("{value}, beyond the top at ±π: {}", self.by_full_turns(theta0))
+                format!("{value}, beyond the top at ±π: {} is the same state", self.less_full_turns(theta0))
             }
             NoMotion::BeyondTop => format!(
-                "{value}: released at rest, |θ0| must be less than π (180°); to go over the top give a `velocity0`, and {}",
-                self.by_full_turns(theta0)
+                "{value}: released at rest, |θ0| must be less than π (180°); {} is the same position, and motion over \
+                 the top starts with a `velocity0`",
+                self.less_full_turns(theta0)
             ),
         };
         self.refuse(&blamed.tokens, message)
     }
 
-    /// The remedy for an angle beyond ±π.
-    fn by_full_turns(&self, theta0: &Real) -> String {
+    /// The parameter with an angle beyond ±π brought within, in the unit it was given in.
+    fn less_full_turns(&self, theta0: &Real) -> String {
         let turn = self.context.pi().scale(1);
         let turns = (theta0 / &turn).to_f64().round();
-        let reduced = self.context.float(turns).map_or(f64::NAN, |turns| (theta0 - &(turns * turn)).to_f64());
-        format!("less {turns} full turn{} it is `{reduced:?}`", if turns.abs() == 1.0 { "" } else { "s" })
+        let Some(turns) = self.context.float(turns) else { return "`theta0` less full turns".to_owned() };
+        let reduced = theta0 - &(turns * &turn);
+        let in_degrees = self.request.theta0.as_ref().and_then(|given| given.value.angle_unit());
+        match in_degrees {
+            Some(("deg", _)) => {
+                format!("`theta0 = {}deg`", (reduced * self.context.integer(360) / turn).to_f64())
+            }
+            _ => format!("`theta0 = {}`", reduced.to_f64()),
+        }
     }
 
     fn representable_period(&mut self, motion: &Motion) -> Checked<()> {
@@ -207,9 +216,12 @@ impl Checker<'_> {
 
     /// Refuses what rounds to zero, a subnormal or infinity: generated constants would lose the digits they promise.
     fn representable(&mut self, value: &Real, what: &str, given: &Given<Number>) -> Checked<()> {
-        let (least, most) = match self.float() {
-            Float::F64 => (f64::MIN_POSITIVE, f64::MAX),
-            Float::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
+        let (least, most, limits) = match self.float() {
+            Float::F64 => (f64::MIN_POSITIVE, f64::MAX, [f64::MIN_POSITIVE, f64::MAX].map(|x| format!("{x:e}"))),
+            Float::F32 => {
+                let shown = [f32::MIN_POSITIVE, f32::MAX].map(|x| format!("{x:e}"));
+                (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX), shown)
+            }
         };
         let magnitude = value.abs();
         let bound = |bound: f64| self.context.float(bound).is_some_and(|bound| magnitude < bound);
@@ -221,9 +233,9 @@ impl Checker<'_> {
         let blame: TokenStream = given.tokens.to_token_stream();
         let shown = source::value(&blame);
         let limit = if small {
-            format!("smallest normal `{float}`, {least:e}")
+            format!("smallest normal `{float}`, {}", limits[0])
         } else {
-            format!("largest `{float}`, {most:e}")
+            format!("largest `{float}`, {}", limits[1])
         };
         let side = if small { "below" } else { "above" };
         let subject = if given.name == what {
@@ -231,10 +243,9 @@ impl Checker<'_> {
         } else {
             format!("`{} = {shown}` puts {what}", given.name)
         };
-        let remedy = match self.float() {
-            Float::F32 => "use `float = f64` or a unit of time or angle nearer to 1",
-            Float::F64 => "choose a unit of time in which the numbers are nearer to 1, or a larger angle",
-        };
-        Err(self.refuse(blame, format!("{subject} {side} the {limit}: {remedy}")))
+        let wider = if self.float() == Float::F32 { "use `float = f64`, or " } else { "" };
+        let remedy =
+            if what == "theta0" { "choose a larger angle" } else { "choose a unit of time that brings it nearer to 1" };
+        Err(self.refuse(blame, format!("{subject} {side} the {limit}: {wider}{remedy}")))
     }
 }

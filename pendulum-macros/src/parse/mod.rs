@@ -130,8 +130,8 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
         outputs: None,
         written: Vec::new(),
     };
-    for parameter in split_at_commas(parameters) {
-        if let Err(error) = request.take_parameter(parameter) {
+    for (parameter, end) in split_at_commas(parameters) {
+        if let Err(error) = request.take_parameter(parameter, end) {
             report.add(error);
         }
     }
@@ -158,19 +158,23 @@ fn form(input: ParseStream) -> Result<Form> {
     Ok(Form::Item(Item { attributes, visibility, name }))
 }
 
-/// The parameters, each as its own token stream, so that a mistake in one doesn't hide those in the next.
-fn split_at_commas(tokens: TokenStream) -> Vec<TokenStream> {
-    let mut parts = vec![Vec::new()];
+/// The parameters, each as its own token stream with the span of the comma that ends it, so that a mistake in one
+/// doesn't hide those in the next.
+fn split_at_commas(tokens: TokenStream) -> Vec<(TokenStream, Span)> {
+    let mut parts = Vec::new();
+    let mut part = Vec::new();
     for tree in tokens {
         match &tree {
-            TokenTree::Punct(punct) if punct.as_char() == ',' => parts.push(Vec::new()),
-            _ => parts.last_mut().expect("starts non-empty").push(tree),
+            TokenTree::Punct(punct) if punct.as_char() == ',' => {
+                parts.push((part.drain(..).collect(), punct.span()));
+            }
+            _ => part.push(tree),
         }
     }
-    if parts.last().is_some_and(Vec::is_empty) {
-        parts.pop();
+    if !part.is_empty() {
+        parts.push((part.into_iter().collect(), Span::call_site()));
     }
-    parts.into_iter().map(|part| part.into_iter().collect()).collect()
+    parts
 }
 
 impl Request {
@@ -185,9 +189,9 @@ impl Request {
         numbers.into_iter().flatten().map(|given| given.value.digits()).max().unwrap_or(0)
     }
 
-    fn take_parameter(&mut self, tokens: TokenStream) -> Result<()> {
+    fn take_parameter(&mut self, tokens: TokenStream, end: Span) -> Result<()> {
         if tokens.is_empty() {
-            return Err(Error::new(Span::call_site(), "expected a parameter between two commas"));
+            return Err(Error::new(end, "expected a parameter before this comma: remove it"));
         }
         let (name, value) = match named_value(&tokens) {
             Ok(named) => named,
@@ -222,7 +226,7 @@ impl Request {
 
 fn unknown_parameter(name: &str) -> String {
     nearest(name, &PARAMETERS).map_or_else(
-        || format!("unknown parameter `{name}`: the parameters are {}", list(&PARAMETERS)),
+        || format!("unknown parameter `{name}`: a parameter is one of {}", list(&PARAMETERS)),
         |known| format!("unknown parameter `{name}`: did you mean `{known}`?"),
     )
 }
