@@ -33,6 +33,11 @@ impl Report {
         result.map_err(|error| self.add(error)).ok()
     }
 
+    /// Whether nothing was recorded.
+    pub(crate) fn is_clean(&self) -> bool {
+        self.error.is_none()
+    }
+
     /// `Ok` if nothing was recorded.
     pub(crate) fn finish(self) -> syn::Result<()> {
         self.error.map_or(Ok(()), Err)

@@ -3,6 +3,7 @@
 use crate::exact::Real;
 use crate::motion::Motion;
 use crate::parse::{Float, Form, Method, Output};
+use proc_macro2::TokenStream;
 
 /// A request that makes sense: the input of the planner.
 pub(crate) struct Scene {
@@ -17,6 +18,19 @@ pub(crate) struct Scene {
     pub(crate) t_max: Option<Real>,
     /// In the order of declaration of [`Output`], not empty.
     pub(crate) outputs: Vec<Output>,
+    pub(crate) blame: Blame,
+}
+
+/// The tokens at fault where only the planner can tell that a request can't be kept: overshoot of the arcsine's
+/// argument, a tolerance out of reach.
+#[derive(Clone, Debug)]
+pub(crate) struct Blame {
+    /// The value of `n` or `tol`, else that of the start.
+    pub(crate) goal: TokenStream,
+    /// The value of `theta0`, else that of `velocity0`.
+    pub(crate) start: TokenStream,
+    /// The value of `method`, else that of the goal.
+    pub(crate) method: TokenStream,
 }
 
 /// How good the result has to be.

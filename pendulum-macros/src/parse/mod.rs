@@ -23,6 +23,9 @@ pub(crate) struct Request {
     pub(crate) method: Option<Given<Method>>,
     pub(crate) float: Option<Given<Float>>,
     pub(crate) outputs: Option<Given<Vec<Output>>>,
+    /// Every parameter as written, in order, under its name of [`PARAMETERS`] (or the nearest one, if misspelt): those
+    /// with a mistake in them too, so that they don't count as missing.
+    pub(crate) written: Vec<(String, TokenStream)>,
 }
 
 /// What the invocation expands to.
@@ -76,7 +79,7 @@ keywords! {
         SmallAngle = "small_angle",
         /// Eq. 17: θ0 cos(2πt/T).
         Harmonic = "harmonic",
-        /// Eq. 22: 2 arcsin(k sn_N).
+        /// Eq. 22: `2 arcsin(k sn_N)`.
         Fourier = "fourier",
         /// The Fourier series of θ itself.
         Series = "series",
@@ -125,9 +128,10 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
         method: None,
         float: None,
         outputs: None,
+        written: Vec::new(),
     };
-    for parameter in split_at_commas(parameters) {
-        if let Err(error) = request.take_parameter(parameter) {
+    for (parameter, end) in split_at_commas(parameters) {
+        if let Err(error) = request.take_parameter(parameter, end) {
             report.add(error);
         }
     }
@@ -154,27 +158,50 @@ fn form(input: ParseStream) -> Result<Form> {
     Ok(Form::Item(Item { attributes, visibility, name }))
 }
 
-/// The parameters, each as its own token stream, so that a mistake in one doesn't hide those in the next.
-fn split_at_commas(tokens: TokenStream) -> Vec<TokenStream> {
-    let mut parts = vec![Vec::new()];
+/// The parameters, each as its own token stream with the span of the comma that ends it, so that a mistake in one
+/// doesn't hide those in the next.
+fn split_at_commas(tokens: TokenStream) -> Vec<(TokenStream, Span)> {
+    let mut parts = Vec::new();
+    let mut part = Vec::new();
     for tree in tokens {
         match &tree {
-            TokenTree::Punct(punct) if punct.as_char() == ',' => parts.push(Vec::new()),
-            _ => parts.last_mut().expect("starts non-empty").push(tree),
+            TokenTree::Punct(punct) if punct.as_char() == ',' => {
+                parts.push((part.drain(..).collect(), punct.span()));
+            }
+            _ => part.push(tree),
         }
     }
-    if parts.last().is_some_and(Vec::is_empty) {
-        parts.pop();
+    if !part.is_empty() {
+        parts.push((part.into_iter().collect(), Span::call_site()));
     }
-    parts.into_iter().map(|part| part.into_iter().collect()).collect()
+    parts
 }
 
 impl Request {
-    fn take_parameter(&mut self, tokens: TokenStream) -> Result<()> {
+    /// Whether the parameter was written at all, with or without a mistake.
+    pub(crate) fn mentions(&self, name: &str) -> bool {
+        self.written.iter().any(|(written, _)| written == name)
+    }
+
+    /// The decimal digits of the longest number.
+    pub(crate) fn digits(&self) -> usize {
+        let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length, &self.tol, &self.t_max];
+        numbers.into_iter().flatten().map(|given| given.value.digits()).max().unwrap_or(0)
+    }
+
+    fn take_parameter(&mut self, tokens: TokenStream, end: Span) -> Result<()> {
         if tokens.is_empty() {
-            return Err(Error::new(Span::call_site(), "expected a parameter between two commas"));
+            return Err(Error::new(end, "expected a parameter before this comma: remove it"));
         }
-        let (name, value) = named_value(tokens)?;
+        let (name, value) = match named_value(&tokens) {
+            Ok(named) => named,
+            Err(error) => {
+                // `theta0` without a value is a mistake of its own, not a missing `theta0`.
+                self.written.extend(first_word(tokens).map(|word| (canonical(&word), TokenStream::new())));
+                return Err(error);
+            }
+        };
+        self.written.push((canonical(&name.to_string()), value.clone()));
         let fresh = |taken: bool| {
             if taken { Err(Error::new(name.span(), format!("`{name}` is given twice: keep one"))) } else { Ok(()) }
         };
@@ -199,13 +226,27 @@ impl Request {
 
 fn unknown_parameter(name: &str) -> String {
     nearest(name, &PARAMETERS).map_or_else(
-        || format!("unknown parameter `{name}`: the parameters are {}", list(&PARAMETERS)),
+        || format!("unknown parameter `{name}`: a parameter is one of {}", list(&PARAMETERS)),
         |known| format!("unknown parameter `{name}`: did you mean `{known}`?"),
     )
 }
 
+/// The parameter's name in ASCII, a misspelt one corrected.
+fn canonical(name: &str) -> String {
+    match name {
+        "θ0" => "theta0",
+        "ω" => "omega",
+        other => nearest(other, &PARAMETERS).unwrap_or(other),
+    }
+    .to_owned()
+}
+
+fn first_word(tokens: TokenStream) -> Option<String> {
+    tokens.into_iter().next().map(|tree| tree.to_string())
+}
+
 /// `name = value`, the value's tokens untouched.
-fn named_value(tokens: TokenStream) -> Result<(Ident, TokenStream)> {
+fn named_value(tokens: &TokenStream) -> Result<(Ident, TokenStream)> {
     let parse = |input: ParseStream| {
         let name = input.call(Ident::parse_any).map_err(|_| input.error("expected `name = value`"))?;
         if input.parse::<Option<Token![=]>>()?.is_none() {
@@ -217,7 +258,7 @@ fn named_value(tokens: TokenStream) -> Result<(Ident, TokenStream)> {
         }
         Ok((name, value))
     };
-    parse.parse2(tokens)
+    parse.parse2(tokens.clone())
 }
 
 fn number(name: &Ident, tokens: TokenStream) -> Result<Given<Number>> {

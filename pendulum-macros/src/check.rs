@@ -1,1 +1,0 @@
-//! Semantic checks: `Request` → `Scene`. Everything that can be wrong with a well-formed request is told here.

@@ -1,0 +1,208 @@
+//! How good the result has to be, by which method and for how long: `n`, `tol`, `method`, `t_max`.
+
+use super::{Checked, Checker, source};
+use crate::exact::Real;
+use crate::motion::{Motion, Regime, Swing};
+use crate::parse::{Float, Given, Method, Output};
+use crate::scene::Goal;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+
+impl Checker<'_> {
+    pub(super) fn goal(&mut self, motion: Option<&Motion>) -> Checked<Goal> {
+        let tolerance = self.tolerance();
+        let terms = self.terms(motion);
+        if let (Some(n), true) = (&self.request.n, self.request.mentions("tol")) {
+            let message = format!("`n = {}` fixes the number of terms where `tol` would choose it: keep one", n.value);
+            return Err(self.refuse(&n.name, message));
+        }
+        Ok(match (terms?, tolerance?) {
+            (Some(terms), _) => Goal::Terms(terms),
+            (None, Some(tolerance)) => Goal::Tolerance(tolerance),
+            (None, None) => Goal::Full,
+        })
+    }
+
+    /// `tol`, rounded down to an `f64`: the promise is the smaller.
+    fn tolerance(&mut self) -> Checked<Option<f64>> {
+        let given = self.request.tol.as_ref();
+        let unit = "an error in radians (in units of ω and ω² for velocity and acceleration)";
+        let why = "a result can't be closer than that; leave `tol` out for the full precision of the float";
+        let (Some(given), Some(value)) = (given, self.positive(given, unit, why)?) else { return Ok(None) };
+        let nearest = value.to_f64();
+        let rounded_up = self.context.float(nearest).is_none_or(|float| float > value);
+        let tolerance = if rounded_up { nearest.next_down() } else { nearest };
+        if tolerance > 0.0 {
+            return Ok(Some(tolerance));
+        }
+        let shown = source::value(&given.tokens);
+        let message = format!(
+            "`tol = {shown}` is smaller than every `f64`: no result comes so close; leave `tol` out for full precision"
+        );
+        Err(self.refuse(&given.tokens, message))
+    }
+
+    fn terms(&mut self, motion: Option<&Motion>) -> Checked<Option<usize>> {
+        let Some(given) = &self.request.n else { return Ok(None) };
+        let n = given.value;
+        if n == 0 {
+            let message = "`n = 0` is a series without terms: θ̂ needs `n = 1` or more";
+            return Err(self.refuse(&given.tokens, message));
+        }
+        match motion.map(|motion| &motion.regime) {
+            None => Ok(Some(n)),
+            Some(Regime::Swing(swing)) => self.useful_terms(given, swing).map(Some),
+            Some(other) => {
+                let message = format!(
+                    "`n = {n}` asks for the paper's θ̂, which is periodic, but this is {}: leave `n` out, or give `tol`",
+                    kind(other)
+                );
+                Err(self.refuse(&given.name, message))
+            }
+        }
+    }
+
+    fn useful_terms(&mut self, given: &Given<usize>, swing: &Swing) -> Checked<usize> {
+        let (float, n) = (self.float(), given.value);
+        let most = most_useful_terms(swing, float);
+        if n <= most {
+            return Ok(n);
+        }
+        let message = format!(
+            "`n = {n}` is beyond what `{}` can use at this amplitude: the terms after the first {most} are together less \
+             than half a unit in the last place of the sum; use `n = {most}` or fewer",
+            float.word()
+        );
+        Err(self.refuse(&given.tokens, message))
+    }
+
+    pub(super) fn method(&mut self, motion: Option<&Motion>) -> Checked<Option<Method>> {
+        let Some(given) = &self.request.method else { return Ok(None) };
+        let method = given.value;
+        let word = method.word();
+        if let Some(n) = &self.request.n
+            && method != Method::Fourier
+        {
+            let message = format!(
+                "`method = {word}` takes no `n` (`n = {}`), which counts the terms of `fourier`: drop one of them{}",
+                n.value,
+                if matches!(method, Method::Series | Method::Polynomial) {
+                    ", or state the error as `tol`"
+                } else {
+                    ""
+                }
+            );
+            return Err(self.refuse(&given.tokens, message));
+        }
+        if method == Method::Fourier && !self.request.mentions("n") && !self.request.mentions("tol") {
+            let message =
+                "`method = fourier` needs a number of terms, such as `n = 4`, or an error, such as `tol = 1e-3`";
+            return Err(self.refuse(&given.tokens, message));
+        }
+        match motion.map(|motion| &motion.regime) {
+            Some(regime) if !serves(method, regime) => {
+                let message = format!(
+                    "`method = {word}` can't serve {}: {}",
+                    kind(regime),
+                    if serves(Method::Series, regime) {
+                        "use `series` or `polynomial`, or leave `method` out"
+                    } else {
+                        "leave `method` out"
+                    }
+                );
+                Err(self.refuse(&given.tokens, message))
+            }
+            _ => Ok(Some(method)),
+        }
+    }
+
+    /// The horizon, at most 2⁵³ periods: beyond it neighbouring `f64` times are periods apart.
+    pub(super) fn t_max(&mut self, motion: Option<&Motion>) -> Checked<Option<Real>> {
+        let given = self.request.t_max.as_ref();
+        let why = "the promise holds for all |t| ≤ `t_max`; leave it out for 2⁵³ periods";
+        let (Some(given), Some(value)) = (given, self.positive(given, "in the unit of t", why)?) else {
+            return Ok(None);
+        };
+        let period = match motion.map(|motion| &motion.regime) {
+            Some(Regime::Swing(swing)) => &swing.period,
+            Some(Regime::Rotation(rotation)) => &rotation.period,
+            Some(Regime::Separatrix(_)) | None => return Ok(Some(value)),
+        };
+        let longest = period.scale(53);
+        if value <= longest {
+            return Ok(Some(value));
+        }
+        let message = format!(
+            "`t_max = {}` is more than 2⁵³ periods ({:e}), the longest horizon: leave `t_max` out for all of it",
+            source::value(&given.tokens),
+            longest.to_f64()
+        );
+        Err(self.refuse(&given.tokens, message))
+    }
+
+    /// θ̂ and its derivative are what the paper gives; nothing else has `n` terms.
+    pub(super) fn served_by_terms(&mut self, outputs: &Given<Vec<Output>>) -> Checked<()> {
+        let mut verdict = Ok(());
+        for &output in &outputs.value {
+            if !matches!(output, Output::Theta | Output::Velocity) {
+                let word = output.word();
+                let message =
+                    format!("output `{word}` isn't defined by `n` terms of θ̂: state the error as `tol` instead of `n`");
+                verdict = Err(self.refuse(word_in(&outputs.tokens, word), message));
+            }
+        }
+        verdict
+    }
+}
+
+/// Which motions a method describes. Eqs. 3, 17 and 22 are written for release from rest; a swing launched in
+/// mid-motion is the same swing, shifted in phase. The separatrix has no period, and so no series.
+fn serves(method: Method, regime: &Regime) -> bool {
+    match regime {
+        Regime::Swing(_) => true,
+        Regime::Rotation(_) => matches!(method, Method::Series | Method::Polynomial),
+        Regime::Separatrix(_) => method == Method::Polynomial,
+    }
+}
+
+fn kind(regime: &Regime) -> &'static str {
+    match regime {
+        Regime::Swing(_) => "a swing",
+        Regime::Rotation(_) => "a rotation over the top",
+        Regime::Separatrix(_) => "the separatrix, the motion that takes for ever to reach the top",
+    }
+}
+
+/// The smallest n after which all other terms together are at most half a unit in the last place of a sum in [½, 1):
+/// adding them can't bring the computed sum nearer than its own rounding leaves it.
+///
+/// b₂ₙ₊₁/b₂ₙ₋₁ = q(1 − q^{2n−1})/(1 − q^{2n+1}) < q, so the tail Σ_{m>n} b₂ₘ₋₁ is below b₂ₙ₊₁/(1 − q).
+fn most_useful_terms(swing: &Swing, float: Float) -> usize {
+    let half_ulp = match float {
+        Float::F64 => f64::EPSILON / 4.0,
+        Float::F32 => f64::from(f32::EPSILON) / 4.0,
+    };
+    let q = swing.elliptic.nome.to_f64();
+    // b₁ is within [1, 4/π] at every amplitude; from here on the ratio alone, which can't underflow too early.
+    let mut term = swing.fourier_coefficient(1).to_f64();
+    let mut odd_power = q;
+    let mut n = 0;
+    loop {
+        n += 1;
+        let next_power = odd_power * q * q;
+        term *= q * (1.0 - odd_power) / (1.0 - next_power);
+        odd_power = next_power;
+        if term <= half_ulp * (1.0 - q) {
+            return n;
+        }
+    }
+}
+
+/// The token of one word in a list, for its span.
+pub(super) fn word_in(list: &TokenStream, word: &str) -> TokenStream {
+    let inside = list.clone().into_iter().find_map(|tree| match tree {
+        TokenTree::Group(group) => group.stream().into_iter().find(|tree| tree.to_string() == word),
+        _ => None,
+    });
+    inside.map_or_else(|| list.clone(), |tree| tree.to_token_stream())
+}

@@ -1,0 +1,134 @@
+//! Semantic checks: [`Request`] → [`Scene`]. Everything that can be wrong with a well-formed request is told here, at
+//! the smallest token to blame, with the parameter, its value and a remedy; nothing is emitted.
+
+mod goal;
+mod source;
+mod start;
+#[cfg(test)]
+mod tests;
+
+use crate::exact::{Context, Real};
+use crate::motion::Motion;
+use crate::parse::number::Number;
+use crate::parse::{Float, Form, Given, Output, Request};
+use crate::report::Report;
+use crate::scene::{Blame, Scene};
+use quote::ToTokens;
+use std::fmt::Display;
+
+/// A mistake that has been reported already: nothing that follows from it needs to be.
+struct Reported;
+
+/// The value, or the fact that its mistake has been reported.
+type Checked<T> = Result<T, Reported>;
+
+/// The scene that `request` asks for; `None` if it, or its syntax before, had a mistake, all of them in `report`.
+pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
+    let mut checker = Checker { context: Context::for_digits(request.digits()), request: &request, report };
+    let motion = checker.motion();
+    let goal = checker.goal(motion.as_ref().ok());
+    let method = checker.method(motion.as_ref().ok());
+    let t_max = checker.t_max(motion.as_ref().ok());
+    let outputs = checker.outputs(motion.as_ref().ok());
+    let source = source::of(&request);
+    let blame = blame(&request);
+    if !report.is_clean() {
+        return None;
+    }
+    Some(Scene {
+        source,
+        motion: motion.ok()?,
+        float: request.float.map_or(Float::F64, |float| float.value),
+        goal: goal.ok()?,
+        method: method.ok()?,
+        t_max: t_max.ok()?,
+        outputs: outputs.ok()?,
+        blame,
+        form: request.form,
+    })
+}
+
+fn blame(request: &Request) -> Blame {
+    let tokens = |given: &Option<Given<Number>>| given.as_ref().map(|given| given.tokens.clone());
+    let start = tokens(&request.theta0).or_else(|| tokens(&request.velocity0)).unwrap_or_default();
+    let terms = request.n.as_ref().map(|given| given.tokens.clone());
+    let goal = terms.or_else(|| tokens(&request.tol)).unwrap_or_else(|| start.clone());
+    let method = request.method.as_ref().map_or_else(|| goal.clone(), |given| given.tokens.clone());
+    Blame { goal, start, method }
+}
+
+struct Checker<'a> {
+    request: &'a Request,
+    report: &'a mut Report,
+    context: Context,
+}
+
+impl Checker<'_> {
+    fn refuse(&mut self, blame: impl ToTokens, message: impl Display) -> Reported {
+        self.report.on(blame, message);
+        Reported
+    }
+
+    fn float(&self) -> Float {
+        self.request.float.as_ref().map_or(Float::F64, |float| float.value)
+    }
+
+    /// The value of a parameter in which `deg` and `rad` have no meaning; `None` if it wasn't given.
+    fn plain(&mut self, given: Option<&Given<Number>>, unit: &str) -> Checked<Option<Real>> {
+        let Some(given) = given else { return Ok(None) };
+        if let Some((suffix, span)) = given.value.angle_unit() {
+            let Given { name, .. } = given;
+            let shown = source::value(&given.tokens);
+            let remedy =
+                format!("`{name} = {shown}` has the unit `{suffix}`: `{name}` is {unit}, a number without suffix");
+            self.report.at(span, remedy);
+            return Err(Reported);
+        }
+        self.evaluated(given).map(Some)
+    }
+
+    /// The value of a parameter that may carry an angle's unit.
+    fn evaluated(&mut self, given: &Given<Number>) -> Checked<Real> {
+        given.value.evaluate(self.context).map_err(|error| {
+            let message = format!("`{} = {}`: {error}", given.name, source::value(&given.tokens));
+            self.report.at(error.span(), message);
+            Reported
+        })
+    }
+
+    /// A plain value that has to be positive; `why` ends the message.
+    fn positive(&mut self, given: Option<&Given<Number>>, unit: &str, why: &str) -> Checked<Option<Real>> {
+        let value = self.plain(given, unit)?;
+        if let (Some(given), Some(value)) = (given, &value)
+            && (value.is_zero() || value.is_negative())
+        {
+            let Given { name, tokens, .. } = given;
+            let shown = source::value(tokens);
+            return Err(self.refuse(tokens, format!("`{name} = {shown}` is not positive: {why}")));
+        }
+        Ok(value)
+    }
+
+    /// The outputs in their order of declaration.
+    fn outputs(&mut self, motion: Option<&Motion>) -> Checked<Vec<Output>> {
+        let Some(given) = &self.request.outputs else { return Ok(vec![Output::Theta]) };
+        let mut outputs = given.value.clone();
+        outputs.sort_unstable_by_key(|&output| output as u8);
+        if self.request.n.is_some() {
+            self.served_by_terms(given)?;
+        }
+        if let (Form::Expression, [_, second, ..]) = (&self.request.form, given.value.as_slice()) {
+            let message = format!(
+                "the expression form is one function, of one output: use the item form, `struct Name; …`, for `{}` beside \
+                 `{}`",
+                second.word(),
+                given.value[0].word()
+            );
+            return Err(self.refuse(goal::word_in(&given.tokens, second.word()), message));
+        }
+        if let Some(motion) = motion {
+            self.representable_outputs(motion, &outputs)?;
+        }
+        Ok(outputs)
+    }
+}

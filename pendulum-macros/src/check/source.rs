@@ -1,0 +1,45 @@
+//! The parameters as the user wrote them, evenly spaced.
+
+use crate::parse::Request;
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// `theta0 = 7π/8, n = 4`
+pub(super) fn of(request: &Request) -> String {
+    let parameters: Vec<String> =
+        request.written.iter().map(|(name, tokens)| format!("{name} = {}", value(tokens))).collect();
+    parameters.join(", ")
+}
+
+/// One value: spaces around `+` and binary `-` and after commas, nowhere else.
+pub(super) fn value(tokens: &TokenStream) -> String {
+    let mut text = String::new();
+    let mut after_operand = false;
+    for tree in tokens.clone() {
+        match &tree {
+            TokenTree::Punct(punct) => {
+                match (punct.as_char(), after_operand) {
+                    (sign @ ('+' | '-'), true) => text.extend([' ', sign, ' ']),
+                    (',', _) => text.push_str(", "),
+                    (other, _) => text.push(other),
+                }
+                after_operand = false;
+            }
+            TokenTree::Group(group) => {
+                let inner = value(&group.stream());
+                let single = group.stream().into_iter().count() == 1;
+                match group.delimiter() {
+                    Delimiter::Bracket => text.extend(["[", &inner, "]"]),
+                    // A captured `$x:expr` had no parentheses of its own, but needs them to read the same.
+                    Delimiter::None if single => text.push_str(&inner),
+                    _ => text.extend(["(", &inner, ")"]),
+                }
+                after_operand = true;
+            }
+            operand => {
+                text.push_str(&operand.to_string());
+                after_operand = true;
+            }
+        }
+    }
+    text
+}

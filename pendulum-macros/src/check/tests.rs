@@ -1,0 +1,167 @@
+use super::*;
+use crate::motion::Regime;
+use crate::parse::{Method, parse};
+use crate::scene::Goal;
+
+fn checked(text: &str) -> Result<Scene, Vec<String>> {
+    let mut report = Report::default();
+    let request = parse(text.parse().unwrap(), &mut report);
+    let scene = request.and_then(|request| check(request, &mut report));
+    match report.finish() {
+        Ok(()) => Ok(scene.unwrap()),
+        Err(error) => {
+            assert!(scene.is_none(), "a scene in spite of {error}");
+            Err(error.into_iter().map(|error| error.to_string()).collect())
+        }
+    }
+}
+
+fn scene(text: &str) -> Scene {
+    checked(text).unwrap_or_else(|errors| panic!("{text}: {errors:#?}"))
+}
+
+/// Exactly one message, which contains every one of `parts`.
+#[track_caller]
+fn refused(text: &str, parts: &[&str]) {
+    let errors = checked(text).err().unwrap_or_else(|| panic!("{text} is accepted"));
+    assert_eq!(errors.len(), 1, "{text}: {errors:#?}");
+    for part in parts {
+        assert!(errors[0].contains(part), "{text}: {}\nlacks: {part}", errors[0]);
+    }
+}
+
+#[test]
+fn the_scene_holds_what_was_asked() {
+    let scene = scene(
+        "pub struct Clock; θ0 = 157.5deg, g = 9.81, length = 0.994, tol = 0.125, t_max = 86_400, outputs = [velocity, theta]",
+    );
+    assert_eq!(scene.goal, Goal::Tolerance(0.125));
+    assert_eq!(scene.outputs, [Output::Theta, Output::Velocity]);
+    assert_eq!(scene.t_max.unwrap().to_f64(), 86_400.0);
+    assert_eq!(scene.motion.omega.to_f64(), 3.141_530_724_304_714_3);
+    assert_eq!(
+        scene.source,
+        "theta0 = 157.5deg, g = 9.81, length = 0.994, tol = 0.125, t_max = 86_400, outputs = [velocity, theta]"
+    );
+}
+
+#[test]
+fn defaults_are_full_precision_and_theta() {
+    let scene = scene("theta0 = 7π/8");
+    assert_eq!((scene.goal, scene.float, scene.method), (Goal::Full, Float::F64, None));
+    assert_eq!(scene.outputs, [Output::Theta]);
+    assert!(scene.t_max.is_none());
+    assert_eq!(scene.motion.omega.to_f64(), 1.0);
+}
+
+#[test]
+fn the_source_is_evenly_spaced() {
+    let scene = scene("theta0=3*PI /4-0.01,omega = - ( 1-3 ) +sqrt( 2 )");
+    assert_eq!(scene.source, "theta0 = 3*PI/4 - 0.01, omega = -(1 - 3) + sqrt(2)");
+}
+
+#[test]
+fn the_tolerance_is_never_rounded_up() {
+    let Goal::Tolerance(tolerance) = scene("theta0 = 1, tol = 0.1").goal else { panic!("a tolerance") };
+    // 0.1 in binary is above a tenth.
+    assert_eq!(tolerance, 0.1_f64.next_down());
+    let Goal::Tolerance(tolerance) = scene("theta0 = 1, tol = 0.3").goal else { panic!("a tolerance") };
+    assert_eq!(tolerance, 0.3);
+}
+
+#[test]
+fn refuses_states_that_do_not_move() {
+    refused("n = 4", &["`theta0` is missing", "velocity0"]);
+    refused("struct A; omega = 1", &["`theta0` is missing"]);
+    refused("theta0 = 0", &["`theta0 = 0`", "hangs still", "velocity0"]);
+    refused("velocity0 = 0", &["`velocity0 = 0`", "hangs still"]);
+    refused("theta0 = sqrt(2)*sqrt(2) - 2", &["hangs still"]);
+    refused("theta0 = π", &["3.141592653589793 rad = 180.0°", "balanced", "velocity0"]);
+    refused("theta0 = -180deg", &["balanced"]);
+    refused(
+        "theta0 = 200deg",
+        &["`theta0 = 200deg`", "3.490658503988659 rad = 200.0°", "velocity0", "`theta0 = -160deg`"],
+    );
+    refused("theta0 = 3.5", &["`theta0 = -2.7831853071795867` is the same position"]);
+    refused("theta0 = 5π, velocity0 = 1", &["beyond the top", "the same state"]);
+    refused("theta0 = 1e-400", &["`theta0 = 1e-400` is below the smallest normal `f64`"]);
+    refused("theta0 = 1e-39, float = f32", &["below the smallest normal `f32`", "f64"]);
+    refused("theta0 = 1, velocity0 = 1e400", &["`velocity0 = 1e400` is above the largest `f64`"]);
+}
+
+#[test]
+fn refuses_rates_that_are_none() {
+    refused("theta0 = 1, omega = 0", &["`omega = 0` is not positive"]);
+    refused("theta0 = 1, ω = -2", &["`ω = -2` is not positive"]);
+    refused("theta0 = 1, g = 9.81, length = 0", &["`length = 0` is not positive"]);
+    refused("theta0 = 1, g = -9.81, length = 1", &["`g = -9.81` is not positive"]);
+    refused("theta0 = 1, g = 9.81", &["`g = 9.81` alone", "`length`"]);
+    refused("theta0 = 1, length = 2", &["`length = 2` alone", "`g`"]);
+    refused("theta0 = 1, omega = 1, g = 9.81", &["`g`", "`omega`", "keep"]);
+    refused("theta0 = 1, omega = 1e-308", &["below the smallest normal"]);
+    refused("struct A; theta0 = 1, omega = 1e200, outputs = [acceleration]", &["the largest acceleration above"]);
+    refused("theta0 = 1, omega = 2deg", &["`omega = 2deg` has the unit `deg`"]);
+    let both = checked("theta0 = 1, omega = 1, g = 9.81, length = 1").err().unwrap();
+    assert_eq!(both.len(), 2, "{both:#?}");
+}
+
+#[test]
+fn refuses_goals_that_cannot_be_kept() {
+    refused("theta0 = 1, n = 0", &["`n = 0`", "`n = 1`"]);
+    refused("theta0 = 1, n = 40", &["`n = 40`", "use `n = 10`"]);
+    refused("theta0 = 1, n = 40, float = f32", &["`n = 40`", "use `n = 5`"]);
+    refused("theta0 = 1, n = 3, tol = 1e-3", &["`n = 3`", "`tol`", "keep one"]);
+    refused("theta0 = 1, tol = 0", &["`tol = 0` is not positive", "full precision"]);
+    refused("theta0 = 1, tol = -1e-3", &["`tol = -1e-3` is not positive"]);
+    refused("theta0 = 1, tol = 1e-400", &["`tol = 1e-400`", "smaller than every `f64`"]);
+    refused("theta0 = 1, tol = 1deg", &["`tol = 1deg` has the unit `deg`", "radians"]);
+    refused("theta0 = 1, tol = 1/(1 - 1)", &["`tol = 1/(1 - 1)`: division by zero"]);
+    refused("theta0 = 1, t_max = 0", &["`t_max = 0` is not positive"]);
+    refused("theta0 = 1, t_max = 1e300", &["`t_max = 1e300`", "2⁵³ periods"]);
+    refused("velocity0 = 3, n = 4", &["`n = 4`", "rotation", "`tol`"]);
+    refused("struct A; theta0 = 1, n = 4, outputs = [theta, position]", &["`position`", "`tol`"]);
+    refused("theta0 = 1, outputs = [theta, velocity]", &["item form", "`velocity`"]);
+}
+
+#[test]
+fn refuses_methods_that_cannot_serve() {
+    refused("theta0 = 1, method = fourier", &["`n = 4`", "`tol = 1e-3`"]);
+    refused("theta0 = 1, method = series, n = 4", &["`method = series` takes no `n`", "`n = 4`", "`tol`"]);
+    refused("theta0 = 1, method = harmonic, n = 4", &["`method = harmonic` takes no `n`"]);
+    refused("velocity0 = 3, method = harmonic", &["`method = harmonic`", "rotation", "`series`"]);
+    refused("velocity0 = 2, method = series", &["`method = series`", "separatrix"]);
+    assert_eq!(scene("velocity0 = 3, method = series").method, Some(Method::Series));
+    assert_eq!(scene("theta0 = 1, velocity0 = 1, method = fourier, tol = 1e-3").method, Some(Method::Fourier));
+    assert_eq!(scene("theta0 = 1, velocity0 = 1, n = 4").goal, Goal::Terms(4));
+}
+
+#[test]
+fn reports_mistakes_of_every_parameter_together() {
+    let errors = checked("theta0 = 4, omega = 0, n = 0, tol = -1, t_max = -2, method = series").err().unwrap();
+    let about = |word: &str| errors.iter().any(|error| error.contains(word));
+    for word in ["`omega = 0`", "`n = 0`", "`tol = -1`", "`t_max = -2`", "`method = series`"] {
+        assert!(about(word), "{word}: {errors:#?}");
+    }
+    // Whatever follows from a mistake is not another: the angle needs no ω, `theta` was meant as `theta0`.
+    assert!(about("`theta0 = 4`"), "{errors:#?}");
+    refused("theta = 1, n = 4", &["did you mean `theta0`"]);
+    refused("theta0 = x, n = 4", &["`x` can't be evaluated"]);
+    refused("theta0 =, n = 4", &["lacks its value"]);
+    refused("theta0 = 1, g = 9.81, length = l", &["`l` can't be evaluated"]);
+}
+
+#[test]
+fn the_regime_is_decided_exactly() {
+    let regime = |text: &str| scene(text).motion.regime;
+    for separatrix in [
+        "velocity0 = 2",
+        "velocity0 = -2*sqrt(9.81/0.994), g = 9.81, length = 0.994",
+        "theta0 = 2π/3, velocity0 = 1",
+        "theta0 = 120deg, velocity0 = 1",
+    ] {
+        assert!(matches!(regime(separatrix), Regime::Separatrix(_)), "{separatrix}");
+    }
+    assert!(matches!(regime("velocity0 = 1.9999999999999999999999999999999999"), Regime::Swing(_)));
+    assert!(matches!(regime("velocity0 = 2.0000000000000000000000000000000001"), Regime::Rotation(_)));
+    assert!(matches!(regime("theta0 = π, velocity0 = 1e-300"), Regime::Rotation(_)));
+}

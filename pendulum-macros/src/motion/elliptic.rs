@@ -1,0 +1,42 @@
+//! The modulus and what follows from it: quarter periods and nomes.
+
+use crate::exact::Real;
+
+/// A modulus and its integrals.
+#[derive(Clone, Debug)]
+pub(crate) struct Elliptic {
+    /// k.
+    pub(crate) modulus: Real,
+    /// k′ = √(1 − k²), never computed so.
+    pub(crate) complementary: Real,
+    /// K(k).
+    pub(crate) quarter: Real,
+    /// K′ = K(k′).
+    pub(crate) quarter_complementary: Real,
+    /// q = exp(−πK′/K).
+    pub(crate) nome: Real,
+    /// q′ = exp(−πK/K′).
+    pub(crate) nome_complementary: Real,
+}
+
+impl Elliptic {
+    /// From k and k′, both given so that neither has to be found as √(1 − the other²), which cancels at one end.
+    ///
+    /// K = π/(2 AGM(1, k′)) and K′ = π/(2 AGM(1, k)): both lose nothing, however small k or k′.
+    pub(crate) fn new(modulus: Real, complementary: Real) -> Self {
+        let context = modulus.context();
+        let pi = context.pi();
+        let one = context.integer(1);
+        let mean = one.agm(&complementary);
+        let mean_complementary = one.agm(&modulus);
+        let half_pi = pi.scale(-1);
+        Self {
+            quarter: &half_pi / &mean,
+            quarter_complementary: half_pi / &mean_complementary,
+            nome: (-(&pi * &mean / &mean_complementary)).exp(),
+            nome_complementary: (-(pi * mean_complementary / mean)).exp(),
+            modulus,
+            complementary,
+        }
+    }
+}

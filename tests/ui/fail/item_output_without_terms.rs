@@ -1,0 +1,10 @@
+use pendula::pendulum;
+
+pendulum! {
+    struct Clock;
+    theta0 = 1, n = 4, outputs = [theta, acceleration, position]
+}
+
+fn main() {
+    let _ = Clock;
+}
