@@ -172,6 +172,11 @@ impl Real {
         self * self
     }
 
+    /// The nearest integer.
+    pub(crate) fn round(&self) -> Self {
+        Self(self.0.round().with_precision(self.0.precision()).value())
+    }
+
     /// x · 2ᵏ, exactly.
     pub(crate) fn scale(&self, k: i64) -> Self {
         self * &self.context().power_of_two(k)

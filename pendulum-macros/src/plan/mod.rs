@@ -11,7 +11,7 @@ use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use curve::{Curve, SwingCurves};
 use pendulum_runtime::double::Double;
-use polynomial::{Approximation, Form, Kernel, Variables};
+use polynomial::{Approximation, Form, Kernel, LOW, Variables};
 use reduction::{Clock, Reduction};
 
 /// What is emitted, and what it promises.
@@ -195,13 +195,13 @@ const SLICES: usize = 16;
 fn rounding(kernel: &Kernel, reduction: &Reduction) -> f64 {
     let program = function(reduction, &[kernel], false);
     let phase = program.named("s").unwrap_or(0);
-    let half =
-        (0.5 + reduction.overshoot) / reduction.unit.hi * (1.0 + 1e-6 * f64::from(u8::from(reduction.overshoot > 0.0)));
+    let low = program.named("low").map(|low| (low, Known::between(-LOW / reduction.unit.hi, LOW / reduction.unit.hi)));
+    let half = reduction.half();
     (0..SLICES)
         .map(|slice| {
             let at = |index: usize| half * index as f64 / SLICES as f64;
-            let known = Known::between(at(slice), at(slice + 1));
-            program.rounding(&[(phase, known)]).iter().map(|k| k.error).fold(0.0, f64::max)
+            let known: Vec<_> = [(phase, Known::between(at(slice), at(slice + 1)))].into_iter().chain(low).collect();
+            program.rounding(&known).iter().map(|k| k.error).fold(0.0, f64::max)
         })
         .fold(0.0, f64::max)
 }
@@ -244,3 +244,6 @@ impl Plan {
 /// π, for the reader of a plan's docs.
 #[allow(dead_code)]
 const PI: Double = Double::PI;
+
+#[cfg(test)]
+mod tests;

@@ -127,43 +127,62 @@ fn enough_points(curve: &Curve, negligible: f64) -> Option<(usize, f64)> {
 /// The variables that all kernels of a function share.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Variables {
+    /// The phase, and its second word if it has one.
     s: Id,
+    low: Option<Id>,
+    /// Its square.
     square: Id,
+    /// 8·square − 1.
     centred: Id,
     magic: Id,
 }
 
+/// The second word of a phase within half an anchor, in anchors, is below this.
+pub(crate) const LOW: f64 = 2.220_446_049_250_313e-16;
+
 impl Variables {
     /// Squares the phase, kept within half an anchor: beyond the horizon the phase is arbitrary, the result is not.
     pub(crate) fn lower(b: &mut Builder, phase: Phase, reduction: &Reduction, keep_sign: bool) -> Self {
-        let half = (0.5 + reduction.overshoot) / reduction.unit.hi * (1.0 + 4.0 * b.float().unit());
-        let half = if reduction.overshoot == 0.0 && reduction.unit == Double::ONE { 0.5 } else { half };
-        let (s, square) = if keep_sign { clamp_phase(b, phase.s, half) } else { clamp_square(b, phase.s, half) };
-        let unit = reduction.unit;
-        let scale = unit * unit * 8.0;
+        let half = reduction.half();
+        let (s, low) = if keep_sign || phase.low.is_some() {
+            let s = clamp(b, phase.s, half);
+            (b.name(s, "clamped"), phase.low.map(|low| clamp(b, low, LOW / reduction.unit.hi)))
+        } else {
+            (phase.s, None)
+        };
+        let square = b.mul(s, s);
+        let square = if s == phase.s { at_most(b, square, half * half) } else { square };
+        let scale = reduction.unit * reduction.unit * 8.0;
         let scale = b.exact(scale.hi, scale.lo);
-        let scaled = b.mul(square, scale);
         let one = b.constant(1.0);
+        let scaled = b.mul(square, scale);
         let centred = b.sub(scaled, one);
-        b.name(centred, "u");
-        Self { s, square, centred, magic: phase.magic }
+        let [square, centred] = Self::refined(b, (s, low), [square, centred], scale);
+        let (square, centred) = (b.name(square, "p"), b.name(centred, "u"));
+        let [s, square, centred] = [s, square, centred].map(|x| b.convert(x, reduction.float));
+        Self { s, low, square, centred, magic: phase.magic }
+    }
+
+    /// (s + low)² = s² + 2s·low, but for a term below 2⁻¹⁰⁴.
+    fn refined(b: &mut Builder, (s, low): (Id, Option<Id>), [square, centred]: [Id; 2], scale: Id) -> [Id; 2] {
+        let Some(low) = low else { return [square, centred] };
+        let product = b.mul(s, low);
+        let twice = b.add(product, product);
+        let scaled = b.mul(twice, scale);
+        [b.add(square, twice), b.add(centred, scaled)]
     }
 }
 
-fn clamp_phase(b: &mut Builder, s: Id, half: f64) -> (Id, Id) {
-    let (most, least) = (b.constant(half), b.constant(-half));
-    let s = b.push(Op::Min { limit: most, x: s });
-    let s = b.push(Op::Max { limit: least, x: s });
-    b.name(s, "clamped");
-    let square = b.mul(s, s);
-    (s, b.name(square, "p"))
+fn at_most(b: &mut Builder, x: Id, limit: f64) -> Id {
+    let limit = b.constant(limit);
+    b.push(Op::Min { limit, x })
 }
 
-fn clamp_square(b: &mut Builder, s: Id, half: f64) -> (Id, Id) {
-    let square = b.mul(s, s);
-    let most = b.constant(half * half);
-    let square = b.push(Op::Min { limit: most, x: square });
-    (s, b.name(square, "p"))
+/// x within ±limit.
+fn clamp(b: &mut Builder, x: Id, limit: f64) -> Id {
+    let x = at_most(b, x, limit);
+    let limit = b.constant(-limit);
+    b.push(Op::Max { limit, x })
 }
 
 impl Kernel {
@@ -176,7 +195,14 @@ impl Kernel {
         let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
         let mut value = estrin(b, x, &coefficients, powers);
         if self.parity == Parity::Odd {
-            value = b.mul(variables.s, value);
+            let product = b.mul(variables.s, value);
+            value = match variables.low {
+                Some(low) => {
+                    let rest = b.mul(low, value);
+                    b.add(product, rest)
+                }
+                None => product,
+            };
         }
         b.name(value, name);
         if self.alternates { b.push(Op::Alternate { x: value, magic: variables.magic }) } else { value }

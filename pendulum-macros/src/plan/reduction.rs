@@ -25,6 +25,8 @@ pub(crate) struct Reduction {
     pub(crate) error: f64,
     /// |s| exceeds ½ by at most this, in anchors.
     pub(crate) overshoot: f64,
+    /// Whether what the rounding of s leaves is kept in a second word.
+    pub(crate) two_words: bool,
     /// Anchors per unit of the reduced variable.
     pub(crate) unit: Double,
     /// Times beyond ±this are replaced by it, where the products would overflow.
@@ -49,8 +51,10 @@ pub(crate) enum Method {
 /// The reduced phase in a program.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Phase {
-    /// The remainder, of the program's float.
+    /// The remainder; `f64` if a second word is kept, else of the program's float.
     pub(crate) s: Id,
+    /// What its rounding left, if that is kept (never for `f32`, whose phase is then left wide).
+    pub(crate) low: Option<Id>,
     /// The sum whose lowest bit is the parity of n.
     pub(crate) magic: Id,
 }
@@ -73,28 +77,43 @@ impl Clock<'_> {
         self.t_max.unwrap_or_else(|| UNLIMITED / self.rate.to_f64()).min(f64::MAX)
     }
 
-    /// Every reduction that is valid over the horizon, cheapest first.
+    /// Every reduction that is valid over the horizon, with and without a second word.
     pub(crate) fn reductions(&self) -> Vec<Reduction> {
         let candidates = match self.float {
-            Float::F64 => vec![self.one_word(), self.cody_waite(2), self.cody_waite(3), Some(self.any_time())],
-            Float::F32 => {
-                let wide = [Some(self.wide()), Some(self.wide_any_time())];
-                [vec![self.one_word(), self.cody_waite(2), self.cody_waite(3)], wide.to_vec()].concat()
-            }
+            Float::F64 => vec![
+                self.one_word(),
+                self.cody_waite(2, false),
+                self.cody_waite(3, false),
+                self.cody_waite(2, true),
+                self.cody_waite(3, true),
+                Some(self.any_time(false)),
+                Some(self.any_time(true)),
+            ],
+            Float::F32 => vec![
+                self.one_word(),
+                self.cody_waite(2, false),
+                self.cody_waite(3, false),
+                Some(self.wide(false)),
+                Some(self.wide(true)),
+                Some(self.wide_any_time(false)),
+                Some(self.wide_any_time(true)),
+            ],
         };
         candidates.into_iter().flatten().filter(Reduction::is_useful).collect()
     }
 
-    fn reduction(&self, method: Method, error: f64, overshoot: f64) -> Reduction {
+    fn reduction(&self, method: Method, two_words: bool, error: f64, overshoot: f64) -> Reduction {
         let overflows = self.float == Float::F64 && self.rate.to_f64() > 0.25;
         let cody_waite = matches!(method, Method::CodyWaite { .. });
-        let launch_error = if self.launch == Double::ZERO { 0.0 } else { 2.0 * half_ulp(0.5, self.float) };
+        let launched = self.launch != Double::ZERO && !two_words;
+        let launch_error = if launched { 2.0 * half_ulp(0.5, self.float) } else { 0.0 };
         Reduction {
             method,
             float: self.float,
             launch: self.launch,
             error: error + launch_error,
             overshoot,
+            two_words,
             unit: if cody_waite { self.rate.to_double() } else { Double::ONE },
             cap: (overflows && !cody_waite).then(|| 2f64.powi(1000) / self.rate.to_f64().max(1.0)),
         }
@@ -105,12 +124,14 @@ impl Clock<'_> {
         let anchors = self.horizon() * self.rate.to_f64();
         let rate = self.float.round(self.rate.to_f64());
         let drift = self.horizon() * self.off(&[rate]);
-        (anchors < self.float.magic() / 8.0)
-            .then(|| self.reduction(Method::OneWord { rate }, drift + half_ulp(anchors * 1.001, self.float), 0.0))
+        (anchors < self.float.magic() / 8.0).then(|| {
+            let error = drift + half_ulp(anchors * 1.001, self.float);
+            self.reduction(Method::OneWord { rate }, false, error, 0.0)
+        })
     }
 
     /// With n < 2ᵏ anchors over the horizon and p bits a word, all words but the last have p − k bits.
-    fn cody_waite(&self, count: usize) -> Option<Reduction> {
+    fn cody_waite(&self, count: usize, two_words: bool) -> Option<Reduction> {
         let anchors = (self.horizon() * self.rate.to_f64() + 1.0).max(2.0);
         let k = anchors.log2().floor() as i32 + 1;
         let p = self.float.bits();
@@ -122,35 +143,39 @@ impl Clock<'_> {
         if words.iter().any(|w| *w != 0.0 && w.abs() < self.smallest_safe()) {
             return None;
         }
-        let left = words.iter().fold(time, |rest, &word| rest - self.exact(word)).abs().to_f64();
         let rate = self.float.round(self.rate.to_f64());
+        let left = words.iter().fold(time, |rest, &word| rest - self.exact(word)).abs().to_f64();
         let last = words.last().copied().unwrap_or(0.0).abs();
-        // Rounding of n·T_last, of the last difference (≤ ½ an anchor long) and, should the first difference be that of
-        // numbers farther apart than a factor of two, of that.
-        let drift = anchors * left + half_ulp(anchors * last, self.float) + 2.0 * half_ulp(0.51 / rate, self.float);
+        let half = 0.5 / rate * (1.0 + 1e-6);
+        // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a time
+        // next to half an anchor, where that is next to a power of two, escapes both.
+        let crosses = exponent(half) != exponent(0.5 / rate * (1.0 - 1e-6));
+        let differences = f64::from(u8::from(crosses) + u8::from(!two_words)) * half_ulp(half, self.float);
+        let drift = anchors * left + half_ulp(anchors * last, self.float) + differences;
         let overshoot = 4.0 * anchors * self.float.unit();
-        Some(self.reduction(Method::CodyWaite { rate, words }, drift * rate * 1.000_001, overshoot))
+        Some(self.reduction(Method::CodyWaite { rate, words }, two_words, drift * rate * 1.000_001, overshoot))
     }
 
-    fn wide(&self) -> Reduction {
+    fn wide(&self, two_words: bool) -> Reduction {
         let rate = self.rate.to_f64();
         let anchors = self.horizon() * rate;
         let drift = self.horizon() * self.off(&[rate]) + half_ulp(anchors * 1.001, Float::F64);
-        self.reduction(Method::Wide { rate }, drift + half_ulp(0.5, Float::F32), 0.0)
+        self.reduction(Method::Wide { rate }, two_words, drift + narrowing(two_words), 0.0)
     }
 
-    /// The first two products are exact (24 + 29 bits), reduced together to less than one anchor in magnitude 2²⁶.
-    fn wide_any_time(&self) -> Reduction {
+    /// The first two products are exact (24 + 29 bits); the sum of the second and third, below 2²⁶, is rounded to 2⁻²⁸.
+    fn wide_any_time(&self, two_words: bool) -> Reduction {
         let words = split_down(self.rate, 29, 3, Float::F64);
-        let error = 2f64.powi(-27) + half_ulp(0.5, Float::F32);
-        self.reduction(Method::WideAnyTime { words: [words[0], words[1], words[2]] }, error, 2f64.powi(-26))
+        let method = Method::WideAnyTime { words: [words[0], words[1], words[2]] };
+        self.reduction(method, two_words, 2f64.powi(-27) + narrowing(two_words), 2f64.powi(-26))
     }
 
-    /// Two roundings of sums near ½, and the last word's product.
-    fn any_time(&self) -> Reduction {
+    /// Two roundings of sums near ½, unless they are kept in a second word, and the last word's product.
+    fn any_time(&self, two_words: bool) -> Reduction {
         let words = split_near(self.rate, &[26, 25, 25]);
-        let drift = self.horizon() * self.off(&words);
-        self.reduction(Method::AnyTime { words }, 2f64.powi(-53) + 2f64.powi(-70) + drift, 2f64.powi(-50))
+        let drift = self.horizon() * self.off(&words) + 2f64.powi(-72);
+        let error = drift + if two_words { 0.0 } else { 2f64.powi(-53) };
+        self.reduction(Method::AnyTime { words }, two_words, error, 2f64.powi(-50))
     }
 
     fn exact(&self, x: f64) -> Real {
@@ -224,6 +249,15 @@ impl Reduction {
         self.error < 0.5
     }
 
+    /// The largest |s|, in units of the reduced variable, rounded up to a number of its type.
+    pub(crate) fn half(&self) -> f64 {
+        if self.overshoot == 0.0 && self.unit == Double::ONE {
+            return 0.5;
+        }
+        let half = (0.5 + self.overshoot) / self.unit.hi;
+        self.float.round(half * (1.0 + 4.0 * self.float.unit()))
+    }
+
     /// Emits the reduction.
     pub(crate) fn lower(&self, b: &mut Builder, t: Id) -> Phase {
         let t = self.capped(b, t);
@@ -233,12 +267,12 @@ impl Reduction {
             Method::Wide { rate } => {
                 let wide = b.convert(t, Float::F64);
                 let phase = self.direct(b, wide, *rate);
-                narrow(b, phase)
+                self.narrow(b, phase)
             }
             Method::WideAnyTime { words } => {
                 let wide = b.convert(t, Float::F64);
                 let phase = self.wide_any_time(b, wide, words);
-                narrow(b, phase)
+                self.narrow(b, phase)
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
         }
@@ -267,31 +301,45 @@ impl Reduction {
     fn direct(&self, b: &mut Builder, t: Id, rate: f64) -> Phase {
         let rate = b.constant(rate);
         let x = b.mul(t, rate);
-        b.name(x, "turns");
+        b.name(x, "x");
         let counted = self.launched(b, x);
         let (magic, n) = round(b, counted);
         let rest = b.sub(x, n);
         let s = self.launched(b, rest);
-        Phase { s: b.name(s, "s"), magic }
+        Phase { s: b.name(s, "s"), low: None, magic }
     }
 
     fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {
-        let rate_id = b.constant(rate);
-        let x = b.mul(t, rate_id);
+        let rate = b.constant(rate);
+        let x = b.mul(t, rate);
         let counted = self.launched(b, x);
         let (magic, n) = round(b, counted);
-        let mut s = t;
-        for &word in words.iter().filter(|&&word| word != 0.0) {
+        let (mut s, mut low) = (t, None);
+        let words: Vec<f64> = words.iter().copied().filter(|&word| word != 0.0).collect();
+        for (index, &word) in words.iter().enumerate() {
             let word = b.constant(word);
             let whole = b.mul(n, word);
-            s = b.sub(s, whole);
+            let rest = b.sub(s, whole);
+            if self.two_words && index + 1 == words.len() {
+                let seen = b.sub(s, rest);
+                low = Some(b.sub(seen, whole));
+            }
+            s = rest;
         }
         if self.launch != Double::ZERO {
             let offset = self.launch / self.unit;
-            let offset = b.exact(offset.hi, offset.lo);
-            s = b.add(s, offset);
+            if let Some(before) = low {
+                let constant = b.exact(offset.hi, 0.0);
+                let (sum, lost) = b.two_sum(s, constant);
+                let rest = b.constant(offset.lo);
+                let lost = b.add(lost, rest);
+                (s, low) = (sum, Some(b.add(before, lost)));
+            } else {
+                let constant = b.exact(offset.hi, offset.lo);
+                s = b.add(s, constant);
+            }
         }
-        Phase { s: b.name(s, "s"), magic }
+        Phase { s: b.name(s, "s"), low: low.map(|low| b.name(low, "low")), magic }
     }
 
     fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
@@ -299,7 +347,7 @@ impl Reduction {
             let word = b.constant(word);
             b.mul(t, word)
         });
-        let first = modulo_two(b, first);
+        let first = modulo_eight(b, first);
         let low = b.add(second, third);
         let sum = b.add(first, low);
         let counted = self.launched(b, sum);
@@ -307,13 +355,13 @@ impl Reduction {
         let rest = b.sub(first, n);
         let s = b.add(rest, low);
         let s = self.launched(b, s);
-        Phase { s: b.name(s, "s"), magic }
+        Phase { s: b.name(s, "s"), low: None, magic }
     }
 
     /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the sum of
     /// the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24), hence
     /// exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below 2^(e−75).
-    /// The first two are taken modulo 2, exactly; only the sum of the four parts, near ½, is rounded.
+    /// The first two are taken modulo 8, exactly; only the sum of the four parts, near ½, is rounded.
     fn any_time(&self, b: &mut Builder, t: Id, words: &[f64; 4]) -> Phase {
         let [r1, r2, r3, r4] = words.map(|word| b.constant(word));
         let head = b.push(Op::Head(t));
@@ -321,32 +369,62 @@ impl Reduction {
         let tail = b.sub(t, head);
         b.name(tail, "tail");
         let first = b.mul(head, r1);
-        let first = modulo_two(b, first);
+        let first = modulo_eight(b, first);
         b.name(first, "first");
         let second = cross(b, (tail, r1), (head, r2));
-        let second = modulo_two(b, second);
+        let second = modulo_eight(b, second);
         b.name(second, "second");
         let third = cross(b, (tail, r2), (head, r3));
         b.name(third, "third");
         let fourth = cross(b, (tail, r3), (t, r4));
-        let fourth = self.launched(b, fourth);
         b.name(fourth, "fourth");
         let leading = b.add(first, second);
         let sum = b.add(leading, third);
         let counted = self.launched(b, sum);
         let (magic, n) = round(b, counted);
-        let s = b.sub(first, n);
-        let s = b.add(s, second);
+        let rest = b.sub(first, n);
+        if self.two_words {
+            return self.any_time_in_two_words(b, magic, [rest, second, third, fourth]);
+        }
+        let s = b.add(rest, second);
         let s = b.add(s, third);
+        let fourth = self.launched(b, fourth);
         let s = b.add(s, fourth);
-        Phase { s: b.name(s, "s"), magic }
+        Phase { s: b.name(s, "s"), low: None, magic }
+    }
+
+    /// The second sum is exact where the third part isn't small beside it (t beyond 2⁴⁸ anchors), so that the quick form
+    /// serves wherever something is lost.
+    fn any_time_in_two_words(&self, b: &mut Builder, magic: Id, [rest, second, third, fourth]: [Id; 4]) -> Phase {
+        let (sum, lost) = b.two_sum(rest, second);
+        let (mut sum, lost_too) = b.quick_two_sum(sum, third);
+        let mut lost = b.add(lost, lost_too);
+        if self.launch != Double::ZERO {
+            let launch = b.exact(self.launch.hi, 0.0);
+            let (moved, lost_here) = b.two_sum(sum, launch);
+            let rest = b.constant(self.launch.lo);
+            let lost_here = b.add(lost_here, rest);
+            (sum, lost) = (moved, b.add(lost, lost_here));
+        }
+        let lost = b.add(lost, fourth);
+        let (s, low) = b.quick_two_sum(sum, lost);
+        Phase { s: b.name(s, "s"), low: Some(b.name(low, "low")), magic }
+    }
+
+    /// A wide phase, narrowed unless its second word's worth is wanted.
+    fn narrow(&self, b: &mut Builder, phase: Phase) -> Phase {
+        if self.two_words {
+            return phase;
+        }
+        b.name(phase.s, "wide");
+        let s = b.convert(phase.s, Float::F32);
+        Phase { s: b.name(s, "s"), ..phase }
     }
 }
 
-fn narrow(b: &mut Builder, phase: Phase) -> Phase {
-    b.name(phase.s, "wide");
-    let s = b.convert(phase.s, Float::F32);
-    Phase { s: b.name(s, "s"), magic: phase.magic }
+/// The error that narrowing a phase to `f32` adds.
+fn narrowing(two_words: bool) -> f64 {
+    if two_words { 0.0 } else { half_ulp(0.49, Float::F32) }
 }
 
 /// a·b + c·d.
@@ -366,9 +444,9 @@ fn round(b: &mut Builder, x: Id) -> (Id, Id) {
     (magic, b.name(n, "n"))
 }
 
-/// x less the nearest multiple of 2, exactly, for |x| < 2⁵⁵: adding 1.5·2⁵³ rounds to a multiple of 2 (of 4 above 2⁵³).
-fn modulo_two(b: &mut Builder, x: Id) -> Id {
-    let constant = b.constant(2.0 * Float::F64.magic());
+/// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴: adding 1.5·2⁵⁵ rounds to a multiple of 8.
+fn modulo_eight(b: &mut Builder, x: Id) -> Id {
+    let constant = b.constant(8.0 * Float::F64.magic());
     let even = b.add(x, constant);
     let even = b.sub(even, constant);
     b.sub(x, even)

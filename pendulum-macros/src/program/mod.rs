@@ -189,13 +189,29 @@ impl Builder {
         self.nodes.len() - 1
     }
 
-    /// Converts `x` to `float` and continues in it.
+    /// Converts `x` to `float`, in which the program continues.
     pub(crate) fn convert(&mut self, x: Id, float: Float) -> Id {
-        if self.float == float {
+        self.float = float;
+        if self.nodes[x].float == float {
             return x;
         }
-        self.float = float;
         self.push(if float == Float::F64 { Op::Widen(x) } else { Op::Narrow(x) })
+    }
+
+    /// `a + b` and what its rounding left (Knuth).
+    pub(crate) fn two_sum(&mut self, a: Id, b: Id) -> (Id, Id) {
+        let sum = self.add(a, b);
+        let seen = self.sub(sum, a);
+        let from_a = self.sub(sum, seen);
+        let (lost_a, lost_b) = (self.sub(a, from_a), self.sub(b, seen));
+        (sum, self.add(lost_a, lost_b))
+    }
+
+    /// `a + b` and what its rounding left, for |a| ≥ |b| (Dekker).
+    pub(crate) fn quick_two_sum(&mut self, a: Id, b: Id) -> (Id, Id) {
+        let sum = self.add(a, b);
+        let seen = self.sub(sum, a);
+        (sum, self.sub(b, seen))
     }
 
     /// The finished program, without the nodes that no result needs.

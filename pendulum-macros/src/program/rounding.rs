@@ -4,10 +4,12 @@
 //! node's value if constants were unrounded and every operation exact. With a result of magnitude at most m, rounding
 //! adds at most half a unit in the last place of m; errors of operands propagate by the operation's derivative. This is
 //! the method of Higham, *Accuracy and Stability of Numerical Algorithms* (2002), 3.1, with intervals in place of
-//! asymptotic constants. The intervals themselves are computed in `f64` and inflated by more than their own rounding.
+//! asymptotic constants. Rounding is monotone, so the intervals of computed values are exact when their ends are computed
+//! by the very operations of the program; the bounds on errors are inflated by more than their own rounding.
 
 use super::{Id, Op, Program};
 use crate::parse::Float;
+use pendulum_runtime::double::{two_prod, two_sum};
 
 /// Where a value lies and how wrong it can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,17 +29,19 @@ impl Known {
         self.low.abs().max(self.high.abs())
     }
 
-    fn map(self, other: Self, f: impl Fn(f64, f64) -> f64) -> (f64, f64) {
+    /// The interval of an operation that is monotone in each operand, its ends rounded as the program rounds.
+    fn corners(self, other: Self, float: Float, f: impl Fn(f64, f64) -> f64) -> (f64, f64) {
         let corners =
             [f(self.low, other.low), f(self.low, other.high), f(self.high, other.low), f(self.high, other.high)];
-        corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)))
+        let ends = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
+        (float.round(ends.0), float.round(ends.1))
     }
 }
 
 /// Covers the rounding of the analysis itself, whose chains are a few hundred operations long.
 const INFLATION: f64 = 1.0 + 1e-12;
 
-/// Half a unit in the last place of `magnitude`.
+/// Half a unit in the last place of `magnitude`: the rounding of results up to it.
 pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
     let smallest = match float {
         Float::F64 => f64::from_bits(1),
@@ -45,6 +49,11 @@ pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
     };
     let binade = f64::from_bits(magnitude.to_bits() & (0x7ff << 52));
     (binade * float.unit()).max(smallest)
+}
+
+/// The rounding of results whose exact magnitude is at most `magnitude`: at a power of two the binade below counts.
+fn rounding_up_to(magnitude: f64, float: Float) -> f64 {
+    half_ulp(if is_power_of_two(magnitude) { magnitude / 2.0 } else { magnitude }, float)
 }
 
 impl Program {
@@ -63,8 +72,7 @@ impl Program {
 }
 
 fn inflate(known: Known) -> Known {
-    let slack = known.magnitude() * (INFLATION - 1.0);
-    Known { low: known.low - slack, high: known.high + slack, error: known.error * INFLATION }
+    Known { error: known.error * INFLATION, ..known }
 }
 
 fn step(op: Op, float: Float, known: &[Known]) -> Known {
@@ -114,17 +122,25 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
 }
 
 fn sum(a: Known, b: Known, float: Float) -> Known {
-    let (low, high) = (a.low + b.low, a.high + b.high);
-    let rounding = half_ulp(low.abs().max(high.abs()), float);
-    Known { low, high, error: a.error + b.error + rounding }
+    let (low, high) = a.corners(b, float, |x, y| x + y);
+    let exact = two_sum(a.low, b.low).1 == 0.0 && two_sum(a.high, b.high).1 == 0.0;
+    Known { low, high, error: a.error + b.error + rounding(low, high, exact, float) }
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
-    let (low, high) = a.map(b, |x, y| x * y);
-    let magnitude = low.abs().max(high.abs());
-    let scaling = [a, b].iter().any(|x| x.low == x.high && x.error == 0.0 && is_power_of_two(x.low));
-    let rounding = if scaling { 0.0 } else { half_ulp(magnitude, float) };
+    let (low, high) = a.corners(b, float, |x, y| x * y);
+    let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
+    let exact = ends.into_iter().all(|(x, y)| two_prod(x, y).1 == 0.0);
+    let scaling = [a, b].iter().any(|x| x.low == x.high && x.error == 0.0 && is_power_of_two(x.low.abs()));
+    let rounding = if scaling { 0.0 } else { rounding(low, high, exact, float) };
     Known { low, high, error: a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error + rounding }
+}
+
+/// The rounding of results between `low` and `high`, which are the exact ends if `exact`.
+fn rounding(low: f64, high: f64, exact: bool, float: Float) -> f64 {
+    let magnitude = low.abs().max(high.abs());
+    let representable = float.round(low) == low && float.round(high) == high;
+    if exact && representable { rounding_up_to(magnitude, float) } else { half_ulp(magnitude, float) }
 }
 
 fn quotient(a: Known, b: Known, float: Float) -> Known {
@@ -132,7 +148,7 @@ fn quotient(a: Known, b: Known, float: Float) -> Known {
     if b.low <= 0.0 && b.high >= 0.0 || least <= 0.0 {
         return Known { low: f64::NEG_INFINITY, high: f64::INFINITY, error: f64::INFINITY };
     }
-    let (low, high) = a.map(b, |x, y| x / y);
+    let (low, high) = a.corners(b, float, |x, y| x / y);
     let magnitude = low.abs().max(high.abs());
     Known { low, high, error: (a.error + magnitude * b.error) / least + half_ulp(magnitude, float) }
 }

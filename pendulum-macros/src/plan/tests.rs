@@ -1,0 +1,114 @@
+//! Interpreted plans against the exact motion.
+
+use super::*;
+use crate::check::check;
+use crate::exact::Real;
+use crate::parse::parse;
+use crate::report::Report;
+
+pub(crate) fn scene(text: &str) -> Scene {
+    let mut report = Report::default();
+    let request = parse(text.parse().unwrap(), &mut report);
+    let scene = request.and_then(|request| check(request, &mut report));
+    report.finish().unwrap();
+    scene.unwrap()
+}
+
+/// The phase of time t: (remainder, parity of the anchor).
+fn phase(rate: &Real, launch: &Real, t: f64) -> (Double, bool) {
+    let x = rate * &rate.context().float(t).unwrap() + launch;
+    let n = x.round();
+    let odd = (&n.scale(-1) - &n.scale(-1).round()).abs().to_f64() > 0.25;
+    ((x - n).to_double(), odd)
+}
+
+fn observed(scene: &Scene, plan: &Plan, samples: usize) -> Vec<f64> {
+    let Regime::Swing(swing) = &scene.motion.regime else { panic!() };
+    let rate = crate::series::swing_rate(swing);
+    let curves = SwingCurves::new(swing, &scene.motion.omega);
+    let horizon = scene.t_max.as_ref().map_or(9e15 / rate.to_f64() * 2.0, Real::to_f64);
+    let mut seed = 0x9e37_79b9_7f4a_7c15u64;
+    let mut random = || {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut worst = vec![];
+    for (part, function) in plan.parts.iter().zip(&plan.functions) {
+        let aim = aim(scene, &curves, part.output);
+        let mut most: f64 = 0.0;
+        for i in 0..samples {
+            let t = if i % 2 == 0 {
+                horizon * (2.0 * random() - 1.0)
+            } else {
+                (2.0 * random() - 1.0) * 2.0 / rate.to_f64()
+            };
+            let t = scene.float.round(t);
+            let (s, odd) = phase(&rate, &swing.launch, t);
+            let values = function.program.run(t);
+            let mut sum = 0.0;
+            for (value, curve) in values.iter().zip(&aim.curves) {
+                let truth = curve.at(s);
+                let flip = curve.alternates && (odd ^ swing.mirrored);
+                let truth = if flip { -truth } else { truth };
+                sum += (Double::new(*value) - truth).hi.powi(2);
+            }
+            most = most.max(sum.sqrt());
+        }
+        worst.push(most);
+    }
+    worst
+}
+
+#[test]
+fn look() {
+    for (theta, rest) in [
+        ("7π/8", "tol = 1e-6, t_max = 938"),
+        ("7π/8", "tol = 1e-9, t_max = 938"),
+        ("7π/8", "tol = 1e-12, t_max = 938"),
+        ("7π/8", ""),
+        ("7π/8", "float = f32, tol = 1e-4, t_max = 938"),
+        ("7π/8", "float = f32"),
+        ("7π/8", "outputs = [theta, velocity, acceleration, position]"),
+        ("π/3", ""),
+        ("0.1", ""),
+        ("1e-9", ""),
+        ("0.99π", ""),
+        ("0.999π", ""),
+        ("0.9999π", ""),
+        ("π-1e-9", ""),
+        ("π-1e-9", "tol = 1e-6"),
+        ("π/3", "tol=1e-3"),
+        ("0.1", "tol=1e-9"),
+        ("1", "velocity0 = 1, tol = 1e-9, t_max = 1e6"),
+    ] {
+        let clock = std::time::Instant::now();
+        let scene = scene(&format!("struct A; theta0 = {theta}, {rest}"));
+        let solved = clock.elapsed();
+        match plan(&scene) {
+            Ok(plan) => {
+                let time = clock.elapsed();
+                let worst = observed(&scene, &plan, 2000);
+                println!(
+                    "{theta} {rest}: {:?} solve {solved:?} total {time:?} cost {}",
+                    plan.reduction.method,
+                    plan.cost()
+                );
+                for (part, worst) in plan.parts.iter().zip(worst) {
+                    println!(
+                        "   {:?} {:?} terms {:?} bound {:.2e} {:?} ratio {:.2} rel {:.2}u",
+                        part.output,
+                        part.kernels[0].form,
+                        part.kernels.iter().map(|k| k.coefficients.len()).collect::<Vec<_>>(),
+                        part.bound.total(),
+                        part.bound,
+                        part.bound.total() / worst,
+                        worst / scene.float.unit() / 2.7
+                    );
+                }
+            }
+            Err(e) => println!("{theta} {rest}: {e:?} {:?}", clock.elapsed()),
+        }
+    }
+}
