@@ -25,14 +25,19 @@ pub(crate) struct Context {
 
 impl Context {
     /// Enough for numbers written with up to `digits` decimal digits: their differences (π − θ0, v0 − 2ω) may cancel all
-    /// of them, and squares of those differences matter.
+    /// of them, 3.3 bits each. Where squares of such differences matter, [`Context::widened`] follows.
     pub(crate) fn for_digits(digits: usize) -> Self {
-        Self { bits: GUARD_BITS + 7 * digits.max(20) }
+        Self { bits: GUARD_BITS + 4 * digits.max(35) }
     }
 
     /// The same with `bits` more.
     pub(crate) fn widened(self, bits: usize) -> Self {
         Self { bits: self.bits + bits }
+    }
+
+    /// The wider of the two.
+    pub(crate) fn at_least(self, other: Self) -> Self {
+        Self { bits: self.bits.max(other.bits) }
     }
 
     /// How many leading bits may cancel and still leave the guard bits.

@@ -89,7 +89,9 @@ impl Checker<'_> {
 
     /// The value of a parameter that may carry an angle's unit.
     fn evaluated(&mut self, given: &Given<Number>) -> Checked<Real> {
-        given.value.evaluate(self.context).map_err(|error| {
+        // What the motion doesn't depend on (`tol`, `t_max`) may be longer than what it does.
+        let context = self.context.at_least(Context::for_digits(given.value.digits()));
+        given.value.evaluate(context).map_err(|error| {
             let message = format!("`{} = {}`: {error}", given.name, source::value(&given.tokens));
             self.report.at(error.span(), message);
             Reported

@@ -97,6 +97,8 @@ impl Motion {
     /// results by as much. Everything that separates the regimes has cancelled on the separatrix.
     pub(crate) fn cancelled_bits(&self) -> usize {
         let gap = match &self.regime {
+            // Released from rest, k′ itself comes from π − θ0; otherwise its square from a difference of squares.
+            Regime::Swing(swing) if self.velocity0.is_zero() => -swing.elliptic.complementary.exponent(),
             Regime::Swing(swing) => -2 * swing.elliptic.complementary.exponent(),
             Regime::Rotation(rotation) => -2 * rotation.elliptic.complementary.exponent(),
             Regime::Separatrix(_) => return usize::MAX,

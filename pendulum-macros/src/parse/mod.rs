@@ -183,9 +183,9 @@ impl Request {
         self.written.iter().any(|(written, _)| written == name)
     }
 
-    /// The decimal digits of the longest number.
+    /// The decimal digits of the longest number that the motion depends on.
     pub(crate) fn digits(&self) -> usize {
-        let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length, &self.tol, &self.t_max];
+        let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length];
         numbers.into_iter().flatten().map(|given| given.value.digits()).max().unwrap_or(0)
     }
 

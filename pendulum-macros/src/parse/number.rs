@@ -48,9 +48,10 @@ impl Number {
         Ok(Self { tokens, tree })
     }
 
-    /// The number of decimal digits of the longest literal.
+    /// The number of decimal digits that may cancel: those of the longest literal, and in a sum those that its exponent
+    /// puts between it and the other terms.
     pub(crate) fn digits(&self) -> usize {
-        self.tree.digits()
+        self.tree.digits(false)
     }
 
     /// The first literal that carries a unit of angle (`deg` or `rad`).
@@ -215,16 +216,19 @@ fn literal(literal: &Lit) -> Result<Tree> {
 }
 
 impl Tree {
-    fn digits(&self) -> usize {
+    fn digits(&self, in_sum: bool) -> usize {
         match self {
             Self::Literal { digits, .. } => {
                 let mantissa = digits.split(['e', 'E']).next().map_or(0, str::len);
                 let exponent = digits.split(['e', 'E']).nth(1).and_then(|e| e.parse::<i64>().ok()).unwrap_or(0);
-                mantissa + exponent.unsigned_abs() as usize
+                mantissa + if in_sum { exponent.unsigned_abs() as usize } else { 0 }
             }
             Self::Pi => 0,
-            Self::Negative(inner) | Self::Root(inner, _) => inner.digits(),
-            Self::Binary { left, right, .. } => left.digits().max(right.digits()),
+            Self::Negative(inner) | Self::Root(inner, _) => inner.digits(in_sum),
+            Self::Binary { left, operator, right, .. } => {
+                let in_sum = in_sum || matches!(operator, Operator::Add | Operator::Subtract);
+                left.digits(in_sum).max(right.digits(in_sum))
+            }
         }
     }
 
