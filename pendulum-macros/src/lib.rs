@@ -1,7 +1,11 @@
-//! wip
-#![allow(dead_code)]
+//! The procedural macro behind `pendula::pendulum!`: *parse → check and solve → plan → emit*.
+//!
+//! Depend on `pendula`, not on this crate: the macro is documented there, and its expansion names items through the path
+//! that `pendula` hands in.
+
 mod chebyshev;
 mod check;
+mod emit;
 mod exact;
 mod motion;
 mod parse;
@@ -10,3 +14,46 @@ mod program;
 mod report;
 mod scene;
 mod series;
+
+use parse::{Float, Form};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use report::Report;
+
+/// `[path of pendula] parameters…`; see `pendula::pendulum!`.
+#[proc_macro]
+pub fn pendulum(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let (root, parameters) = split_root(input.into());
+    expand(&root, parameters).into()
+}
+
+/// The crate's path, in brackets, and what follows it.
+fn split_root(input: TokenStream) -> (TokenStream, TokenStream) {
+    let mut trees = input.into_iter();
+    match trees.next() {
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket => (group.stream(), trees.collect()),
+        first => (quote::quote!(::pendula), first.into_iter().chain(trees).collect()),
+    }
+}
+
+fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
+    let mut report = Report::default();
+    let request = parse::parse(parameters, &mut report);
+    let form = request.as_ref().map(|request| request.form.clone());
+    let float = request.as_ref().and_then(|request| request.float.as_ref()).map_or(Float::F64, |float| float.value);
+    let scene = request.and_then(|request| check::check(request, &mut report));
+    let planned = scene.and_then(|scene| {
+        let plan = plan::plan(&scene).map_err(|refusal| report.add(refusal.explain(&scene))).ok()?;
+        Some((scene, plan))
+    });
+    match planned {
+        Some((scene, plan)) => emit::emit(&scene, &plan, root),
+        None => emit::stub(form.as_ref(), float, &errors(report, form.as_ref())),
+    }
+}
+
+/// Every mistake as a `compile_error!`, statements of a block where an expression is wanted.
+fn errors(report: Report, form: Option<&Form>) -> TokenStream {
+    let errors = report.finish().err().map(|error| error.into_compile_error()).unwrap_or_default();
+    let _ = form;
+    errors
+}

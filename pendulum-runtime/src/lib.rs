@@ -1,3 +1,5 @@
 //! wip
 #![no_std]
 pub mod double;
+#[doc(hidden)]
+pub mod support;

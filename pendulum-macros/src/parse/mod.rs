@@ -29,6 +29,7 @@ pub(crate) struct Request {
 }
 
 /// What the invocation expands to.
+#[derive(Clone)]
 pub(crate) enum Form {
     /// A zero-sized fn item.
     Expression,
@@ -37,6 +38,7 @@ pub(crate) enum Form {
 }
 
 /// The header of the item form.
+#[derive(Clone)]
 pub(crate) struct Item {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,

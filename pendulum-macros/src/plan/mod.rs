@@ -4,13 +4,13 @@ pub(crate) mod curve;
 pub(crate) mod polynomial;
 pub(crate) mod reduction;
 
+use crate::exact::Real;
 use crate::motion::{Regime, Swing};
 use crate::parse::{Float, Method, Output};
 use crate::program::rounding::Known;
-use crate::program::{Builder, Program};
+use crate::program::{Builder, Op, Program};
 use crate::scene::{Goal, Scene};
 use curve::{Curve, SwingCurves};
-use pendulum_runtime::double::Double;
 use polynomial::{Approximation, Form, Kernel, LOW, Variables};
 use reduction::{Clock, Reduction};
 
@@ -21,6 +21,10 @@ pub(crate) struct Plan {
     pub(crate) reduction: Reduction,
     pub(crate) parts: Vec<Part>,
     pub(crate) functions: Vec<Function>,
+    /// The b₂ₙ₋₁ of a plan with the paper's formula, else empty.
+    pub(crate) coefficients: Vec<Real>,
+    /// The alternatives and why each lost.
+    pub(crate) rejected: Vec<String>,
 }
 
 /// One output's polynomials and its error.
@@ -28,7 +32,11 @@ pub(crate) struct Plan {
 pub(crate) struct Part {
     pub(crate) output: Output,
     pub(crate) kernels: Vec<Kernel>,
+    /// What the kernels are, for the reader.
+    pub(crate) description: String,
     pub(crate) bound: Bound,
+    /// What an error of 1 in the output's own unit is: 1, ω, ω².
+    pub(crate) unit: f64,
 }
 
 /// A proven bound of the error over the horizon, in the output's unit, and what it is made of.
@@ -62,6 +70,21 @@ pub(crate) enum Refusal {
     Unreachable { best: f64 },
 }
 
+impl Refusal {
+    /// The error at the token to blame.
+    pub(crate) fn explain(&self, scene: &Scene) -> syn::Error {
+        match self {
+            Self::Unreachable { best } => syn::Error::new_spanned(
+                &scene.blame.goal,
+                format!(
+                    "this error can't be promised with `{}`: the best is {best:.2e}; ask for that, or leave `tol` out",
+                    scene.float.word()
+                ),
+            ),
+        }
+    }
+}
+
 /// What one output has to keep.
 struct Aim {
     output: Output,
@@ -85,7 +108,7 @@ fn swing_plan(scene: &Scene, swing: &Swing) -> Result<Plan, Refusal> {
     let clock = Clock {
         rate: &rate,
         launch: swing.launch.to_double(),
-        t_max: scene.t_max.as_ref().map(crate::exact::Real::to_f64),
+        t_max: scene.t_max.as_ref().map(Real::to_f64),
         float: scene.float,
     };
     let approximations = approximate(&aims);
@@ -145,7 +168,14 @@ fn candidate(
         parts.push(part(aim, approximations, reduction, form, mirrored)?);
     }
     let functions = functions(scene.float, reduction, &parts);
-    Ok(Plan { method: Method::Polynomial, reduction: reduction.clone(), parts, functions })
+    Ok(Plan {
+        method: Method::Polynomial,
+        reduction: reduction.clone(),
+        parts,
+        functions,
+        coefficients: Vec::new(),
+        rejected: Vec::new(),
+    })
 }
 
 /// The fewest terms that keep one output's promise.
@@ -178,7 +208,9 @@ fn part(
         let bound = Bound { truncation: norm(kernels.iter().map(|k| k.truncation)), phase, evaluation };
         reached = reached.min(bound.total());
         if bound.total() <= aim.limit {
-            return Ok(Part { output: aim.output, kernels, bound });
+            let terms: Vec<String> = kernels.iter().map(|kernel| kernel.coefficients.len().to_string()).collect();
+            let description = format!("polynomial of {} terms in {}", terms.join(" and "), form.variable());
+            return Ok(Part { output: aim.output, kernels, description, bound, unit: aim.curves[0].unit });
         }
     }
     Err(reached)
@@ -239,11 +271,24 @@ impl Plan {
     pub(crate) fn cost(&self) -> f64 {
         self.functions.iter().map(|function| function.program.cost()).sum()
     }
-}
 
-/// π, for the reader of a plan's docs.
-#[allow(dead_code)]
-const PI: Double = Double::PI;
+    /// Operations of the first function.
+    pub(crate) fn operations(&self) -> usize {
+        self.functions.first().map_or(0, |function| function.program.operations())
+    }
+
+    /// Terms of the first output's first kernel.
+    pub(crate) fn terms(&self) -> usize {
+        let kernel = self.parts.first().and_then(|part| part.kernels.first());
+        kernel.map_or(self.coefficients.len(), |kernel| kernel.coefficients.len())
+    }
+
+    /// Whether `core` alone can evaluate it at compile time: it can't take roots there.
+    pub(crate) fn is_const(&self) -> bool {
+        let has_root = |program: &Program| program.nodes.iter().any(|node| matches!(node.op, Op::Sqrt(_)));
+        !self.functions.iter().any(|function| has_root(&function.program))
+    }
+}
 
 #[cfg(test)]
 mod tests;

@@ -36,6 +36,16 @@ pub(crate) enum Form {
     Centred,
 }
 
+impl Form {
+    /// The variable, for the reader; s is the phase in half periods (turns).
+    pub(crate) fn variable(self) -> &'static str {
+        match self {
+            Self::Plain => "s²",
+            Self::Centred => "8s² − 1",
+        }
+    }
+}
+
 /// A polynomial to be evaluated.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Kernel {

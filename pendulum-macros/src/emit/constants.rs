@@ -1,0 +1,120 @@
+//! The associated constants of the item form.
+
+use super::literal;
+use crate::exact::Real;
+use crate::motion::{Elliptic, Regime};
+use crate::parse::{Float, Output};
+use crate::plan::Plan;
+use crate::scene::Scene;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+/// Every constant that makes sense for the regime and the plan.
+pub(super) fn all(scene: &Scene, plan: &Plan) -> TokenStream {
+    let motion = &scene.motion;
+    let mut constants = Writer { float: scene.float, tokens: TokenStream::new() };
+    constants.real("THETA0", &motion.theta0, "θ at t = 0, rad.");
+    constants.real("OMEGA", &motion.omega, "ω, the rate of small oscillations, rad per unit of t.");
+    match &motion.regime {
+        Regime::Swing(swing) => {
+            constants.real("AMPLITUDE", &swing.amplitude, "The largest |θ|, rad.");
+            constants.elliptic(&swing.elliptic, "k = sin(amplitude/2), the modulus.");
+            constants.real("PERIOD", &swing.period, "T = 4K/ω, the time of one swing to and fro.");
+        }
+        Regime::Rotation(rotation) => {
+            constants.elliptic(&rotation.elliptic, "κ = 2ω/|θ̇| at the lowest point, the modulus.");
+            constants.real("PERIOD", &rotation.period, "The time of one turn.");
+        }
+        Regime::Separatrix(separatrix) => {
+            let one = separatrix.launch.context().integer(1);
+            constants.real("MODULUS", &one, "k = 1: between swinging and turning over.");
+        }
+    }
+    constants.plan(plan);
+    constants.tokens
+}
+
+struct Writer {
+    float: Float,
+    tokens: TokenStream,
+}
+
+impl Writer {
+    fn real(&mut self, name: &str, value: &Real, doc: &str) {
+        let rounded = match self.float {
+            Float::F64 => value.to_f64(),
+            Float::F32 => f64::from(value.to_f32()),
+        };
+        self.number(name, rounded, doc);
+    }
+
+    fn number(&mut self, name: &str, value: f64, doc: &str) {
+        let (name, float) = (format_ident!("{name}"), format_ident!("{}", self.float.word()));
+        let value = literal::float(value, self.float);
+        self.tokens.extend(quote!(#[doc = #doc] pub const #name: #float = #value;));
+    }
+
+    fn count(&mut self, name: &str, value: usize, doc: &str) {
+        let name = format_ident!("{name}");
+        let value = proc_macro2::Literal::usize_unsuffixed(value);
+        self.tokens.extend(quote!(#[doc = #doc] pub const #name: usize = #value;));
+    }
+
+    fn elliptic(&mut self, elliptic: &Elliptic, modulus: &str) {
+        self.real("MODULUS", &elliptic.modulus, modulus);
+        self.real("K", &elliptic.quarter, "K(k), the complete elliptic integral of the first kind.");
+        self.real("K_PRIME", &elliptic.quarter_complementary, "K′ = K(k′), k′² = 1 − k².");
+        self.real("NOME", &elliptic.nome, "q = exp(−πK′/K).");
+    }
+
+    fn plan(&mut self, plan: &Plan) {
+        let method = plan.method.word();
+        self.tokens
+            .extend(quote!(#[doc = "How the motion is approximated."] pub const METHOD: &'static str = #method;));
+        self.count("TERMS", plan.terms(), "The number of terms of the approximation.");
+        self.count("OPERATIONS", plan.operations(), "Operations that one call of the first function executes.");
+        if !plan.coefficients.is_empty() {
+            self.coefficients(&plan.coefficients);
+        }
+        for part in &plan.parts {
+            let (name, doc) = match part.output {
+                Output::Theta => ("MAX_ERROR", "Proven bound of |θ(t) − exact| over the horizon, rad."),
+                Output::Velocity => {
+                    ("MAX_VELOCITY_ERROR", "Proven bound of the velocity's error over the horizon, in rad·ω.")
+                }
+                Output::Acceleration => {
+                    ("MAX_ACCELERATION_ERROR", "Proven bound of the acceleration's error over the horizon, in rad·ω².")
+                }
+                Output::Position => {
+                    ("MAX_POSITION_ERROR", "Proven bound of the position's distance from the exact one, in lengths.")
+                }
+                Output::Wrapped => {
+                    ("MAX_WRAPPED_ERROR", "Proven bound of the wrapped angle's error over the horizon, rad.")
+                }
+            };
+            self.number(name, round_up(part.bound.total() / part.unit, self.float), doc);
+        }
+    }
+
+    fn coefficients(&mut self, coefficients: &[Real]) {
+        let (float, kind) = (self.float, format_ident!("{}", self.float.word()));
+        let values = coefficients.iter().map(|b| {
+            let rounded = if float == Float::F64 { b.to_f64() } else { f64::from(b.to_f32()) };
+            literal::float(rounded, float)
+        });
+        let count = proc_macro2::Literal::usize_unsuffixed(coefficients.len());
+        let doc = "b₂ₙ₋₁ = (2π/(kK)) q^(n−½)/(1 − q²ⁿ⁻¹), n = 1, 2, …: the coefficients of sn (Eq. 20).";
+        self.tokens.extend(quote!(#[doc = #doc] pub const COEFFICIENTS: [#kind; #count] = [#(#values),*];));
+    }
+}
+
+/// A number of the type that is not below `x`.
+pub(super) fn round_up(x: f64, float: Float) -> f64 {
+    match float {
+        Float::F64 => x,
+        Float::F32 => {
+            let rounded = x as f32;
+            f64::from(if f64::from(rounded) < x { rounded.next_up() } else { rounded })
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! What the generated items say of themselves.
+
+use crate::exact::Real;
+use crate::motion::{Elliptic, Regime};
+use crate::parse::{Form, Output};
+use crate::plan::reduction::{Method as Reducing, Reduction};
+use crate::plan::{Function, Part, Plan};
+use crate::scene::{Goal, Scene};
+
+/// The lines of the item's documentation: inputs, constants, plan, bounds.
+pub(super) fn motion(scene: &Scene, plan: &Plan) -> Vec<String> {
+    let mut lines = Vec::new();
+    if matches!(&scene.form, Form::Item(item) if item.attributes.iter().any(|a| a.path().is_ident("doc"))) {
+        lines.push(String::new());
+    }
+    lines.push(format!("The motion of a pendulum, θ̈ + ω² sin θ = 0, for `{}`.", scene.source));
+    lines.push(String::new());
+    lines.extend(regime(scene));
+    lines.push(String::new());
+    lines.extend(self::plan(scene, plan));
+    lines.into_iter().map(|line| if line.is_empty() { line } else { format!(" {line}") }).collect()
+}
+
+fn shown(x: &Real) -> String {
+    format!("{:?}", x.to_f64())
+}
+
+fn regime(scene: &Scene) -> Vec<String> {
+    let motion = &scene.motion;
+    let start = format!(
+        "θ(0) = {} rad, θ̇(0) = {}, ω = {}",
+        shown(&motion.theta0),
+        shown(&motion.velocity0),
+        shown(&motion.omega)
+    );
+    let mut lines = match &motion.regime {
+        Regime::Swing(swing) => {
+            let reach = format!(
+                "* a swing between ±{} rad with the period T = {}",
+                shown(&swing.amplitude),
+                shown(&swing.period)
+            );
+            [vec![reach], elliptic(&swing.elliptic, "k")].concat()
+        }
+        Regime::Rotation(rotation) => {
+            let turn = format!(
+                "* a rotation, one turn in {}, |θ̇| from {} at the top to {} at the lowest point",
+                shown(&rotation.period),
+                shown(&rotation.slowest),
+                shown(&rotation.fastest)
+            );
+            [vec![turn], elliptic(&rotation.elliptic, "κ")].concat()
+        }
+        Regime::Separatrix(_) => vec!["* the separatrix: towards the top for ever, never reaching it".to_owned()],
+    };
+    lines.insert(0, format!("* {start}"));
+    lines
+}
+
+fn elliptic(elliptic: &Elliptic, modulus: &str) -> Vec<String> {
+    vec![format!(
+        "* {modulus} = {}, K = {}, K′ = {}, q = {}",
+        shown(&elliptic.modulus),
+        shown(&elliptic.quarter),
+        shown(&elliptic.quarter_complementary),
+        shown(&elliptic.nome)
+    )]
+}
+
+fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
+    let goal = match scene.goal {
+        Goal::Terms(n) => format!("the paper's θ̂ with {n} terms (Eq. 22)"),
+        Goal::Tolerance(tol) => format!("an error of at most {tol:?}"),
+        Goal::Full => format!("the full precision of `{}`", scene.float.word()),
+    };
+    let horizon = scene.t_max.as_ref().map_or_else(|| "2⁵³ periods".to_owned(), |t| format!("|t| ≤ {}", shown(t)));
+    let mut lines = vec![format!("Planned for {goal}, over {horizon}:"), String::new()];
+    lines.push(format!("* phase: {}", reduction(&plan.reduction)));
+    lines.extend(plan.parts.iter().map(|part| self::part(part, plan)));
+    if !plan.coefficients.is_empty() {
+        let all: Vec<String> =
+            plan.coefficients.iter().enumerate().map(|(i, b)| format!("b{} = {}", 2 * i + 1, shown(b))).collect();
+        lines.push(format!("* coefficients of sn: {}", all.join(", ")));
+    }
+    lines.extend(plan.rejected.iter().map(|why| format!("* not {why}")));
+    lines
+}
+
+fn part(part: &Part, plan: &Plan) -> String {
+    let bound = part.bound;
+    let unit = match part.output {
+        Output::Theta | Output::Wrapped => "rad",
+        Output::Velocity => "rad·ω",
+        Output::Acceleration => "rad·ω²",
+        Output::Position => "lengths",
+    };
+    let operations = plan
+        .functions
+        .iter()
+        .find(|function| function.name == part.output.word())
+        .map_or(String::new(), |function| format!("; {} operations", function.program.operations()));
+    format!(
+        "* {}: {}; proven error ≤ {:.3e} {unit} ({:.1e} of truncation, {:.1e} of phase, {:.1e} of rounding){operations}",
+        part.output.word(),
+        part.description,
+        bound.total() / part.unit,
+        bound.truncation / part.unit,
+        bound.phase / part.unit,
+        bound.evaluation / part.unit,
+    )
+}
+
+fn reduction(reduction: &Reduction) -> String {
+    let how = match &reduction.method {
+        Reducing::OneWord { .. } => "one product with the rate".to_owned(),
+        Reducing::CodyWaite { words, .. } => format!("Cody and Waite's, with the half period in {} words", words.len()),
+        Reducing::Wide { .. } => "one product with the rate, in `f64`".to_owned(),
+        Reducing::WideAnyTime { .. } => "exact products with the rate in three `f64` words".to_owned(),
+        Reducing::AnyTime { .. } => "exact products with the rate in four words".to_owned(),
+    };
+    format!("{how}, wrong by at most {:.1e}", reduction.error)
+}
+
+/// One line for a function.
+pub(super) fn function(function: &Function, plan: &Plan) -> String {
+    let what = match function.name {
+        "theta" => "θ(t), rad",
+        "velocity" => "θ̇(t), rad per unit of t",
+        "acceleration" => "θ̈(t) = −ω² sin θ(t), rad per unit of t squared",
+        "position" => "(sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot",
+        "wrapped" => "θ(t) wrapped to [−π, π), rad",
+        "state" => "(θ(t), θ̇(t)), with one phase reduction for both",
+        other => other,
+    };
+    let _ = plan;
+    format!(" {what}; NaN if t is not finite. {} operations.", function.program.operations())
+}

@@ -1,0 +1,26 @@
+//! Numbers as literals that read back to the same bits.
+
+use crate::parse::Float;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The shortest decimal that is this number of type `float`, without suffix; NaN and infinities by their path.
+pub(super) fn float(x: f64, float: Float) -> TokenStream {
+    if !x.is_finite() {
+        return match float {
+            Float::F64 => quote!(f64::INFINITY),
+            Float::F32 => quote!(f32::INFINITY),
+        };
+    }
+    let text = digits(x.abs(), float);
+    let literal = text.parse::<Literal>().map_or_else(|_| Literal::f64_unsuffixed(x.abs()), |literal| literal);
+    if x.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
+}
+
+/// The shortest decimal, with an exponent where that is shorter.
+pub(super) fn digits(x: f64, float: Float) -> String {
+    match float {
+        Float::F64 => format!("{x:?}"),
+        Float::F32 => format!("{:?}", x as f32),
+    }
+}

@@ -1,0 +1,100 @@
+//! [`Plan`] → tokens. Nothing here can fail.
+
+mod constants;
+mod docs;
+mod literal;
+mod program;
+mod stub;
+
+pub(crate) use stub::stub;
+
+use crate::parse::{Form, Item};
+use crate::plan::{Function, Plan};
+use crate::scene::Scene;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+/// The expansion: an expression that is a fn item, or a unit struct with its constants and functions. `root` is the path
+/// of the crate `pendula`, as its user knows it.
+pub(crate) fn emit(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStream {
+    match &scene.form {
+        Form::Expression => expression(scene, plan, root),
+        Form::Item(item) => structure(scene, plan, item, root),
+    }
+}
+
+/// Lints that a user may have turned on and that generated arithmetic can't heed.
+fn allowed() -> TokenStream {
+    quote!(#[allow(
+        dead_code,
+        unused_qualifications,
+        clippy::all,
+        clippy::pedantic,
+        clippy::nursery,
+        clippy::arithmetic_side_effects,
+        clippy::as_conversions,
+        clippy::float_arithmetic,
+        clippy::float_cmp,
+        clippy::min_ident_chars,
+        clippy::missing_inline_in_public_items,
+        clippy::missing_docs_in_private_items,
+        clippy::single_call_fn
+    )])
+}
+
+fn expression(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStream {
+    let functions = plan.functions.iter().take(1).map(|function| self::function(scene, plan, function, root));
+    let name = plan.functions.first().map(|function| format_ident!("{}", function.name));
+    let docs = docs::motion(scene, plan);
+    let allowed = allowed();
+    quote!({
+        #(#[doc = #docs])*
+        #allowed
+        #(#functions)*
+        #name
+    })
+}
+
+fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> TokenStream {
+    let Item { attributes, visibility, name } = item;
+    let docs = docs::motion(scene, plan);
+    let constants = constants::all(scene, plan);
+    let functions = plan.functions.iter().map(|function| {
+        let function = self::function(scene, plan, function, root);
+        quote!(pub #function)
+    });
+    let doc_lines = plan.functions.iter().map(|function| docs::function(function, plan));
+    let allowed = allowed();
+    quote! {
+        #(#attributes)*
+        #(#[doc = #docs])*
+        #visibility struct #name;
+
+        #allowed
+        impl #name {
+            #constants
+            #(
+                #[doc = #doc_lines]
+                #[inline]
+                #[must_use]
+                #functions
+            )*
+        }
+    }
+}
+
+/// `const fn name(t: f64) -> f64 { … }`
+fn function(scene: &Scene, plan: &Plan, function: &Function, root: &TokenStream) -> TokenStream {
+    let float = format_ident!("{}", scene.float.word());
+    let name = format_ident!("{}", function.name);
+    let constness = plan.is_const().then(|| quote!(const));
+    let results = function.program.results.len();
+    let result = if results == 1 {
+        quote!(#float)
+    } else {
+        let floats = vec![&float; results];
+        quote!((#(#floats),*))
+    };
+    let body = program::body(&function.program, &quote!(#root::__private::support));
+    quote!(#constness fn #name(t: #float) -> #result { #body })
+}

@@ -1,0 +1,167 @@
+//! [`Program`] → the statements of a function's body.
+
+use super::literal;
+use crate::parse::Float;
+use crate::program::interpret::HEAD_MASK;
+use crate::program::{Id, Node, Op, Program};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// `let`s and the result: a value, or a tuple of several.
+pub(super) fn body(program: &Program, support: &TokenStream) -> TokenStream {
+    let mut writer = Writer { program, support, bound: names(program) };
+    let statements: Vec<TokenStream> = (0..program.nodes.len()).filter_map(|id| writer.statement(id)).collect();
+    let results: Vec<TokenStream> = program.results.iter().map(|&id| writer.value(id)).collect();
+    match results.as_slice() {
+        [result] => quote!(#(#statements)* #result),
+        _ => quote!(#(#statements)* (#(#results),*)),
+    }
+}
+
+/// The variable that each node is bound to; `None` if it's written where it is used.
+fn names(program: &Program) -> Vec<Option<Ident>> {
+    let mut uses = vec![0; program.nodes.len()];
+    for node in &program.nodes {
+        let twice = matches!(node.op, Op::Min { .. } | Op::Max { .. });
+        node.op.operands().into_iter().for_each(|operand| uses[operand] += if twice { 2 } else { 1 });
+    }
+    let mut taken: Vec<String> = Vec::new();
+    let mut unique = |wanted: &str| {
+        let name = (1..).map(|i| if i == 1 { wanted.to_owned() } else { format!("{wanted}_{i}") });
+        let name = name.into_iter().find(|name| !taken.contains(name)).unwrap_or_default();
+        taken.push(name.clone());
+        Ident::new(&name, Span::call_site())
+    };
+    program
+        .nodes
+        .iter()
+        .zip(uses)
+        .map(|(node, uses)| match (node.op, node.name) {
+            (Op::Constant { .. }, _) => None,
+            (_, Some(name)) => Some(unique(name)),
+            (_, None) if uses > 1 => Some(unique("v")),
+            _ => None,
+        })
+        .collect()
+}
+
+struct Writer<'a> {
+    program: &'a Program,
+    support: &'a TokenStream,
+    bound: Vec<Option<Ident>>,
+}
+
+/// How tightly an expression's outermost operator binds.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Binding {
+    Sum,
+    Product,
+    Atom,
+}
+
+impl Writer<'_> {
+    fn statement(&mut self, id: Id) -> Option<TokenStream> {
+        let node = &self.program.nodes[id];
+        let name = self.bound[id].clone()?;
+        if node.op == Op::Input {
+            return None;
+        }
+        let (value, _) = self.expression(node);
+        Some(quote!(let #name = #value;))
+    }
+
+    /// A node as an operand: its variable, or its expression in parentheses where `at_least` asks for them.
+    fn operand(&self, id: Id, at_least: Binding) -> TokenStream {
+        if let Some(name) = &self.bound[id] {
+            return quote!(#name);
+        }
+        let (value, binding) = self.expression(&self.program.nodes[id]);
+        if binding < at_least { quote!((#value)) } else { value }
+    }
+
+    fn value(&self, id: Id) -> TokenStream {
+        self.operand(id, Binding::Sum)
+    }
+
+    fn atom(&self, id: Id) -> TokenStream {
+        self.operand(id, Binding::Atom)
+    }
+
+    fn expression(&self, node: &Node) -> (TokenStream, Binding) {
+        use Binding::{Atom, Product, Sum};
+        let infix = |a, b, operator: TokenStream, binding, right| {
+            let (a, b) = (self.operand(a, binding), self.operand(b, right));
+            (quote!(#a #operator #b), binding)
+        };
+        match node.op {
+            Op::Input => (quote!(t), Atom),
+            Op::Constant { value, .. } => (literal::float(value, node.float), Atom),
+            Op::Add(a, b) => infix(a, b, quote!(+), Sum, Product),
+            Op::Sub(a, b) => infix(a, b, quote!(-), Sum, Product),
+            Op::Mul(a, b) => infix(a, b, quote!(*), Product, Atom),
+            Op::Div(a, b) => infix(a, b, quote!(/), Product, Atom),
+            _ => (self.call(node), Atom),
+        }
+    }
+
+    fn call(&self, node: &Node) -> TokenStream {
+        let float = format_ident!("{}", node.float.word());
+        let support = self.support;
+        match node.op {
+            Op::Sqrt(x) => {
+                let x = self.value(x);
+                let sqrt = format_ident!("{}", if node.float == Float::F64 { "sqrt" } else { "sqrtf" });
+                quote!(#support::#sqrt(#x))
+            }
+            Op::Abs(x) => {
+                let x = self.atom(x);
+                quote!(#x.abs())
+            }
+            Op::Min { limit, x } => {
+                let (limit, x) = (self.value(limit), self.value(x));
+                quote!(if #limit < #x { #limit } else { #x })
+            }
+            Op::Max { limit, x } => {
+                let (limit, x) = (self.value(limit), self.value(x));
+                quote!(if #x < #limit { #limit } else { #x })
+            }
+            Op::Select { a, b, then, otherwise } => {
+                let [a, b, then, otherwise] = [a, b, then, otherwise].map(|id| self.value(id));
+                quote!(if #a < #b { #then } else { #otherwise })
+            }
+            Op::Head(x) => {
+                let x = self.atom(x);
+                let mask =
+                    format!("{HEAD_MASK:#x}").parse::<Literal>().unwrap_or_else(|_| Literal::u64_unsuffixed(HEAD_MASK));
+                quote!(f64::from_bits(#x.to_bits() & #mask))
+            }
+            Op::Alternate { x, magic } => self.alternate(x, magic, &float),
+            Op::PowerOfTwo { magic } => {
+                let magic = self.atom(magic);
+                quote!(f64::from_bits(#magic.to_bits().wrapping_add(1023) << 52))
+            }
+            Op::Widen(x) => {
+                let x = self.atom(x);
+                quote!(#x as f64)
+            }
+            Op::Narrow(x) => {
+                let x = self.atom(x);
+                quote!(#x as f32)
+            }
+            _ => TokenStream::new(),
+        }
+    }
+
+    fn alternate(&self, x: Id, magic: Id, float: &Ident) -> TokenStream {
+        let parity = match (self.program.nodes[x].float, self.program.nodes[magic].float) {
+            (Float::F64, _) => (quote!(), 63u32),
+            (Float::F32, Float::F32) => (quote!(), 31),
+            (Float::F32, Float::F64) => (quote!(as u32), 31),
+        };
+        let (cast, shift) = parity;
+        let (x, magic) = (self.atom(x), self.atom(magic));
+        let shift = Literal::u32_unsuffixed(shift);
+        let bits = if cast.is_empty() { quote!(#magic.to_bits()) } else { quote!((#magic.to_bits() #cast)) };
+        quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift)))
+    }
+}

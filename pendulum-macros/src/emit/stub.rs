@@ -1,0 +1,65 @@
+//! What a refused request still expands to, so that one mistake is one error.
+
+use super::allowed;
+use crate::parse::{Float, Form, Item, Output};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+/// The errors, and an item of the shape that was asked for.
+pub(crate) fn stub(form: Option<&Form>, float: Float, errors: &TokenStream) -> TokenStream {
+    match form {
+        Some(Form::Item(item)) => structure(item, float, errors),
+        _ => {
+            let float = format_ident!("{}", float.word());
+            let allowed = allowed();
+            quote!({
+                #errors
+                #allowed
+                const fn theta(_t: #float) -> #float { 0.0 }
+                theta
+            })
+        }
+    }
+}
+
+fn structure(item: &Item, float: Float, errors: &TokenStream) -> TokenStream {
+    let Item { attributes, visibility, name } = item;
+    let float = format_ident!("{}", float.word());
+    let constants = [
+        "THETA0",
+        "OMEGA",
+        "AMPLITUDE",
+        "MODULUS",
+        "K",
+        "K_PRIME",
+        "NOME",
+        "PERIOD",
+        "MAX_ERROR",
+        "MAX_VELOCITY_ERROR",
+        "MAX_ACCELERATION_ERROR",
+        "MAX_POSITION_ERROR",
+        "MAX_WRAPPED_ERROR",
+    ]
+    .map(|name| format_ident!("{name}"));
+    let functions = Output::WORDS.iter().filter(|word| **word != "position").map(|word| format_ident!("{word}"));
+    let allowed = allowed();
+    quote! {
+        #errors
+        #(#attributes)*
+        #[doc = ""]
+        #visibility struct #name;
+
+        #allowed
+        #[allow(missing_docs)]
+        impl #name {
+            #(pub const #constants: #float = 0.0;)*
+            pub const METHOD: &'static str = "";
+            pub const TERMS: usize = 0;
+            pub const OPERATIONS: usize = 0;
+            pub const COEFFICIENTS: [#float; 0] = [];
+            #(pub const fn #functions(_t: #float) -> #float { 0.0 })*
+            pub const fn position(_t: #float) -> (#float, #float) { (0.0, 0.0) }
+            pub const fn state(_t: #float) -> (#float, #float) { (0.0, 0.0) }
+        }
+    }
+}
