@@ -94,20 +94,25 @@ pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
     next
 }
 
-/// Coefficients in powers of x of Σ cⱼ (x·scale − 1)ʲ, by repeated synthetic division.
-pub(crate) fn shift_by_one(powers: &[Double], scale: Double) -> Vec<Double> {
+/// Coefficients in powers of x of Σ cⱼ (x + by)ʲ, by repeated synthetic division.
+pub(crate) fn shift(powers: &[Double], by: Double) -> Vec<Double> {
     let mut shifted = powers.to_vec();
     for i in 0..shifted.len() {
         for j in (i..shifted.len() - 1).rev() {
-            shifted[j] = shifted[j] - shifted[j + 1];
+            shifted[j] = shifted[j] + shifted[j + 1] * by;
         }
     }
+    shifted
+}
+
+/// Coefficients in powers of x of Σ cⱼ (scale·x)ʲ.
+pub(crate) fn scale(mut powers: Vec<Double>, scale: Double) -> Vec<Double> {
     let mut factor = Double::ONE;
-    for coefficient in &mut shifted {
+    for coefficient in &mut powers {
         *coefficient = *coefficient * factor;
         factor = factor * scale;
     }
-    shifted
+    powers
 }
 
 #[cfg(test)]
@@ -137,7 +142,7 @@ mod tests {
             assert!((*found - Double::new(known)).hi.abs() < 1e-29);
         }
         // Σ cⱼ(2y − 1)ʲ at y = 1 and y = 0.
-        let shifted = shift_by_one(&to_powers(&series), Double::new(2.0));
+        let shifted = scale(shift(&to_powers(&series), Double::new(-1.0)), Double::new(2.0));
         let at_one = shifted.iter().fold(Double::ZERO, |sum, &c| sum + c);
         assert!((at_one - Double::new(6.0)).hi.abs() < 1e-29);
         assert!((shifted[0] - Double::ZERO).hi.abs() < 1e-29);

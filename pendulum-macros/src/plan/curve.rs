@@ -2,6 +2,7 @@
 
 use crate::exact::Real;
 use crate::motion::Swing;
+use crate::plan::reduction::Reduction;
 use crate::series::{Parity, Wave, swing_rate};
 use pendulum_runtime::double::Double;
 
@@ -17,6 +18,8 @@ pub(crate) struct Curve {
     pub(crate) largest: f64,
     /// The largest |derivative| with respect to s.
     pub(crate) slope: f64,
+    /// The largest |phase from the lowest point × derivative|.
+    pub(crate) moment: f64,
     /// What a tolerance of 1 means: 1, ω, ω².
     pub(crate) unit: f64,
 }
@@ -68,6 +71,11 @@ impl Curve {
         }
     }
 
+    /// What the reduction's error of the phase does to the curve.
+    pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
+        self.slope * reduction.error + self.moment * reduction.relative_error
+    }
+
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
     pub(crate) fn cosine(amplitude: &Real) -> Self {
         let largest = amplitude.to_f64();
@@ -78,6 +86,7 @@ impl Curve {
             alternates: true,
             largest,
             slope: largest * std::f64::consts::PI,
+            moment: largest * std::f64::consts::PI / 2.0,
             unit: 1.0,
         }
     }
@@ -94,7 +103,7 @@ impl<'a> SwingCurves<'a> {
         Self { swing, omega }
     }
 
-    /// Anchors per unit of ωt: π-free, 1/(2K).
+    /// Anchors per unit of ωt: 1/(2K).
     fn rate(&self) -> Double {
         (swing_rate(self.swing) / self.omega).to_double()
     }
@@ -112,13 +121,24 @@ impl<'a> SwingCurves<'a> {
     fn wave(&self, name: &'static str, order: i32, scale: Double, largest: f64, slope: f64, unit: f64) -> Curve {
         let wave = Wave::swing(self.swing, order, scale);
         let slack = 1.0 + 1e-12;
-        Curve { name, wave, shape: Shape::Wave, alternates: true, largest, slope: slope * slack, unit }
+        let (slope, moment) = (slope * slack, slope * 0.5);
+        Curve { name, wave, shape: Shape::Wave, alternates: true, largest, slope, moment, unit }
+    }
+
+    /// The largest |z·dθ/dz|, z being the phase from the lowest point. |θ̇| falls from there to the turning point, so that
+    /// its value at one end of a slice and z at the other bound their product.
+    fn moment(&self) -> f64 {
+        let velocity = Wave::swing(self.swing, 1, Double::ONE);
+        let slices = 64;
+        let at = |slice: u32| f64::from(slice) / f64::from(2 * slices);
+        let bound = |slice: u32| velocity.at(Double::new(0.5 - at(slice))).hi.abs() * at(slice + 1);
+        (0..slices).map(bound).fold(0.0, f64::max) * (1.0 + 1e-9)
     }
 
     /// θ; |θ̇| ≤ 2kω.
     pub(crate) fn theta(&self) -> Curve {
         let slope = 2.0 * self.modulus() / self.rate().hi;
-        self.wave("theta", 0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0)
+        Curve { moment: self.moment(), ..self.wave("theta", 0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0) }
     }
 
     /// θ̇.
@@ -133,13 +153,15 @@ impl<'a> SwingCurves<'a> {
         let rate = self.rate() * self.omega.to_double();
         let square = self.omega.square().to_f64();
         let slope = square * 2.0 * self.modulus() / self.rate().hi;
-        self.wave("acceleration", 2, rate * rate, square * self.largest_sine(), slope, square)
+        let curve = self.wave("acceleration", 2, rate * rate, square * self.largest_sine(), slope, square);
+        Curve { moment: square * self.moment(), ..curve }
     }
 
     /// sin θ = −θ̈/ω².
     pub(crate) fn sine(&self) -> Curve {
         let slope = 2.0 * self.modulus() / self.rate().hi;
-        self.wave("x", 2, -(self.rate() * self.rate()), self.largest_sine(), slope, 1.0)
+        let curve = self.wave("x", 2, -(self.rate() * self.rate()), self.largest_sine(), slope, 1.0);
+        Curve { moment: self.moment(), ..curve }
     }
 
     /// −cos θ, by the energy: cos θ = cos θ0 + (θ̇/ω)²/2.
@@ -153,6 +175,7 @@ impl<'a> SwingCurves<'a> {
         Curve {
             shape: Shape::Energy { constant: constant.to_double() },
             alternates: false,
+            moment: self.moment(),
             ..self.wave("y", 1, self.rate(), 1.0, steepest / self.rate().hi, 1.0)
         }
     }

@@ -11,20 +11,73 @@
 //! coefficients beyond the degree d adds at most the sum of their magnitudes. M is chosen so that the former is negligible;
 //! the latter, explicitly known, is the truncation error.
 
-use crate::chebyshev::{CosineTable, shift_by_one, to_powers};
+use crate::chebyshev::{CosineTable, scale, shift, to_powers};
 use crate::plan::curve::Curve;
-use crate::plan::reduction::{Phase, Reduction};
+use crate::plan::reduction::Reduction;
+use crate::plan::variables::Variables;
 use crate::program::{Builder, Id, Op};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 
-/// A curve's Chebyshev coefficients on p ∈ [0, ¼], in u = 8p − 1; of curve/s if it is odd.
+/// A curve's Chebyshev coefficients on p ∈ [0, ¼], in 8p − 1; of curve/s if it is odd, times a power of the pole's
+/// polynomial if that is divided out.
 #[derive(Clone, Debug)]
 pub(crate) struct Approximation {
     parity: Parity,
+    pole: Option<Pole>,
     series: Vec<Double>,
     /// Error of the whole series.
     remainder: f64,
+}
+
+/// ((8p − place)² + height²)^power, which vanishes at the nearest pair of singularities. θ̇ has simple poles there, θ̈ and
+/// the position double ones, θ itself logarithms, which dividing doesn't remove.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pole {
+    place: f64,
+    height_squared: f64,
+    power: i32,
+}
+
+impl Pole {
+    /// Of a curve whose singularities are s = ½ ± i·strip. Numbers near the true ones serve as well: these are exact.
+    pub(crate) fn new(strip: f64, power: i32) -> Self {
+        let round = |x: f64| f64::from(x as f32);
+        Self { place: round(2.0 - 8.0 * strip * strip), height_squared: round(64.0 * strip * strip), power }
+    }
+
+    /// At 8p − 1 = u.
+    fn at(self, u: Double) -> Double {
+        let distance = u + Double::new(1.0 - self.place);
+        let single = distance * distance + Double::new(self.height_squared);
+        (1..self.power).fold(single, |product, _| product * single)
+    }
+
+    /// The least value for 0 ≤ 8p ≤ 2.
+    fn least(self) -> f64 {
+        let distance = (-self.place).max(self.place - 2.0).max(0.0);
+        (distance * distance + self.height_squared).powi(self.power) * (1.0 - 1e-3)
+    }
+
+    /// Bounds the magnitude for |s| ≤ `radius`.
+    fn most(self, radius: f64) -> f64 {
+        let distance = 8.0 * radius * radius + self.place.abs();
+        (distance * distance + self.height_squared).powi(self.power)
+    }
+
+    /// Divides `value`; `centred` is 8p − centre.
+    fn divide(self, b: &mut Builder, value: Id, centred: Id, centre: f64) -> Id {
+        let place = b.constant(self.place - centre);
+        let distance = b.sub(centred, place);
+        let square = b.mul(distance, distance);
+        let height = b.constant(self.height_squared);
+        let mut divisor = b.add(square, height);
+        let single = b.name(divisor, "d");
+        for _ in 1..self.power {
+            divisor = b.mul(divisor, single);
+        }
+        b.div(value, divisor)
+    }
 }
 
 /// The variable of the polynomial.
@@ -32,62 +85,75 @@ pub(crate) struct Approximation {
 pub(crate) enum Form {
     /// Powers of p: the cheapest, for few terms.
     Plain,
-    /// Powers of u = 8p − 1: well conditioned.
-    Centred,
+    /// Powers of u = 8p − centre: well conditioned, most so where the centre is near the end where the curve bends.
+    Centred { centre: f64 },
 }
 
 impl Form {
     /// The variable, for the reader; s is the phase in half periods (turns).
-    pub(crate) fn variable(self) -> &'static str {
+    pub(crate) fn variable(self) -> String {
         match self {
-            Self::Plain => "s²",
-            Self::Centred => "8s² − 1",
+            Self::Plain => "s²".to_owned(),
+            Self::Centred { centre } => format!("8s² − {centre}"),
+        }
+    }
+
+    /// The centre of the centred variable, which the division by a pole needs in any case.
+    pub(crate) fn centre(self) -> f64 {
+        match self {
+            Self::Plain => 1.0,
+            Self::Centred { centre } => centre,
         }
     }
 }
 
-/// A polynomial to be evaluated.
+/// A polynomial, or a quotient, to be evaluated.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Kernel {
+pub(crate) struct Polynomial {
     pub(crate) form: Form,
+    pub(crate) pole: Option<Pole>,
     pub(crate) parity: Parity,
     pub(crate) alternates: bool,
     /// Powers of the form's variable, lowest first.
     pub(crate) coefficients: Vec<Double>,
-    /// sup |polynomial − curve|.
+    /// sup |approximation − curve|.
     pub(crate) truncation: f64,
 }
 
-/// The greatest degree that is ever tried.
-const MOST_POINTS: usize = 400;
+/// More points than this take too long.
+const MOST_POINTS: usize = 240;
 
 impl Approximation {
     /// Interpolates `curve` so well that the error left is below `negligible`; `None` if that takes too many points.
-    pub(crate) fn new(curve: &Curve, negligible: f64) -> Option<Self> {
-        let (points, error) = enough_points(curve, negligible)?;
+    pub(crate) fn new(curve: &Curve, power: i32, negligible: f64) -> Option<Self> {
+        let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+        let negligible = negligible * pole.map_or(1.0, Pole::least);
+        let (points, error) = enough_points(curve, pole, negligible)?;
         let table = CosineTable::new(points);
         let sample = |u: Double| {
             let s = ((u + Double::ONE) * 0.125).sqrt();
-            let value = curve.at(s);
+            let value = pole.map_or(Double::ONE, |pole| pole.at(u)) * curve.at(s);
             if curve.parity() == Parity::Odd { value / s } else { value }
         };
         let values: Vec<Double> = table.points().map(sample).collect();
         let mut series = table.coefficients(&values, points);
-        let mut remainder = error + curve.omitted() * if curve.parity() == Parity::Odd { 1e3 } else { 2.0 };
+        // Near an anchor an odd curve's omitted terms are divided by s, of which the smallest sample is above 1/(3·points).
+        let omitted = curve.omitted() * if curve.parity() == Parity::Odd { 3.0 * points as f64 } else { 1.0 };
+        let mut remainder = error + 2.0 * omitted * pole.map_or(1.0, |pole| pole.most(0.5));
         // What is far below the aim isn't worth carrying.
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
         }
-        Some(Self { parity: curve.parity(), series, remainder })
+        Some(Self { parity: curve.parity(), pole, series, remainder })
     }
 
     /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
         let dropped: f64 = self.series.iter().skip(terms).map(|c| c.hi.abs()).sum();
-        // u exceeds 1 by ε = 8·overshoot·(1 + overshoot); there |Tⱼ| ≤ cosh(j·arcosh(1 + ε)) ≤ cosh(j·√(2ε)).
+        // 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot); there |Tⱼ| ≤ cosh(j·arcosh(1 + ε)) ≤ cosh(j·√(2ε)).
         let stretch = (self.series.len() as f64 * (16.0 * overshoot * (1.0 + overshoot)).sqrt()).cosh();
         let weight = if self.parity == Parity::Odd { 0.5 + overshoot } else { 1.0 };
-        (dropped + self.remainder) * stretch * weight * (1.0 + 1e-12)
+        (dropped + self.remainder) * stretch * weight / self.pole.map_or(1.0, Pole::least) * (1.0 + 1e-12)
     }
 
     /// The fewest terms, at least two, whose truncation error is at most `limit`.
@@ -100,28 +166,30 @@ impl Approximation {
     }
 
     /// The polynomial with that many terms, in the variable of `form` scaled to the reduction's unit.
-    pub(crate) fn kernel(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Kernel {
+    pub(crate) fn polynomial(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
         let powers = to_powers(&self.series[..terms.min(self.series.len())]);
         let unit = reduction.unit;
         let mut coefficients = match form {
-            Form::Centred => powers,
-            Form::Plain => shift_by_one(&powers, unit * unit * 8.0),
+            Form::Centred { centre } => shift(&powers, Double::new(centre - 1.0)),
+            Form::Plain => scale(shift(&powers, Double::new(-1.0)), unit * unit * 8.0),
         };
         if self.parity == Parity::Odd {
             coefficients.iter_mut().for_each(|c| *c = *c * unit);
         }
         let truncation = self.truncation(terms, reduction.overshoot);
-        Kernel { form, parity: self.parity, alternates, coefficients, truncation }
+        Polynomial { form, pole: self.pole, parity: self.parity, alternates, coefficients, truncation }
     }
 }
 
 /// The number of points that makes the interpolation error negligible, and that error.
-fn enough_points(curve: &Curve, negligible: f64) -> Option<(usize, f64)> {
+fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<(usize, f64)> {
     let strip = curve.strip();
     let heights = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * strip).min(1.5));
     let choice = |height: f64| {
         let log_rho = 2.0 * (2.0 * height).asinh();
-        let mut bound = curve.bound(height);
+        // s = ½ cos φ with |Im φ| = ½ ln ρ.
+        let radius = 0.5 * (0.5 * log_rho).cosh();
+        let mut bound = curve.bound(height) * pole.map_or(1.0, |pole| pole.most(radius));
         if curve.parity() == Parity::Odd {
             // |s| ≥ height on the ellipse's image.
             bound /= height;
@@ -134,94 +202,49 @@ fn enough_points(curve: &Curve, negligible: f64) -> Option<(usize, f64)> {
     heights.into_iter().filter_map(choice).min_by_key(|&(points, _)| points)
 }
 
-/// The variables that all kernels of a function share.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Variables {
-    /// The phase, and its second word if it has one.
-    s: Id,
-    low: Option<Id>,
-    /// Its square.
-    square: Id,
-    /// 8·square − 1.
-    centred: Id,
-    magic: Id,
-}
+/// Names of the powers that the evaluation of a polynomial squares its variable to.
+const PLAIN_POWERS: [&str; 8] = ["p", "p2", "p4", "p8", "p16", "p32", "p64", "p128"];
+const CENTRED_POWERS: [&str; 8] = ["u", "u2", "u4", "u8", "u16", "u32", "u64", "u128"];
 
-/// The second word of a phase within half an anchor, in anchors, is below this.
-pub(crate) const LOW: f64 = 2.220_446_049_250_313e-16;
-
-impl Variables {
-    /// Squares the phase, kept within half an anchor: beyond the horizon the phase is arbitrary, the result is not.
-    pub(crate) fn lower(b: &mut Builder, phase: Phase, reduction: &Reduction, keep_sign: bool) -> Self {
-        let half = reduction.half();
-        let (s, low) = if keep_sign || phase.low.is_some() {
-            let s = clamp(b, phase.s, half);
-            (b.name(s, "clamped"), phase.low.map(|low| clamp(b, low, LOW / reduction.unit.hi)))
-        } else {
-            (phase.s, None)
-        };
-        let square = b.mul(s, s);
-        let square = if s == phase.s { at_most(b, square, half * half) } else { square };
-        let scale = reduction.unit * reduction.unit * 8.0;
-        let scale = b.exact(scale.hi, scale.lo);
-        let one = b.constant(1.0);
-        let scaled = b.mul(square, scale);
-        let centred = b.sub(scaled, one);
-        let [square, centred] = Self::refined(b, (s, low), [square, centred], scale);
-        let (square, centred) = (b.name(square, "p"), b.name(centred, "u"));
-        let [s, square, centred] = [s, square, centred].map(|x| b.convert(x, reduction.float));
-        Self { s, low, square, centred, magic: phase.magic }
-    }
-
-    /// (s + low)² = s² + 2s·low, but for a term below 2⁻¹⁰⁴.
-    fn refined(b: &mut Builder, (s, low): (Id, Option<Id>), [square, centred]: [Id; 2], scale: Id) -> [Id; 2] {
-        let Some(low) = low else { return [square, centred] };
-        let product = b.mul(s, low);
-        let twice = b.add(product, product);
-        let scaled = b.mul(twice, scale);
-        [b.add(square, twice), b.add(centred, scaled)]
-    }
-}
-
-fn at_most(b: &mut Builder, x: Id, limit: f64) -> Id {
-    let limit = b.constant(limit);
-    b.push(Op::Min { limit, x })
-}
-
-/// x within ±limit.
-fn clamp(b: &mut Builder, x: Id, limit: f64) -> Id {
-    let x = at_most(b, x, limit);
-    let limit = b.constant(-limit);
-    b.push(Op::Max { limit, x })
-}
-
-impl Kernel {
-    /// Evaluates the polynomial, with the sign of the anchor.
-    pub(crate) fn lower(&self, b: &mut Builder, variables: Variables, name: &'static str) -> Id {
+impl Polynomial {
+    /// Evaluates it, with the sign that the anchor and the side of the lowest point give.
+    pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
         let (x, powers) = match self.form {
             Form::Plain => (variables.square, &PLAIN_POWERS),
-            Form::Centred => (variables.centred, &CENTRED_POWERS),
+            Form::Centred { .. } => (variables.centred, &CENTRED_POWERS),
         };
-        let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
+        let even = self.parity == Parity::Even;
+        let side = variables.side.filter(|_| even && self.alternates);
+        let sign = if side.is_some() { -1.0 } else { 1.0 };
+        let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(sign * c.hi, sign * c.lo)).collect();
         let mut value = estrin(b, x, &coefficients, powers);
-        if self.parity == Parity::Odd {
-            let product = b.mul(variables.s, value);
-            value = match variables.low {
-                Some(low) => {
-                    let rest = b.mul(low, value);
-                    b.add(product, rest)
-                }
-                None => product,
-            };
+        if let Some(pole) = self.pole {
+            value = pole.divide(b, value, variables.centred, variables.centre);
+        }
+        if !even {
+            value = b.mul(variables.distance, value);
         }
         b.name(value, name);
+        if let Some(side) = side {
+            value = b.push(Op::Toward { x: value, sign: side });
+        }
         if self.alternates { b.push(Op::Alternate { x: value, magic: variables.magic }) } else { value }
     }
-}
 
-/// Names of the powers that the evaluation of a polynomial squares its variable to.
-const PLAIN_POWERS: [&str; 7] = ["p", "p2", "p4", "p8", "p16", "p32", "p64"];
-const CENTRED_POWERS: [&str; 7] = ["u", "u2", "u4", "u8", "u16", "u32", "u64"];
+    pub(crate) fn negate(&mut self) {
+        self.coefficients.iter_mut().for_each(|c| *c = -*c);
+    }
+
+    /// For the reader.
+    pub(crate) fn describe(&self) -> String {
+        let terms = self.coefficients.len();
+        let variable = self.form.variable();
+        match self.pole {
+            None => format!("polynomial of {terms} terms in {variable}"),
+            Some(pole) => format!("polynomial of {terms} terms in {variable} over one of {}", 2 * pole.power + 1),
+        }
+    }
+}
 
 /// Σ cⱼxʲ by pairs, pairs of pairs and so on (Estrin 1960): the chain of dependent operations grows with the logarithm of
 /// the number of terms.

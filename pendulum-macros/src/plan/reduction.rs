@@ -1,8 +1,9 @@
 //! Phase reduction: from the time to the phase between two anchors, where the motion is symmetric.
 //!
 //! An anchor is a turning point of a swing, or the top of a rotation; `rate` anchors are passed per unit of time, and
-//! x = rate·t + launch counts them. Every reduction computes n = round(x), whose parity tells the sign of a swing, and
-//! the remainder s = x − n with |s| ≤ ½ (plus `overshoot`), in units of `unit` anchors.
+//! x = rate·t + launch counts them. A reduction computes either n = round(x), whose parity tells the sign of a swing, and
+//! the remainder s = x − n, or n = round(x − ½) and z = x − n − ½, the phase from the lowest point, near which it is the
+//! more accurate and the motion the fastest. |s| and |z| are at most ½ (plus `overshoot`), in units of `unit` anchors.
 //!
 //! Rounding is done by adding and subtracting 1.5·2⁵² (1.5·2²³), which leaves the integer in the sum's low bits. The
 //! subtractions that follow are exact: their operands are multiples of the same unit and the result is no longer.
@@ -21,16 +22,26 @@ pub(crate) struct Reduction {
     pub(crate) float: Float,
     /// Anchors passed at t = 0.
     pub(crate) launch: Double,
-    /// |computed − true| of the phase, in anchors, over the horizon.
+    /// Where the reduced phase is zero.
+    pub(crate) origin: Origin,
+    /// |computed − true| of the phase over the horizon, in anchors, is at most `error` + `relative_error`·|phase|.
     pub(crate) error: f64,
+    pub(crate) relative_error: f64,
     /// |s| exceeds ½ by at most this, in anchors.
     pub(crate) overshoot: f64,
-    /// Whether what the rounding of s leaves is kept in a second word.
-    pub(crate) two_words: bool,
     /// Anchors per unit of the reduced variable.
     pub(crate) unit: Double,
     /// Times beyond ±this are replaced by it, where the products would overflow.
     pub(crate) cap: Option<f64>,
+}
+
+/// The zero of the reduced phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Origin {
+    /// An anchor: a turning point, the top.
+    Anchor,
+    /// Half-way between two anchors: the lowest point.
+    Lowest,
 }
 
 /// The ways of reducing the phase, cheapest first.
@@ -51,10 +62,8 @@ pub(crate) enum Method {
 /// The reduced phase in a program.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Phase {
-    /// The remainder; `f64` if a second word is kept, else of the program's float.
-    pub(crate) s: Id,
-    /// What its rounding left, if that is kept (never for `f32`, whose phase is then left wide).
-    pub(crate) low: Option<Id>,
+    /// The remainder, of the program's float.
+    pub(crate) remainder: Id,
     /// The sum whose lowest bit is the parity of n.
     pub(crate) magic: Id,
 }
@@ -77,43 +86,40 @@ impl Clock<'_> {
         self.t_max.unwrap_or_else(|| UNLIMITED / self.rate.to_f64()).min(f64::MAX)
     }
 
-    /// Every reduction that is valid over the horizon, with and without a second word.
+    /// Every reduction that is valid over the horizon.
     pub(crate) fn reductions(&self) -> Vec<Reduction> {
-        let candidates = match self.float {
-            Float::F64 => vec![
-                self.one_word(),
-                self.cody_waite(2, false),
-                self.cody_waite(3, false),
-                self.cody_waite(2, true),
-                self.cody_waite(3, true),
-                Some(self.any_time(false)),
-                Some(self.any_time(true)),
-            ],
-            Float::F32 => vec![
-                self.one_word(),
-                self.cody_waite(2, false),
-                self.cody_waite(3, false),
-                Some(self.wide(false)),
-                Some(self.wide(true)),
-                Some(self.wide_any_time(false)),
-                Some(self.wide_any_time(true)),
-            ],
+        use Origin::{Anchor, Lowest};
+        let common = [self.one_word()];
+        let cody_waite = [(2, Anchor), (3, Anchor), (2, Lowest), (3, Lowest)];
+        let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
+        let last = match self.float {
+            Float::F64 => vec![self.any_time(Anchor), self.any_time(Lowest)],
+            Float::F32 => {
+                vec![self.wide(Anchor), self.wide(Lowest), self.wide_any_time(Anchor), self.wide_any_time(Lowest)]
+            }
         };
-        candidates.into_iter().flatten().filter(Reduction::is_useful).collect()
+        let unsure = common.into_iter().chain(cody_waite).flatten();
+        unsure.chain(last).filter(Reduction::is_useful).collect()
     }
 
-    fn reduction(&self, method: Method, two_words: bool, error: f64, overshoot: f64) -> Reduction {
+    fn reduction(
+        &self,
+        method: Method,
+        origin: Origin,
+        [error, relative_error]: [f64; 2],
+        overshoot: f64,
+    ) -> Reduction {
         let overflows = self.float == Float::F64 && self.rate.to_f64() > 0.25;
         let cody_waite = matches!(method, Method::CodyWaite { .. });
-        let launched = self.launch != Double::ZERO && !two_words;
-        let launch_error = if launched { 2.0 * half_ulp(0.5, self.float) } else { 0.0 };
+        let launch_error = if self.launch == Double::ZERO { 0.0 } else { 2.0 * half_ulp(0.5, self.float) };
         Reduction {
             method,
             float: self.float,
             launch: self.launch,
+            origin,
             error: error + launch_error,
+            relative_error,
             overshoot,
-            two_words,
             unit: if cody_waite { self.rate.to_double() } else { Double::ONE },
             cap: (overflows && !cody_waite).then(|| 2f64.powi(1000) / self.rate.to_f64().max(1.0)),
         }
@@ -126,14 +132,15 @@ impl Clock<'_> {
         let drift = self.horizon() * self.off(&[rate]);
         (anchors < self.float.magic() / 8.0).then(|| {
             let error = drift + half_ulp(anchors * 1.001, self.float);
-            self.reduction(Method::OneWord { rate }, false, error, 0.0)
+            self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], 0.0)
         })
     }
 
-    /// With n < 2ᵏ anchors over the horizon and p bits a word, all words but the last have p − k bits.
-    fn cody_waite(&self, count: usize, two_words: bool) -> Option<Reduction> {
+    /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
+    fn cody_waite(&self, count: usize, origin: Origin) -> Option<Reduction> {
         let anchors = (self.horizon() * self.rate.to_f64() + 1.0).max(2.0);
-        let k = anchors.log2().floor() as i32 + 1;
+        let halves = i32::from(origin == Origin::Lowest);
+        let k = anchors.log2().floor() as i32 + 1 + halves;
         let p = self.float.bits();
         if k > 2 * p / 3 {
             return None;
@@ -146,36 +153,52 @@ impl Clock<'_> {
         let rate = self.float.round(self.rate.to_f64());
         let left = words.iter().fold(time, |rest, &word| rest - self.exact(word)).abs().to_f64();
         let last = words.last().copied().unwrap_or(0.0).abs();
-        let half = 0.5 / rate * (1.0 + 1e-6);
         // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a time
         // next to half an anchor, where that is next to a power of two, escapes both.
-        let crosses = exponent(half) != exponent(0.5 / rate * (1.0 - 1e-6));
-        let differences = f64::from(u8::from(crosses) + u8::from(!two_words)) * half_ulp(half, self.float);
-        let drift = anchors * left + half_ulp(anchors * last, self.float) + differences;
+        let half = 0.5 / rate;
+        let crosses = exponent(half * (1.0 + 1e-6)) != exponent(half * (1.0 - 1e-6));
+        let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
+        let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * 1.000_001;
+        let errors = match origin {
+            Origin::Anchor => [drift + half_ulp(half * 1.001, self.float) * rate, 0.0],
+            Origin::Lowest => [drift, self.float.unit() * 1.001],
+        };
         let overshoot = 4.0 * anchors * self.float.unit();
-        Some(self.reduction(Method::CodyWaite { rate, words }, two_words, drift * rate * 1.000_001, overshoot))
+        Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, overshoot))
     }
 
-    fn wide(&self, two_words: bool) -> Reduction {
+    fn wide(&self, origin: Origin) -> Reduction {
         let rate = self.rate.to_f64();
         let anchors = self.horizon() * rate;
         let drift = self.horizon() * self.off(&[rate]) + half_ulp(anchors * 1.001, Float::F64);
-        self.reduction(Method::Wide { rate }, two_words, drift + narrowing(two_words), 0.0)
+        self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), 0.0)
     }
 
     /// The first two products are exact (24 + 29 bits); the sum of the second and third, below 2²⁶, is rounded to 2⁻²⁸.
-    fn wide_any_time(&self, two_words: bool) -> Reduction {
+    fn wide_any_time(&self, origin: Origin) -> Reduction {
         let words = split_down(self.rate, 29, 3, Float::F64);
         let method = Method::WideAnyTime { words: [words[0], words[1], words[2]] };
-        self.reduction(method, two_words, 2f64.powi(-27) + narrowing(two_words), 2f64.powi(-26))
+        self.reduction(method, origin, self.narrowed(2f64.powi(-27), origin), 2f64.powi(-26))
     }
 
-    /// Two roundings of sums near ½, unless they are kept in a second word, and the last word's product.
-    fn any_time(&self, two_words: bool) -> Reduction {
+    /// What the conversion of the phase to `f32` adds.
+    fn narrowed(&self, error: f64, origin: Origin) -> [f64; 2] {
+        match origin {
+            Origin::Anchor => [error + half_ulp(0.49, Float::F32), 0.0],
+            Origin::Lowest => [error, self.float.unit() * 1.001],
+        }
+    }
+
+    /// Two roundings of sums, relative to the result, and the last word's product. Where the third part isn't small beside
+    /// the others (t beyond 2²⁵ anchors), the first sum is exact.
+    fn any_time(&self, origin: Origin) -> Reduction {
         let words = split_near(self.rate, &[26, 25, 25]);
         let drift = self.horizon() * self.off(&words) + 2f64.powi(-72);
-        let error = drift + if two_words { 0.0 } else { 2f64.powi(-53) };
-        self.reduction(Method::AnyTime { words }, two_words, error, 2f64.powi(-50))
+        let errors = match origin {
+            Origin::Anchor => [drift + 2f64.powi(-53), 0.0],
+            Origin::Lowest => [drift, 2.001 * Float::F64.unit()],
+        };
+        self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-50))
     }
 
     fn exact(&self, x: f64) -> Real {
@@ -246,7 +269,7 @@ fn truncate(x: f64, bits: i32) -> f64 {
 impl Reduction {
     /// Whether the phase is known at all at the end of the horizon.
     fn is_useful(&self) -> bool {
-        self.error < 0.5
+        self.error < 0.5 && self.half().is_finite()
     }
 
     /// The largest |s|, in units of the reduced variable, rounded up to a number of its type.
@@ -261,21 +284,22 @@ impl Reduction {
     /// Emits the reduction.
     pub(crate) fn lower(&self, b: &mut Builder, t: Id) -> Phase {
         let t = self.capped(b, t);
-        match &self.method {
+        let phase = match &self.method {
             Method::OneWord { rate } => self.direct(b, t, *rate),
             Method::CodyWaite { rate, words } => self.cody_waite(b, t, *rate, words),
             Method::Wide { rate } => {
                 let wide = b.convert(t, Float::F64);
-                let phase = self.direct(b, wide, *rate);
-                self.narrow(b, phase)
+                self.direct(b, wide, *rate)
             }
             Method::WideAnyTime { words } => {
                 let wide = b.convert(t, Float::F64);
-                let phase = self.wide_any_time(b, wide, words);
-                self.narrow(b, phase)
+                self.wide_any_time(b, wide, words)
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
-        }
+        };
+        let remainder = b.convert(phase.remainder, self.float);
+        let name = if self.origin == Origin::Anchor { "s" } else { "z" };
+        Phase { remainder: b.name(remainder, name), ..phase }
     }
 
     /// `t` within ±cap, infinite times turned to NaN by t − t.
@@ -289,57 +313,61 @@ impl Reduction {
         b.name(capped, "time")
     }
 
-    /// x + launch, where there is a launch phase.
-    fn launched(&self, b: &mut Builder, x: Id) -> Id {
-        if self.launch == Double::ZERO {
+    /// Phase of t = 0 from the origin.
+    fn offset(&self) -> Double {
+        match self.origin {
+            Origin::Anchor => self.launch,
+            Origin::Lowest => self.launch - Double::new(0.5),
+        }
+    }
+
+    /// x + offset, if there is any.
+    fn offset_by(&self, b: &mut Builder, x: Id, offset: Double) -> Id {
+        if offset == Double::ZERO {
             return x;
         }
-        let launch = b.exact(self.launch.hi, self.launch.lo);
-        b.add(x, launch)
+        let offset = b.exact(offset.hi, offset.lo);
+        b.add(x, offset)
+    }
+
+    /// The magic sum of x + offset, and the nearest integer.
+    fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
+        let x = self.offset_by(b, x, self.offset());
+        let constant = b.float().magic();
+        let constant = b.constant(constant);
+        let magic = b.add(x, constant);
+        b.name(magic, "magic");
+        let n = b.sub(magic, constant);
+        (magic, b.name(n, "n"))
     }
 
     fn direct(&self, b: &mut Builder, t: Id, rate: f64) -> Phase {
         let rate = b.constant(rate);
         let x = b.mul(t, rate);
         b.name(x, "x");
-        let counted = self.launched(b, x);
-        let (magic, n) = round(b, counted);
+        let (magic, n) = self.round(b, x);
         let rest = b.sub(x, n);
-        let s = self.launched(b, rest);
-        Phase { s: b.name(s, "s"), low: None, magic }
+        Phase { remainder: self.offset_by(b, rest, self.offset()), magic }
     }
 
     fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {
         let rate = b.constant(rate);
         let x = b.mul(t, rate);
-        let counted = self.launched(b, x);
-        let (magic, n) = round(b, counted);
-        let (mut s, mut low) = (t, None);
-        let words: Vec<f64> = words.iter().copied().filter(|&word| word != 0.0).collect();
-        for (index, &word) in words.iter().enumerate() {
+        let (magic, mut n) = self.round(b, x);
+        let mut offset = self.offset() / self.unit;
+        if self.origin == Origin::Lowest {
+            // n + ½ anchors, without rounding.
+            let half = b.constant(0.5);
+            n = b.add(n, half);
+            offset = self.launch / self.unit;
+        }
+        let mut remainder = t;
+        for &word in words.iter().filter(|&&word| word != 0.0) {
             let word = b.constant(word);
             let whole = b.mul(n, word);
-            let rest = b.sub(s, whole);
-            if self.two_words && index + 1 == words.len() {
-                let seen = b.sub(s, rest);
-                low = Some(b.sub(seen, whole));
-            }
-            s = rest;
+            remainder = b.sub(remainder, whole);
         }
-        if self.launch != Double::ZERO {
-            let offset = self.launch / self.unit;
-            if let Some(before) = low {
-                let constant = b.exact(offset.hi, 0.0);
-                let (sum, lost) = b.two_sum(s, constant);
-                let rest = b.constant(offset.lo);
-                let lost = b.add(lost, rest);
-                (s, low) = (sum, Some(b.add(before, lost)));
-            } else {
-                let constant = b.exact(offset.hi, offset.lo);
-                s = b.add(s, constant);
-            }
-        }
-        Phase { s: b.name(s, "s"), low: low.map(|low| b.name(low, "low")), magic }
+        Phase { remainder: self.offset_by(b, remainder, offset), magic }
     }
 
     fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
@@ -350,18 +378,16 @@ impl Reduction {
         let first = modulo_eight(b, first);
         let low = b.add(second, third);
         let sum = b.add(first, low);
-        let counted = self.launched(b, sum);
-        let (magic, n) = round(b, counted);
+        let (magic, n) = self.round(b, sum);
         let rest = b.sub(first, n);
-        let s = b.add(rest, low);
-        let s = self.launched(b, s);
-        Phase { s: b.name(s, "s"), low: None, magic }
+        let rest = self.offset_by(b, rest, self.offset());
+        Phase { remainder: b.add(rest, low), magic }
     }
 
     /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the sum of
     /// the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24), hence
     /// exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below 2^(e−75).
-    /// The first two are taken modulo 8, exactly; only the sum of the four parts, near ½, is rounded.
+    /// The first two are taken modulo 8, exactly; only the sums of the four parts are rounded.
     fn any_time(&self, b: &mut Builder, t: Id, words: &[f64; 4]) -> Phase {
         let [r1, r2, r3, r4] = words.map(|word| b.constant(word));
         let head = b.push(Op::Head(t));
@@ -380,51 +406,26 @@ impl Reduction {
         b.name(fourth, "fourth");
         let leading = b.add(first, second);
         let sum = b.add(leading, third);
-        let counted = self.launched(b, sum);
-        let (magic, n) = round(b, counted);
+        let (magic, n) = self.round(b, sum);
         let rest = b.sub(first, n);
-        if self.two_words {
-            return self.any_time_in_two_words(b, magic, [rest, second, third, fourth]);
-        }
-        let s = b.add(rest, second);
-        let s = b.add(s, third);
-        let fourth = self.launched(b, fourth);
-        let s = b.add(s, fourth);
-        Phase { s: b.name(s, "s"), low: None, magic }
+        let (rest, fourth) = self.launched(b, rest, fourth);
+        let remainder = b.add(rest, second);
+        let remainder = b.add(remainder, third);
+        Phase { remainder: b.add(remainder, fourth), magic }
     }
 
-    /// The second sum is exact where the third part isn't small beside it (t beyond 2⁴⁸ anchors), so that the quick form
-    /// serves wherever something is lost.
-    fn any_time_in_two_words(&self, b: &mut Builder, magic: Id, [rest, second, third, fourth]: [Id; 4]) -> Phase {
-        let (sum, lost) = b.two_sum(rest, second);
-        let (mut sum, lost_too) = b.quick_two_sum(sum, third);
-        let mut lost = b.add(lost, lost_too);
-        if self.launch != Double::ZERO {
-            let launch = b.exact(self.launch.hi, 0.0);
-            let (moved, lost_here) = b.two_sum(sum, launch);
-            let rest = b.constant(self.launch.lo);
-            let lost_here = b.add(lost_here, rest);
-            (sum, lost) = (moved, b.add(lost, lost_here));
+    /// Adds the offset to `rest`, what its rounding leaves to `fourth`. Half an anchor is added without rounding that
+    /// matters: the sum is that of two multiples of 2⁻⁵⁴, or relatively as accurate as any.
+    fn launched(&self, b: &mut Builder, rest: Id, fourth: Id) -> (Id, Id) {
+        let offset = self.offset();
+        if self.launch == Double::ZERO {
+            return (self.offset_by(b, rest, offset), fourth);
         }
-        let lost = b.add(lost, fourth);
-        let (s, low) = b.quick_two_sum(sum, lost);
-        Phase { s: b.name(s, "s"), low: Some(b.name(low, "low")), magic }
+        let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
+        let (sum, lost) = b.two_sum(rest, head);
+        let lost = b.add(lost, low);
+        (sum, b.add(fourth, lost))
     }
-
-    /// A wide phase, narrowed unless its second word's worth is wanted.
-    fn narrow(&self, b: &mut Builder, phase: Phase) -> Phase {
-        if self.two_words {
-            return phase;
-        }
-        b.name(phase.s, "wide");
-        let s = b.convert(phase.s, Float::F32);
-        Phase { s: b.name(s, "s"), ..phase }
-    }
-}
-
-/// The error that narrowing a phase to `f32` adds.
-fn narrowing(two_words: bool) -> f64 {
-    if two_words { 0.0 } else { half_ulp(0.49, Float::F32) }
 }
 
 /// a·b + c·d.
@@ -432,16 +433,6 @@ fn cross(b: &mut Builder, left: (Id, Id), right: (Id, Id)) -> Id {
     let left = b.mul(left.0, left.1);
     let right = b.mul(right.0, right.1);
     b.add(left, right)
-}
-
-/// The magic sum and the integer nearest to x.
-fn round(b: &mut Builder, x: Id) -> (Id, Id) {
-    let constant = b.float().magic();
-    let constant = b.constant(constant);
-    let magic = b.add(x, constant);
-    b.name(magic, "magic");
-    let n = b.sub(magic, constant);
-    (magic, b.name(n, "n"))
 }
 
 /// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴: adding 1.5·2⁵⁵ rounds to a multiple of 8.

@@ -3,8 +3,10 @@
 use super::*;
 use crate::check::check;
 use crate::exact::Real;
+use crate::motion::Regime;
 use crate::parse::parse;
 use crate::report::Report;
+use pendulum_runtime::double::Double;
 
 pub(crate) fn scene(text: &str) -> Scene {
     let mut report = Report::default();
@@ -25,7 +27,6 @@ fn phase(rate: &Real, launch: &Real, t: f64) -> (Double, bool) {
 fn observed(scene: &Scene, plan: &Plan, samples: usize) -> Vec<f64> {
     let Regime::Swing(swing) = &scene.motion.regime else { panic!() };
     let rate = crate::series::swing_rate(swing);
-    let curves = SwingCurves::new(swing, &scene.motion.omega);
     let horizon = scene.t_max.as_ref().map_or(9e15 / rate.to_f64() * 2.0, Real::to_f64);
     let mut seed = 0x9e37_79b9_7f4a_7c15u64;
     let mut random = || {
@@ -35,8 +36,7 @@ fn observed(scene: &Scene, plan: &Plan, samples: usize) -> Vec<f64> {
         (seed >> 11) as f64 / (1u64 << 53) as f64
     };
     let mut worst = vec![];
-    for (part, function) in plan.parts.iter().zip(&plan.functions) {
-        let aim = aim(scene, &curves, part.output);
+    for (aim, function) in search::aims(scene, swing).iter().zip(&plan.functions) {
         let mut most: f64 = 0.0;
         for i in 0..samples {
             let t = if i % 2 == 0 {
@@ -47,7 +47,7 @@ fn observed(scene: &Scene, plan: &Plan, samples: usize) -> Vec<f64> {
             let t = scene.float.round(t);
             let (s, odd) = phase(&rate, &swing.launch, t);
             let values = function.program.run(t);
-            let mut sum = 0.0;
+            let mut sum: f64 = 0.0;
             for (value, curve) in values.iter().zip(&aim.curves) {
                 let truth = curve.at(s);
                 let flip = curve.alternates && (odd ^ swing.mirrored);
@@ -71,6 +71,12 @@ fn look() {
         ("7π/8", "float = f32, tol = 1e-4, t_max = 938"),
         ("7π/8", "float = f32"),
         ("7π/8", "outputs = [theta, velocity, acceleration, position]"),
+        ("7π/8", "outputs = [velocity]"),
+        ("7π/8", "outputs = [acceleration]"),
+        ("7π/8", "outputs = [position]"),
+        ("0.99π", "outputs = [velocity]"),
+        ("0.99π", "outputs = [acceleration]"),
+        ("0.99π", "outputs = [position]"),
         ("π/3", ""),
         ("0.1", ""),
         ("1e-9", ""),
@@ -99,7 +105,7 @@ fn look() {
                     println!(
                         "   {:?} {:?} terms {:?} bound {:.2e} {:?} ratio {:.2} rel {:.2}u",
                         part.output,
-                        part.kernels[0].form,
+                        part.description,
                         part.kernels.iter().map(|k| k.coefficients.len()).collect::<Vec<_>>(),
                         part.bound.total(),
                         part.bound,

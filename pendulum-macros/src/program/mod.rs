@@ -52,6 +52,11 @@ pub(crate) enum Op {
         x: Id,
         magic: Id,
     },
+    /// x with its sign flipped where `sign` is negative.
+    Toward {
+        x: Id,
+        sign: Id,
+    },
     /// 2 to the integer in `magic` (a sum with [`Float::magic`]); `f64` only.
     PowerOfTwo {
         magic: Id,
@@ -122,6 +127,7 @@ impl Op {
             Self::Min { limit, x } | Self::Max { limit, x } => vec![limit, x],
             Self::Select { a, b, then, otherwise } => vec![a, b, then, otherwise],
             Self::Alternate { x, magic } => vec![x, magic],
+            Self::Toward { x, sign } => vec![x, sign],
             Self::PowerOfTwo { magic } => vec![magic],
         }
     }
@@ -170,6 +176,10 @@ impl Builder {
         self.push(Op::Sub(a, b))
     }
 
+    pub(crate) fn div(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Div(a, b))
+    }
+
     pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
         self.push(Op::Mul(a, b))
     }
@@ -205,13 +215,6 @@ impl Builder {
         let from_a = self.sub(sum, seen);
         let (lost_a, lost_b) = (self.sub(a, from_a), self.sub(b, seen));
         (sum, self.add(lost_a, lost_b))
-    }
-
-    /// `a + b` and what its rounding left, for |a| ≥ |b| (Dekker).
-    pub(crate) fn quick_two_sum(&mut self, a: Id, b: Id) -> (Id, Id) {
-        let sum = self.add(a, b);
-        let seen = self.sub(sum, a);
-        (sum, self.sub(b, seen))
     }
 
     /// The finished program, without the nodes that no result needs.
@@ -265,6 +268,7 @@ impl Op {
                 Self::Select { a: to[a], b: to[b], then: to[then], otherwise: to[otherwise] }
             }
             Self::Alternate { x, magic } => Self::Alternate { x: to[x], magic: to[magic] },
+            Self::Toward { x, sign } => Self::Toward { x: to[x], sign: to[sign] },
             Self::PowerOfTwo { magic } => Self::PowerOfTwo { magic: to[magic] },
         }
     }

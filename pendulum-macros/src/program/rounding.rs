@@ -85,6 +85,7 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
             let Known { low, high, error } = known[b];
             sum(known[a], Known { low: -high, high: -low, error }, float)
         }
+        Op::Mul(a, b) if a == b => square(known[a], float),
         Op::Mul(a, b) => product(known[a], known[b], float),
         Op::Div(a, b) => quotient(known[a], known[b], float),
         Op::Sqrt(x) => root(known[x], float),
@@ -109,7 +110,7 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
             high: known[then].high.max(known[otherwise].high),
             error: known[then].error.max(known[otherwise].error),
         },
-        Op::Alternate { x, .. } => {
+        Op::Alternate { x, .. } | Op::Toward { x, .. } => {
             let magnitude = known[x].magnitude();
             Known { low: -magnitude, high: magnitude, error: known[x].error }
         }
@@ -134,6 +135,14 @@ fn product(a: Known, b: Known, float: Float) -> Known {
     let scaling = [a, b].iter().any(|x| x.low == x.high && x.error == 0.0 && is_power_of_two(x.low.abs()));
     let rounding = if scaling { 0.0 } else { rounding(low, high, exact, float) };
     Known { low, high, error: a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error + rounding }
+}
+
+/// A product of a number with itself isn't negative.
+fn square(x: Known, float: Float) -> Known {
+    let product = product(x, x, float);
+    let straddles = x.low <= 0.0 && x.high >= 0.0;
+    let least = if straddles { 0.0 } else { float.round(x.low * x.low).min(float.round(x.high * x.high)) };
+    Known { low: least, ..product }
 }
 
 /// The rounding of results between `low` and `high`, which are the exact ends if `exact`.
