@@ -217,7 +217,7 @@ fn norm(parts: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Subintervals of the phase on which the rounding is analysed separately.
-const SLICES: usize = 16;
+const SLICES: usize = 64;
 
 /// The rounding of a kernel over the whole range of the phase, taken as exact.
 fn rounding(kernel: &Polynomial, reduction: &Reduction) -> f64 {
