@@ -135,9 +135,10 @@ impl Series {
     fn rate(&self, at: SwingPhase) -> f64 {
         match self {
             Self::Direct { rate: (n, d), .. } => {
-                let m = sin_turns(at.turning);
-                let eta = 4.0 - 4.0 * (m * m);
-                m * horner(n, eta) / horner(d, eta)
+                // cos w and sin w from a sine each: sin² w as 1 − cos² w would magnify the rounding of the cosine fivefold.
+                let (cosine, sine) = (sin_turns(at.turning), sin_turns(at.crossing));
+                let eta = 4.0 * (sine * sine);
+                cosine * horner(n, eta) / horner(d, eta)
             }
             Self::Dual { growth, rate, .. } if at.turning > 0.125 => {
                 let (n, d) = &rate.crossing;
