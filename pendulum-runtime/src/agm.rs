@@ -24,6 +24,11 @@ pub(crate) fn agm_double(x: Double) -> Double {
     a
 }
 
+/// K = π/(2 AGM(1, k′)), correctly rounded but for ties; ∞ for k′ = 0.
+pub(crate) fn complete(kc: Double) -> f64 {
+    if kc.hi == 0.0 { f64::INFINITY } else { (Double::PI.scale(0.5) / agm_double(kc)).to_f64() }
+}
+
 /// AGM(1, x) for 0 < x ≤ 1, within 2 ulp; 0 for x = 0.
 pub(crate) fn agm(x: f64) -> f64 {
     if x == 0.0 {

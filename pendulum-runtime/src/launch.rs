@@ -84,7 +84,7 @@ fn released(angle: Double, base: Double, theta: f64, omega: f64) -> Motion {
         top_speed: (k * 2.0 * omega).to_f64(),
         amplitude: magnitude.to_f64(),
         k,
-        moduli: Moduli { k: k.hi, kc: kc.hi, mean },
+        moduli: Moduli { k, kc, mean },
         theta,
         velocity: 0.0,
         omega,
@@ -134,7 +134,7 @@ impl State {
             shape: Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset)),
             amplitude,
             k,
-            moduli: Moduli { k: k.hi, kc: kc.hi, mean },
+            moduli: Moduli { k, kc, mean },
             ..self.outline(k)
         }
     }
@@ -144,7 +144,7 @@ impl State {
             regime: Regime::Separatrix,
             shape: Shape::Separatrix(Rotation::separatrix(), since_bottom),
             amplitude: core::f64::consts::PI,
-            moduli: Moduli { k: 1.0, kc: 0.0, mean: Double::ZERO },
+            moduli: Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO },
             ..self.outline(Double::ONE)
         }
     }
@@ -153,15 +153,15 @@ impl State {
     fn rotation(&self, k: Double, kc: Double, since_bottom: Double) -> Motion {
         let mean = agm_double(kc);
         let rate = mean * k * INVERSE_TURN.scale(2.0);
-        let modulus = (Double::ONE / k).hi;
+        let modulus = Double::ONE / k;
         Motion {
             regime: Regime::Rotation,
             shape: Shape::Rotation(
-                Rotation::new(modulus, kc.hi, mean.hi),
+                Rotation::new(modulus.hi, kc.hi, mean.hi),
                 Phase::new(rate, self.omega, rate * since_bottom),
             ),
             amplitude: f64::INFINITY,
-            moduli: Moduli { k: modulus, kc: kc.hi, mean },
+            moduli: Moduli { k: modulus, kc, mean },
             ..self.outline(k)
         }
     }
@@ -176,7 +176,7 @@ impl State {
             top_speed: (k * 2.0 * self.omega).to_f64(),
             amplitude: 0.0,
             k,
-            moduli: Moduli { k: 1.0, kc: 0.0, mean: Double::ZERO },
+            moduli: Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO },
             theta: self.theta,
             velocity: self.velocity,
             omega: self.omega,

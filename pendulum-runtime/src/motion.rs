@@ -1,11 +1,12 @@
 //! The motion itself, in `f64`: what `Pendulum<f64>` and `Pendulum<f32>` both evaluate.
 
-use crate::agm::{agm, sqrt_nome};
+use crate::agm::complete;
 use crate::carlson::elapsed;
 use crate::double::{Double, two_prod, two_sum};
 use crate::double_trig::half_angle;
 use crate::error::Error;
 use crate::kernel::{round, sin_turns};
+use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced};
 use crate::regime::Regime;
 use crate::rotation::Rotation;
@@ -36,8 +37,8 @@ pub(crate) struct Motion {
 /// The elliptic modulus (k, or 1/k for a rotation), its complement, and AGM(1, complement).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moduli {
-    pub(crate) k: f64,
-    pub(crate) kc: f64,
+    pub(crate) k: Double,
+    pub(crate) kc: Double,
     pub(crate) mean: Double,
 }
 
@@ -90,7 +91,7 @@ impl Motion {
 
     /// base + 2π · turns + angle, within the finite numbers.
     #[inline]
-    fn unwrap(&self, turns: f64, angle: f64) -> f64 {
+    pub(crate) fn unwrap(&self, turns: f64, angle: f64) -> f64 {
         if turns == 0.0 && self.base.hi == 0.0 {
             return angle;
         }
@@ -148,12 +149,12 @@ impl Motion {
 
     /// K.
     pub(crate) fn quarter_period(&self) -> f64 {
-        if self.moduli.mean.hi == 0.0 { f64::INFINITY } else { (Double::PI.scale(0.5) / self.moduli.mean).to_f64() }
+        complete(self.moduli.kc)
     }
 
     /// q = exp(−πK′/K).
     pub(crate) fn nome(&self) -> f64 {
-        nome(self.moduli.k, self.moduli.kc, self.moduli.mean.hi)
+        nome_of(self.moduli.k, self.moduli.kc)
     }
 
     /// θ̇²/2ω² + 1 − cos θ = 2k².
@@ -244,16 +245,4 @@ pub(crate) fn sine_cosine(phase: Reduced) -> (f64, f64) {
     let sine = sin_turns(if s <= 0.25 { s + low } else { (0.5 - s) - low });
     let cosine = sin_turns((0.25 - s) - low);
     (if phase.high < 0.0 { -sine } else { sine }, cosine)
-}
-
-/// q = exp(−πK′/K) for all 0 ≤ k ≤ 1: by the series where q ≤ ¼, else as the exponential of less than 1.4.
-pub(crate) fn nome(k: f64, kc: f64, mean: f64) -> f64 {
-    if k == 1.0 && kc == 0.0 {
-        1.0
-    } else if kc >= 0.12 {
-        let root = sqrt_nome(k, kc);
-        root * root
-    } else {
-        libm::exp(-PI * (mean / agm(k)))
-    }
 }

@@ -49,6 +49,17 @@ impl SwingPhase {
             growing: if phase.high < 0.0 { 1.0 } else { -1.0 },
         }
     }
+
+    /// Turns from the zero crossing, signed like the angle.
+    #[inline]
+    pub(crate) fn crossing(&self) -> f64 {
+        self.crossing
+    }
+
+    /// `z` turns after the passage through zero, 0 ≤ z ≤ ¼.
+    pub(crate) fn at_crossing(z: f64) -> Self {
+        Self { crossing: z, turning: 0.25 - z, growing: 1.0 }
+    }
 }
 
 /// The shape of a swing of one amplitude.
@@ -83,7 +94,7 @@ impl Swing {
     pub(crate) fn new(k: Double, kc: Double, mean: f64, amplitude: f64) -> Self {
         let series = if kc.hi >= DIRECT_FROM { direct(k, kc) } else { dual(k.hi, kc.hi, mean) };
         let mut swing = Self { amplitude, rate: 1.0, series };
-        swing.rate = 1.0 / swing.series.rate(SwingPhase { crossing: 0.0, turning: 0.25, growing: 1.0 });
+        swing.rate = 1.0 / swing.series.rate(SwingPhase::at_crossing(0.0));
         swing
     }
 
