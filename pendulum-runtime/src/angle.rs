@@ -1,0 +1,92 @@
+//! Any finite angle to [−π, π] in two words, by exact multiplication with 1/(2π) (Payne and Hanek 1983).
+
+use crate::double::Double;
+
+/// 1/(2π) after the binary point, most significant word first: enough for the largest `f64` and 200 guard bits.
+const INVERSE_TURN: [u64; 21] = [
+    0x28be60db9391054a,
+    0x7f09d5f47d4d3770,
+    0x36d8a5664f10e410,
+    0x7f9458eaf7aef158,
+    0x6dc91b8e909374b8,
+    0x01924bba82746487,
+    0x3f877ac72c4a69cf,
+    0xba208d7d4baed121,
+    0x3a671c09ad17df90,
+    0x4e64758e60d4ce7d,
+    0x272117e2ef7e4a0e,
+    0xc7fe25fff7816603,
+    0xfbcbc462d6829b47,
+    0xdb4d9fb3c9f2c26d,
+    0xd3d18fd9a797fa8b,
+    0x5d49eeb1faf97c5e,
+    0xcf41ce7de294a4ba,
+    0x9afed7ec47e35742,
+    0x1580cc11bf1edaea,
+    0xfc33ef0826bd0d87,
+    0x6a78e45857b986c2,
+];
+
+/// θ less its nearest whole number of turns, for finite θ; relative error below 2⁻¹⁰⁰ unless θ itself is in [−π, π],
+/// when it is exact.
+pub(crate) fn reduce(theta: f64) -> Double {
+    if theta.abs() <= core::f64::consts::PI {
+        return Double::new(theta);
+    }
+    let bits = theta.abs().to_bits();
+    let mantissa = (bits & ((1 << 52) - 1)) | (1 << 52);
+    let exponent = (bits >> 52) as i32 - 1075; // |θ| = mantissa · 2^exponent, exponent ≥ −51
+    let fraction = fraction_of_turn(mantissa, exponent);
+    let turn = Double::PI.scale(2.0);
+    let reduced = fraction * turn;
+    if theta < 0.0 { -reduced } else { reduced }
+}
+
+/// mantissa · 2^exponent/(2π) modulo 1, in [−½, ½].
+///
+/// Bits of 1/(2π) above 2^−exponent give whole turns; of the rest four words are kept, so the product is off by less
+/// than 2⁵³ · 2⁻²⁵⁶, while no `f64` comes nearer than 2⁻⁶² to a whole turn.
+fn fraction_of_turn(mantissa: u64, exponent: i32) -> Double {
+    let skip = exponent.max(0) as usize;
+    let (word, bit) = (skip / 64, skip % 64);
+    let mut product = [0_u64; 5]; // whole turns, then the fraction's four words
+    let mut carry = 0_u128;
+    for i in (0..4).rev() {
+        let high = word_at(word + i) << bit;
+        let low = if bit == 0 { 0 } else { word_at(word + i + 1) >> (64 - bit) };
+        let p = u128::from(mantissa) * u128::from(high | low) + carry;
+        product[i + 1] = p as u64;
+        carry = p >> 64;
+    }
+    product[0] = carry as u64;
+    let shift = (-exponent).max(0) as u32;
+    let mut fraction = [0_u64; 4];
+    for i in 0..4 {
+        let above = if shift == 0 { 0 } else { product[i] << (64 - shift) };
+        fraction[i] = (product[i + 1] >> shift) | above;
+    }
+    let negative = fraction[0] >> 63 == 1;
+    if negative {
+        fraction = fraction.map(|w| !w); // one unit of 2⁻²⁵⁶ too small, far below the error allowed
+    }
+    let magnitude = words_to_double(fraction);
+    if negative { -magnitude } else { magnitude }
+}
+
+/// A word of 1/(2π); zero beyond the table, which the largest `f64` does not reach.
+fn word_at(i: usize) -> u64 {
+    INVERSE_TURN.get(i).copied().unwrap_or(0)
+}
+
+/// Σ wordᵢ · 2^(−64(i+1)); each half of a word converts exactly.
+fn words_to_double(words: [u64; 4]) -> Double {
+    let mut sum = Double::ZERO;
+    let mut weight = 1.0;
+    for w in words {
+        for half in [w >> 32, w & 0xffff_ffff] {
+            weight *= 1.0 / 4_294_967_296.0;
+            sum = sum + Double::new(half as f64 * weight);
+        }
+    }
+    sum
+}

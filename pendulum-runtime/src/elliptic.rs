@@ -1,0 +1,216 @@
+//! Elliptic integrals and functions in `f64`, by modulus k or (module [`complementary`]) by k′ = √(1 − k²).
+//!
+//! Packaged libraries take the parameter m = k² and lose what distinguishes k from 1; here k near 1 is best given by
+//! its complement, k′ = cos(θ0/2) for a pendulum of amplitude θ0, which may be as small as 10⁻³⁰⁰. Outside the domain
+//! 0 ≤ k ≤ 1 everything is NaN. u may be any finite number: periods are reduced in two words.
+//!
+//! | | error at most |
+//! |---|---|
+//! | K, K′, F | 2 ulp |
+//! | q | 2 ulp |
+//! | sn, cn, dn | 4 · 2⁻⁵³ absolute (sn also relative, near u = 0), for \|u\| up to 2⁴⁵ K |
+//! | am | 2⁻⁵¹ max(1, \|am\|) |
+//!
+//! ```
+//! use pendulum_runtime::elliptic::{self, complementary};
+//! let k = 0.8;
+//! let u = elliptic::quarter_period(k) / 3.0;
+//! let (sn, cn) = (elliptic::sn(u, k), elliptic::cn(u, k));
+//! assert!((sn * sn + cn * cn - 1.0).abs() < 1e-15);
+//! assert!((elliptic::sn(u, k) - complementary::sn(u, 0.6)).abs() < 1e-15);
+//! assert!((elliptic::incomplete(elliptic::am(u, k), k) - u).abs() < 1e-15);
+//! ```
+
+use crate::agm::{agm_double, complete};
+use crate::angle::reduce;
+use crate::carlson::carlson_rf;
+use crate::double::{Double, two_sum};
+use crate::double_trig::half_angle;
+use crate::kernel::round;
+use crate::nome::nome_of;
+use crate::phase::{Phase, Reduced};
+use crate::rotation::Rotation;
+use core::f64::consts::{FRAC_PI_2, PI};
+
+/// One modulus, prepared for repeated evaluation of the functions of Jacobi: about as much work as
+/// [`Pendulum::from_state`](crate::Pendulum::from_state) once, then a few dozen nanoseconds per value.
+#[derive(Clone, Copy, Debug)]
+pub struct Jacobi {
+    k: Double,
+    kc: Double,
+    rotation: Rotation,
+    /// One turn of θ = 2 am per 2K; `None` for k = 1, which has no period.
+    phase: Option<Phase>,
+}
+
+impl Jacobi {
+    /// From k in [0, 1]; `None` outside and for NaN.
+    #[must_use]
+    pub fn from_modulus(k: f64) -> Option<Self> {
+        (0.0..=1.0).contains(&k).then(|| Self::new(Double::new(k), complement(k)))
+    }
+
+    /// From k′ in [0, 1]; `None` outside and for NaN.
+    #[must_use]
+    pub fn from_complementary_modulus(kc: f64) -> Option<Self> {
+        (0.0..=1.0).contains(&kc).then(|| Self::new(complement(kc), Double::new(kc)))
+    }
+
+    fn new(k: Double, kc: Double) -> Self {
+        if kc.hi == 0.0 {
+            return Self { k, kc, rotation: Rotation::separatrix(), phase: None };
+        }
+        let mean = agm_double(kc);
+        let phase = Phase::new(mean / Double::PI, 1.0, Double::ZERO);
+        Self { k, kc, rotation: Rotation::new(k.hi, kc.hi, mean.hi), phase: Some(phase) }
+    }
+
+    fn reduce(&self, u: f64) -> Reduced {
+        match &self.phase {
+            Some(phase) => phase.reduce(u),
+            None if u.is_finite() => Reduced { turns: 0.0, high: u, low: 0.0 },
+            None => Reduced { turns: 0.0, high: f64::NAN, low: f64::NAN },
+        }
+    }
+
+    /// (sn u, cn u, dn u).
+    #[must_use]
+    pub fn sn_cn_dn(&self, u: f64) -> (f64, f64, f64) {
+        let phase = self.reduce(u);
+        let (sine, cosine) = self.rotation.half_angle(phase);
+        // Each turn of θ = 2 am changes the sign of sn and cn.
+        let sign = if phase.turns % 2.0 == 0.0 { 1.0 } else { -1.0 };
+        (sign * sine, sign * cosine, self.rotation.velocity(phase))
+    }
+
+    /// The amplitude am u, continuous in u: the angle whose sine is sn u.
+    #[must_use]
+    pub fn am(&self, u: f64) -> f64 {
+        let phase = self.reduce(u);
+        (Double::PI * phase.turns + Double::new(0.5 * self.rotation.angle(phase))).to_f64()
+    }
+
+    /// K, the quarter period of sn (∞ for k = 1).
+    #[must_use]
+    pub fn quarter_period(&self) -> f64 {
+        complete(self.kc)
+    }
+
+    /// K′ = K(k′) (∞ for k = 0).
+    #[must_use]
+    pub fn complementary_quarter_period(&self) -> f64 {
+        complete(self.k)
+    }
+
+    /// q = exp(−πK′/K).
+    #[must_use]
+    pub fn nome(&self) -> f64 {
+        nome_of(self.k, self.kc)
+    }
+
+    /// F(φ, k) = ∫₀^φ dψ/√(1 − k² sin² ψ), odd and increasing in φ; inverse to [`am`](Self::am).
+    #[must_use]
+    pub fn incomplete(&self, phi: f64) -> f64 {
+        if !phi.is_finite() {
+            return f64::NAN;
+        }
+        let mut rest = reduce(phi);
+        let mut halves = round_any((Double::new(phi) - rest).to_f64() / PI);
+        if rest.hi.abs() > FRAC_PI_2 {
+            let half = if rest.hi > 0.0 { 1.0 } else { -1.0 };
+            rest = rest - Double::PI * half;
+            halves += half;
+        }
+        let partial = if rest.hi < 0.0 { -self.partial(-rest) } else { self.partial(rest) };
+        if halves == 0.0 { partial } else { partial + halves * 2.0 * self.quarter_period() }
+    }
+
+    /// F for 0 ≤ φ ≤ π/2: sin φ · R_F(cos² φ, 1 − k² sin² φ, 1), the second argument as cos² φ + k′² sin² φ.
+    fn partial(&self, phi: Double) -> f64 {
+        let (sine, cosine) = half_angle(phi.scale(2.0));
+        let scaled = self.kc * sine;
+        (sine * carlson_rf(cosine * cosine, cosine * cosine + scaled * scaled, Double::ONE)).to_f64()
+    }
+}
+
+/// The nearest whole number; beyond 2⁵¹ the number itself, where being whole no longer matters to 53 bits.
+fn round_any(x: f64) -> f64 {
+    if x.abs() < 2_251_799_813_685_248.0 { round(x) } else { x }
+}
+
+/// √(1 − x²) for 0 ≤ x ≤ 1, with small relative error.
+fn complement(x: f64) -> Double {
+    let (s, e) = two_sum(1.0, -x);
+    let (t, f) = two_sum(1.0, x);
+    (Double { hi: s, lo: e } * Double { hi: t, lo: f }).sqrt()
+}
+
+/// The functions by one constructor, so that both modules say the same.
+macro_rules! functions {
+    ($constructor:ident, $modulus:ident, $name:literal) => {
+        /// K, the complete integral of the first kind (∞ for k = 1).
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn quarter_period($modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.quarter_period())
+        }
+
+        /// K′, the complete integral of the complementary modulus (∞ for k = 0).
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn complementary_quarter_period($modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.complementary_quarter_period())
+        }
+
+        /// The nome q = exp(−πK′/K), from 0 (k = 0) to 1 (k = 1).
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn nome($modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.nome())
+        }
+
+        /// sn(u; k), odd, of period 4K (tanh u for k = 1).
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn sn(u: f64, $modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.sn_cn_dn(u).0)
+        }
+
+        /// cn(u; k), even, of period 4K (sech u for k = 1).
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn cn(u: f64, $modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.sn_cn_dn(u).1)
+        }
+
+        /// dn(u; k), even, of period 2K, between k′ and 1 (sech u for k = 1).
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn dn(u: f64, $modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.sn_cn_dn(u).2)
+        }
+
+        /// The amplitude am(u; k), odd and increasing, with am(u + 2K) = am(u) + π.
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn am(u: f64, $modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.am(u))
+        }
+
+        /// F(φ, k), the incomplete integral of the first kind, for any finite φ in rad (∞ from φ = π/2 on for k = 1).
+        #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
+        #[must_use]
+        pub fn incomplete(phi: f64, $modulus: f64) -> f64 {
+            Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.incomplete(phi))
+        }
+    };
+}
+
+functions!(from_modulus, modulus, "modulus");
+
+/// The same functions by the complementary modulus k′ = √(1 − k²): the form to use for k near 1.
+pub mod complementary {
+    use super::Jacobi;
+
+    functions!(from_complementary_modulus, complementary_modulus, "complementary_modulus");
+}

@@ -1,0 +1,84 @@
+//! The paper's approximation: N terms of the Fourier series of sn (Eq. 22).
+
+use crate::error::Error;
+use crate::fourier_analysis::FourierAnalysis;
+use crate::kernel::sin_turns;
+use crate::motion::{Motion, Shape};
+use crate::scalar::Scalar;
+use crate::swing::SwingPhase;
+use core::marker::PhantomData;
+
+/// θ̂(t) = 2 arcsin(k sn_N(ωt + K)) with sn_N(u) = Σ b₂ₙ₋₁ sin((2n − 1)πu/(2K)), n = 1 … N (Eqs. 20 to 22).
+///
+/// Made by [`Pendulum::fourier`](crate::Pendulum::fourier). Exactly periodic with the exact period, so its error does
+/// not grow with t.
+///
+/// ```
+/// # use pendulum_runtime::Pendulum;
+/// let p = Pendulum::<f64>::new(7.0 * core::f64::consts::PI / 8.0, 1.0)?;
+/// let paper = p.fourier::<4>()?;
+/// assert!((paper.theta(1e6) - p.theta(1e6)).abs() <= paper.max_error());
+/// assert!((paper.max_error() / p.amplitude() - 0.0039887).abs() < 1e-6); // the paper says 0.4 %
+/// # Ok::<(), pendulum_runtime::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Fourier<const N: usize, F: Scalar = f64> {
+    motion: Motion,
+    /// b₂ₙ₋₁.
+    coefficients: [f64; N],
+    /// k b₂ₙ₋₁.
+    amplitudes: [f64; N],
+    max_error: f64,
+    scalar: PhantomData<F>,
+}
+
+impl<const N: usize, F: Scalar> Fourier<N, F> {
+    pub(crate) fn new(motion: Motion) -> Result<Self, Error> {
+        if N == 0 {
+            return Err(Error::NoTerms);
+        }
+        let Shape::Swing(..) = motion.shape else {
+            return Err(Error::NotASwing);
+        };
+        let analysis = FourierAnalysis::new(motion.k, motion.moduli.kc);
+        if let Some(overshoot) = analysis.overshoot(N) {
+            return Err(Error::Overshoot { terms: N, overshoot, smallest: analysis.smallest_working() });
+        }
+        let exact: [_; N] = core::array::from_fn(|i| analysis.coefficient(i + 1));
+        Ok(Self {
+            motion,
+            coefficients: exact.map(crate::double::Double::to_f64),
+            amplitudes: exact.map(|b| (b * motion.k).to_f64()),
+            max_error: analysis.supremum(N),
+            scalar: PhantomData,
+        })
+    }
+
+    /// b₁, b₃, …, b₂ₙ₋₁, dimensionless (Eq. 20), each rounded once. They approach 1, 0, 0, … as θ0 → 0.
+    pub fn coefficients(&self) -> [F; N] {
+        self.coefficients.map(F::narrow)
+    }
+
+    /// θ̂(t), rad. NaN for NaN and ±∞.
+    ///
+    /// One sine of the reduced phase; the harmonics follow by Clenshaw's recurrence in sin² w.
+    #[inline]
+    pub fn theta(&self, t: F) -> F {
+        let Shape::Swing(_, phase) = &self.motion.shape else {
+            return F::narrow(f64::NAN); // `new` lets nothing else in
+        };
+        let sine = sin_turns(SwingPhase::new(phase.reduce(t.widen())).crossing());
+        let twice_cosine = 2.0 - 4.0 * (sine * sine); // 2 cos 2w
+        let (mut here, mut next) = (0.0, 0.0);
+        for &amplitude in self.amplitudes.iter().rev() {
+            (here, next) = (amplitude + (twice_cosine * here - next), here);
+        }
+        let argument = (sine * (here + next)).clamp(-1.0, 1.0); // rounding alone can exceed 1 here
+        F::narrow(self.motion.unwrap(0.0, self.motion.direction * (2.0 * libm::asin(argument))))
+    }
+
+    /// sup |θ̂ − θ| over all t, rad: the true supremum over a period, wherever it is attained (not always at t = 0).
+    pub fn max_error(&self) -> F {
+        F::narrow(self.max_error)
+    }
+}

@@ -1,0 +1,295 @@
+//! What N terms of the Fourier series of sn do (Eq. 22): coefficients, overshoot, and the supremum of the error.
+//!
+//! Shared by the run-time `Fourier` and the macro; not part of the public interface.
+//!
+//! With w the phase since the zero crossing, 0 ≤ w ≤ π/2 by symmetry, let y = sin(θ/2) = k sn, and let
+//! x = k sn_N = y − ρ be the argument of the arcsine, ρ the tail of the series. Everything follows from y, from
+//! dn = cos(θ/2) and from the tail, each known to relative accuracy, and nothing is ever the difference of two large
+//! numbers:
+//!
+//! * 1 − x² = dn² + ρ(2y − ρ), the *margin*; the arcsine exists as long as it is not negative;
+//! * sin(½(θ̂ − θ)) = −ρ(x + y)/(x dn + y √margin).
+
+use crate::agm::agm_double;
+use crate::double::Double;
+use crate::kernel::{round, sin_turns};
+use crate::nome::root_of_nome;
+use crate::phase::Reduced;
+use crate::rotation::Rotation;
+use crate::support::sqrt;
+use crate::swing::{Swing, SwingPhase};
+
+/// Samples per half wave of the first neglected harmonic: enough that each local extremum of a function whose tail
+/// falls off geometrically shows as a sample above both neighbours, to be refined from there.
+const SAMPLES: usize = 12;
+
+/// More terms than any `f64` amplitude needs (the last one below π needs 600).
+const MOST_TERMS: usize = 4096;
+
+/// The series of one swing.
+#[derive(Clone, Copy, Debug)]
+pub struct FourierAnalysis {
+    k: Double,
+    /// √q.
+    root: Double,
+    /// 2π/K.
+    scale: Double,
+    swing: Swing,
+    /// dn is the velocity of the rotation of the same modulus.
+    rotation: Rotation,
+}
+
+/// The neglected terms at one phase.
+#[derive(Clone, Copy)]
+struct Tail {
+    value: f64,
+    slope: f64,
+}
+
+/// One phase.
+#[derive(Clone, Copy)]
+struct Sample {
+    /// y = sin(θ/2).
+    y: f64,
+    /// cos(θ/2).
+    dn: f64,
+    tail: Tail,
+}
+
+impl Sample {
+    /// 1 − x².
+    fn margin(&self) -> f64 {
+        self.dn * self.dn + self.tail.value * (2.0 * self.y - self.tail.value)
+    }
+
+    /// |θ̂ − θ|; where the arcsine does not exist, as if its argument were 1.
+    fn error(&self) -> f64 {
+        distance(self.y, self.dn, self.tail.value, self.margin().max(0.0))
+    }
+}
+
+/// |2 asin(y − ρ) − 2 asin y| from dn² = 1 − y² and margin = 1 − (y − ρ)².
+fn distance(y: f64, dn: f64, tail: f64, margin: f64) -> f64 {
+    if tail == 0.0 {
+        return 0.0;
+    }
+    let root = sqrt(margin);
+    let x = y - tail;
+    if x <= 0.0 {
+        return 2.0 * (libm::atan2(y, dn) - libm::atan2(x, root)).abs();
+    }
+    let sine = tail * (x + y) / (x * dn + y * root);
+    2.0 * libm::atan2(sine.abs(), x * y + dn * root)
+}
+
+impl FourierAnalysis {
+    /// For k = sin(θ0/2) and k′ = cos(θ0/2), 0 ≤ k < 1, each with small relative error.
+    #[must_use]
+    pub fn new(k: Double, kc: Double) -> Self {
+        let mean = agm_double(kc);
+        Self {
+            k,
+            root: root_of_nome(k, kc),
+            scale: mean.scale(4.0), // 2π/K = 4 AGM(1, k′)
+            swing: Swing::new(k, kc, mean.hi, f64::INFINITY),
+            rotation: Rotation::new(k.hi, kc.hi, mean.hi),
+        }
+    }
+
+    /// b₂ₙ₋₁ = (2π/(kK)) q^{n−½}/(1 − q^{2n−1}) (Eq. 20) for n ≥ 1. As k → 0, 1 for n = 1 and 0 for the others.
+    #[must_use]
+    pub fn coefficient(&self, n: usize) -> Double {
+        if self.k.hi == 0.0 {
+            return if n == 1 { Double::ONE } else { Double::ZERO };
+        }
+        let q = self.root * self.root;
+        let power = (1..n).fold(Double::ONE, |power, _| power * q);
+        let odd = power * power * q; // q^{2n−1}
+        (self.root / self.k) * self.scale * power / (Double::ONE - odd)
+    }
+
+    /// How far the largest argument of the arcsine, k sn_N, exceeds 1; `None` if it nowhere does.
+    #[must_use]
+    pub fn overshoot(&self, terms: usize) -> Option<f64> {
+        let least = -self.largest(terms, |sample| -sample.margin());
+        (least < 0.0).then(|| -least / (1.0 + sqrt(1.0 - least)))
+    }
+
+    /// The smallest number of terms without overshoot.
+    ///
+    /// The amplitude up to which N terms serve grows with N (0.7308π, 0.9046π, 0.9139π, 0.9547π, …), so this is a
+    /// search in a sorted sequence.
+    #[must_use]
+    pub fn smallest_working(&self) -> usize {
+        let mut works = 1;
+        while works < MOST_TERMS && self.overshoot(works).is_some() {
+            works *= 2;
+        }
+        let mut fails = works / 2;
+        while works - fails > 1 {
+            let middle = usize::midpoint(works, fails);
+            if self.overshoot(middle).is_some() { fails = middle } else { works = middle }
+        }
+        works
+    }
+
+    /// sup |θ̂ − θ| over the period: every local maximum found by sampling, refined until it stands still.
+    #[must_use]
+    pub fn supremum(&self, terms: usize) -> f64 {
+        self.largest(terms, |sample| sample.error())
+    }
+
+    /// An upper bound of |θ̂ − θ| over the period, at most 1 + `slack` times its supremum, by branch and bound: proven
+    /// (up to rounding, for which the result allows 10⁻⁹) whatever the sampling of `supremum` may have missed.
+    #[must_use]
+    pub fn certified_bound(&self, terms: usize, slack: f64) -> f64 {
+        let goal = self.supremum(terms) * (1.0 + slack);
+        let curvature = self.tail_moment(terms, 2);
+        let total = self.tail_moment(terms, 0);
+        let least = -self.largest(terms, |sample| -sample.margin());
+        let cell = Cells { analysis: self, terms, goal, curvature, total, least: least.max(0.0) * (1.0 - 1e-9) };
+        cell.bound(0.0, 0.25, 40) * (1.0 + 1e-9)
+    }
+
+    /// The largest value over the quarter period.
+    fn largest(&self, terms: usize, f: impl Fn(&Sample) -> f64) -> f64 {
+        let points = SAMPLES * (terms + 1);
+        let step = 0.25 / points as f64;
+        let at = |z: f64| f(&self.sample(terms, z));
+        let (mut before, mut here) = (at(0.0), at(step));
+        let mut best = before;
+        for i in 1..=points {
+            // One step beyond the turning point the function is its own mirror image.
+            let after = if i < points { at(step * (i + 1) as f64) } else { before };
+            if here >= before && here >= after {
+                let z = step * i as f64;
+                best = best.max(here).max(refine(&at, z - step, (z + step).min(0.25)));
+            }
+            (before, here) = (here, after);
+        }
+        best
+    }
+
+    /// Everything at z turns from the zero crossing, 0 ≤ z ≤ ¼.
+    fn sample(&self, terms: usize, z: f64) -> Sample {
+        let (y, _) = self.swing.half_angle(SwingPhase::at_crossing(z));
+        let dn = self.rotation.velocity(Reduced { turns: 0.0, high: 2.0 * z, low: 0.0 });
+        Sample { y, dn, tail: self.tail(terms, z) }
+    }
+
+    /// ρ = Σ_{n>N} k b₂ₙ₋₁ sin((2n − 1)w) and dρ/dw, to the last digit.
+    fn tail(&self, terms: usize, z: f64) -> Tail {
+        let twice_cosine = 2.0 * harmonic(2.0 * z).1;
+        let (mut before, mut here) = (harmonic((2 * terms) as f64 * z - z), harmonic((2 * terms) as f64 * z + z));
+        let mut tail = Tail { value: 0.0, slope: 0.0 };
+        self.for_tail(terms, |odd, amplitude| {
+            tail.value += amplitude * here.0;
+            tail.slope += odd * amplitude * here.1;
+            let after = (twice_cosine * here.0 - before.0, twice_cosine * here.1 - before.1);
+            (before, here) = (here, after);
+        });
+        tail
+    }
+
+    /// Σ_{n>N} k b₂ₙ₋₁ (2n − 1)^power.
+    fn tail_moment(&self, terms: usize, power: i32) -> f64 {
+        let mut sum = 0.0;
+        self.for_tail(terms, |odd, amplitude| sum += amplitude * crate::theta_polynomial::power(odd, power));
+        sum
+    }
+
+    /// Calls `f` with 2n − 1 and k b₂ₙ₋₁ for n = N + 1, N + 2, … until the rest is below 2⁻⁵⁵ of the first.
+    fn for_tail(&self, terms: usize, mut f: impl FnMut(f64, f64)) {
+        let root = self.root.to_f64();
+        let q = root * root;
+        let mut weight = root * self.scale.hi * crate::theta_polynomial::power(q, terms as i32);
+        let mut odd_power = crate::theta_polynomial::power(q, 2 * terms as i32 + 1);
+        let last = weight * 2.8e-17 * (1.0 - q);
+        let mut odd = (2 * terms + 1) as f64;
+        while weight > last {
+            f(odd, weight / (1.0 - odd_power));
+            weight *= q;
+            odd_power *= q * q;
+            odd += 2.0;
+        }
+    }
+}
+
+/// (sin 2πz, cos 2πz) for moderate z ≥ 0.
+fn harmonic(z: f64) -> (f64, f64) {
+    let s = z - round(z);
+    let a = s.abs();
+    let sine = sin_turns(if a <= 0.25 { a } else { 0.5 - a });
+    (if s < 0.0 { -sine } else { sine }, sin_turns(0.25 - a))
+}
+
+/// The largest value of a function with one maximum in [low, high], by golden sections until the bracket is 10⁻⁸ of
+/// itself, where the value, flat there, stands still to 10⁻¹⁶.
+fn refine(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    let mut left = high - GOLDEN * (high - low);
+    let mut right = low + GOLDEN * (high - low);
+    let (mut at_left, mut at_right) = (f(left), f(right));
+    let mut best = at_left.max(at_right).max(f(high));
+    for _ in 0..38 {
+        if at_left >= at_right {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - GOLDEN * (high - low);
+            at_left = f(left);
+        } else {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + GOLDEN * (high - low);
+            at_right = f(right);
+        }
+        best = best.max(at_left).max(at_right);
+    }
+    best
+}
+
+/// The branch and bound of [`FourierAnalysis::certified_bound`].
+struct Cells<'a> {
+    analysis: &'a FourierAnalysis,
+    terms: usize,
+    /// Cells bounded by this are done.
+    goal: f64,
+    /// sup |ρ″| and sup |ρ|, from the sums of the tail's moduli.
+    curvature: f64,
+    total: f64,
+    /// No margin is below this.
+    least: f64,
+}
+
+impl Cells<'_> {
+    /// A bound of the error for low ≤ z ≤ high.
+    fn bound(&self, low: f64, high: f64, depth: u32) -> f64 {
+        let here = self.cell_bound(low, high);
+        if here <= self.goal || depth == 0 {
+            return here;
+        }
+        let middle = 0.5 * (low + high);
+        let left = self.bound(low, middle, depth - 1);
+        left.max(self.bound(middle, high, depth - 1))
+    }
+
+    /// Taylor's theorem bounds ρ on the cell; given ρ, |asin(y − ρ) − asin y| grows with y, which is largest at the end.
+    fn cell_bound(&self, low: f64, high: f64) -> f64 {
+        let radius = core::f64::consts::PI * (high - low); // half the cell, in w = 2πz
+        let tail = self.analysis.tail(self.terms, 0.5 * (low + high));
+        let spread = radius * tail.slope.abs() + 0.5 * radius * radius * self.curvature;
+        let end = self.analysis.sample(self.terms, high);
+        let bound = |tail: f64| {
+            let margin = end.dn * end.dn + tail * (2.0 * end.y - tail);
+            if margin >= self.least {
+                distance(end.y, end.dn, tail, margin)
+            } else {
+                // x reaches its largest value anywhere: the tail that takes it there from y.
+                let x = sqrt(1.0 - self.least);
+                let reach = (end.dn * end.dn - self.least).max(0.0) / (x + end.y);
+                distance(end.y, end.dn, -reach, self.least)
+            }
+        };
+        let most = (tail.value + spread).min(self.total);
+        let least = (tail.value - spread).max(-self.total);
+        bound(most).max(bound(least))
+    }
+}

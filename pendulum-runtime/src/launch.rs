@@ -1,0 +1,192 @@
+//! From an initial state to a motion: which regime, how large, where in its period.
+
+use crate::agm::agm_double;
+use crate::angle::reduce;
+use crate::carlson::elapsed;
+use crate::double::Double;
+use crate::double_trig::half_angle;
+use crate::error::Error;
+use crate::kernel::four_atan;
+use crate::motion::{Moduli, Motion, Shape};
+use crate::phase::{Phase, binade};
+use crate::regime::Regime;
+use crate::rotation::Rotation;
+use crate::swing::Swing;
+
+/// 1/(2π).
+const INVERSE_TURN: Double = Double { hi: 0.159_154_943_091_895_35, lo: -9.839_338_337_591_243e-18 };
+
+/// |θ̇|/ω beyond which products would overflow.
+const LARGEST_SPEED: f64 = 1e290;
+
+/// Released at rest from `theta0`, |θ0| ≤ the last `f64` below π.
+pub(crate) fn at_rest(theta0: f64, omega: f64) -> Result<Motion, Error> {
+    finite("theta0", theta0)?;
+    frequency(omega)?;
+    if theta0.abs() > core::f64::consts::PI {
+        return Err(Error::Amplitude { value: theta0 });
+    }
+    Ok(released(Double::new(theta0), Double::ZERO, theta0, omega))
+}
+
+/// From any angle and velocity.
+pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion, Error> {
+    finite("theta", theta)?;
+    finite("velocity", velocity)?;
+    frequency(omega)?;
+    // Both are brought to ω's binade first, so that the division neither underflows nor overflows needlessly.
+    let unit = binade(omega);
+    let speed = velocity.abs() / unit;
+    if speed > LARGEST_SPEED {
+        return Err(Error::Velocity { value: velocity });
+    }
+    let angle = reduce(theta);
+    let base = Double::new(theta) - angle;
+    if velocity == 0.0 {
+        return Ok(released(angle, base, theta, omega));
+    }
+    let speed = Double::new(0.5 * speed) / Double::new(omega / unit);
+    let forward = velocity > 0.0;
+    let state = State {
+        angle: if forward { angle } else { -angle },
+        speed,
+        base,
+        direction: if forward { 1.0 } else { -1.0 },
+        theta,
+        velocity,
+        omega,
+    };
+    Ok(state.launch())
+}
+
+fn finite(parameter: &'static str, value: f64) -> Result<(), Error> {
+    if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { parameter, value }) }
+}
+
+fn frequency(omega: f64) -> Result<(), Error> {
+    finite("omega", omega)?;
+    if omega > 0.0 { Ok(()) } else { Err(Error::Frequency { value: omega }) }
+}
+
+/// At rest at `angle` from the vertical in [−π, π].
+fn released(angle: Double, base: Double, theta: f64, omega: f64) -> Motion {
+    let magnitude = angle.abs();
+    let (k, kc) = half_angle(magnitude);
+    let mean = agm_double(kc);
+    Motion {
+        regime: if magnitude.hi == 0.0 { Regime::Rest } else { Regime::Swing },
+        shape: Shape::Swing(
+            Swing::new(k, kc, mean.hi, magnitude.to_f64()),
+            Phase::new(mean * INVERSE_TURN, omega, Double::ZERO),
+        ),
+        base,
+        direction: if angle.hi < 0.0 { -1.0 } else { 1.0 },
+        top_speed: (k * 2.0 * omega).to_f64(),
+        amplitude: magnitude.to_f64(),
+        k,
+        moduli: Moduli { k, kc, mean },
+        theta,
+        velocity: 0.0,
+        omega,
+    }
+}
+
+/// A state in motion, mirrored so that it moves forward.
+struct State {
+    /// In [−π, π].
+    angle: Double,
+    /// |θ̇|/(2ω).
+    speed: Double,
+    base: Double,
+    direction: f64,
+    theta: f64,
+    velocity: f64,
+    omega: f64,
+}
+
+impl State {
+    fn launch(&self) -> Motion {
+        let (sine, cosine) = half_angle(self.angle.abs());
+        let k = hypotenuse(self.speed, sine);
+        let since_bottom = {
+            let magnitude = elapsed(sine, cosine, self.speed, k);
+            if self.angle.hi < 0.0 { -magnitude } else { magnitude }
+        };
+        // 1 − k² = cos²(θ/2) − (θ̇/2ω)², as a product so that nothing cancels but the difference itself.
+        let below = cosine - self.speed;
+        let above = cosine + self.speed;
+        if below.hi > 0.0 {
+            self.swing(k, (below * above).sqrt(), since_bottom)
+        } else if below.hi == 0.0 {
+            self.separatrix(since_bottom)
+        } else {
+            self.rotation(k, ((-below / k) * (above / k)).sqrt(), since_bottom)
+        }
+    }
+
+    fn swing(&self, k: Double, kc: Double, since_bottom: Double) -> Motion {
+        let mean = agm_double(kc);
+        let rate = mean * INVERSE_TURN;
+        let amplitude = four_atan(k.hi, 1.0 + kc.hi);
+        let offset = rate * since_bottom - Double::new(0.25);
+        Motion {
+            regime: Regime::Swing,
+            shape: Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset)),
+            amplitude,
+            k,
+            moduli: Moduli { k, kc, mean },
+            ..self.outline(k)
+        }
+    }
+
+    fn separatrix(&self, since_bottom: Double) -> Motion {
+        Motion {
+            regime: Regime::Separatrix,
+            shape: Shape::Separatrix(Rotation::separatrix(), since_bottom),
+            amplitude: core::f64::consts::PI,
+            moduli: Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO },
+            ..self.outline(Double::ONE)
+        }
+    }
+
+    /// One turn takes T = 2κK(κ)/ω with κ = 1/k, so 1/T = ωk AGM(1, κ′)/π.
+    fn rotation(&self, k: Double, kc: Double, since_bottom: Double) -> Motion {
+        let mean = agm_double(kc);
+        let rate = mean * k * INVERSE_TURN.scale(2.0);
+        let modulus = Double::ONE / k;
+        Motion {
+            regime: Regime::Rotation,
+            shape: Shape::Rotation(
+                Rotation::new(modulus.hi, kc.hi, mean.hi),
+                Phase::new(rate, self.omega, rate * since_bottom),
+            ),
+            amplitude: f64::INFINITY,
+            moduli: Moduli { k: modulus, kc, mean },
+            ..self.outline(k)
+        }
+    }
+
+    /// What the regimes share; the shape is a placeholder.
+    fn outline(&self, k: Double) -> Motion {
+        Motion {
+            regime: Regime::Separatrix,
+            shape: Shape::Separatrix(Rotation::separatrix(), Double::ZERO),
+            base: self.base,
+            direction: self.direction,
+            top_speed: (k * 2.0 * self.omega).to_f64(),
+            amplitude: 0.0,
+            k,
+            moduli: Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO },
+            theta: self.theta,
+            velocity: self.velocity,
+            omega: self.omega,
+        }
+    }
+}
+
+/// √(a² + b²) without overflow or underflow.
+fn hypotenuse(a: Double, b: Double) -> Double {
+    let unit = binade(a.hi.max(b.hi));
+    let (a, b) = (a.scale(1.0 / unit), b.scale(1.0 / unit));
+    (a * a + b * b).sqrt().scale(unit)
+}

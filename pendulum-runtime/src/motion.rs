@@ -1,0 +1,248 @@
+//! The motion itself, in `f64`: what `Pendulum<f64>` and `Pendulum<f32>` both evaluate.
+
+use crate::agm::complete;
+use crate::carlson::elapsed;
+use crate::double::{Double, two_prod, two_sum};
+use crate::double_trig::half_angle;
+use crate::error::Error;
+use crate::kernel::{round, sin_turns};
+use crate::nome::nome_of;
+use crate::phase::{Phase, Reduced};
+use crate::regime::Regime;
+use crate::rotation::Rotation;
+use crate::swing::{Swing, SwingPhase};
+use core::f64::consts::{PI, TAU};
+
+/// A motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motion {
+    pub(crate) regime: Regime,
+    pub(crate) shape: Shape,
+    /// Whole turns of the initial angle, 2πn.
+    pub(crate) base: Double,
+    /// The shape is traversed as it is (+1) or mirrored (−1).
+    pub(crate) direction: f64,
+    /// The largest |θ̇|.
+    pub(crate) top_speed: f64,
+    /// The largest |θ − base|.
+    pub(crate) amplitude: f64,
+    /// √(energy/2) in units of ω: sin(θ0/2) for a swing, v0/(2ω) for a rotation through the bottom at v0.
+    pub(crate) k: Double,
+    pub(crate) moduli: Moduli,
+    pub(crate) theta: f64,
+    pub(crate) velocity: f64,
+    pub(crate) omega: f64,
+}
+
+/// The elliptic modulus (k, or 1/k for a rotation), its complement, and AGM(1, complement).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moduli {
+    pub(crate) k: Double,
+    pub(crate) kc: Double,
+    pub(crate) mean: Double,
+}
+
+/// θ as a function of phase, and phase as a function of time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shape {
+    /// Phase counted from the positive turning point.
+    Swing(Swing, Phase),
+    /// Phase counted from the bottom, one per turn.
+    Rotation(Rotation, Phase),
+    /// ωt at t = 0 since (or, negative, until) the bottom.
+    Separatrix(Rotation, Double),
+}
+
+/// A point of the motion, ready for any output.
+pub(crate) enum Point<'a> {
+    Swing(&'a Swing, SwingPhase),
+    Rotation(&'a Rotation, Reduced),
+}
+
+impl Motion {
+    /// The one phase reduction all outputs share.
+    #[inline]
+    pub(crate) fn at(&self, t: f64) -> Point<'_> {
+        match &self.shape {
+            Shape::Swing(swing, phase) => Point::Swing(swing, SwingPhase::new(phase.reduce(t))),
+            Shape::Rotation(rotation, phase) => Point::Rotation(rotation, phase.reduce(t)),
+            Shape::Separatrix(rotation, start) => Point::Rotation(rotation, self.separatrix_phase(*start, t)),
+        }
+    }
+
+    /// ωt + u₀, where only |u| < 42 matters; NaN for NaN and ±∞.
+    fn separatrix_phase(&self, start: Double, t: f64) -> Reduced {
+        let product = self.omega * t;
+        let u = if product.abs() < 1e9 { (Double::from_product(self.omega, t) + start).hi } else { product };
+        let high = if t.is_finite() { u.clamp(-1e9, 1e9) } else { f64::NAN };
+        Reduced { turns: 0.0, high, low: 0.0 }
+    }
+
+    /// θ.
+    #[inline]
+    pub(crate) fn angle(&self, point: &Point<'_>) -> f64 {
+        match point {
+            Point::Swing(swing, phase) => self.unwrap(0.0, self.direction * swing.angle(*phase)),
+            Point::Rotation(rotation, phase) => {
+                self.unwrap(self.direction * phase.turns, self.direction * rotation.angle(*phase))
+            }
+        }
+    }
+
+    /// base + 2π · turns + angle, within the finite numbers.
+    #[inline]
+    pub(crate) fn unwrap(&self, turns: f64, angle: f64) -> f64 {
+        if turns == 0.0 && self.base.hi == 0.0 {
+            return angle;
+        }
+        if turns.abs() > 1e290 {
+            return (turns * TAU).clamp(f64::MIN, f64::MAX);
+        }
+        let (p, e) = two_prod(turns, TAU);
+        let (sum, f) = two_sum(p, self.base.hi);
+        let (sum, g) = two_sum(sum, angle);
+        sum + (g + (f + (e + (turns * (2.0 * Double::PI.lo) + self.base.lo))))
+    }
+
+    /// θ less whole turns, in [−π, π).
+    pub(crate) fn wrapped(&self, point: &Point<'_>) -> f64 {
+        self.direction
+            * match point {
+                Point::Swing(swing, phase) => swing.angle(*phase),
+                Point::Rotation(rotation, phase) => rotation.angle(*phase),
+            }
+    }
+
+    /// θ̇.
+    #[inline]
+    pub(crate) fn speed(&self, point: &Point<'_>) -> f64 {
+        self.direction
+            * self.top_speed
+            * match point {
+                Point::Swing(swing, phase) => swing.velocity(*phase),
+                Point::Rotation(rotation, phase) => rotation.velocity(*phase),
+            }
+    }
+
+    /// (sin θ, −cos θ), without an arctangent.
+    #[inline]
+    pub(crate) fn position(&self, point: &Point<'_>) -> (f64, f64) {
+        let (sine, cosine) = match point {
+            Point::Swing(swing, phase) => swing.half_angle(*phase),
+            Point::Rotation(rotation, phase) => rotation.half_angle(*phase),
+        };
+        (self.direction * 2.0 * (sine * cosine), (sine - cosine) * (sine + cosine))
+    }
+
+    /// θ̈ = −ω² sin θ.
+    pub(crate) fn acceleration(&self, point: &Point<'_>) -> f64 {
+        (-self.omega * (self.omega * self.position(point).0)).clamp(f64::MIN, f64::MAX)
+    }
+
+    /// The time of a full swing or of one turn.
+    pub(crate) fn period(&self) -> f64 {
+        match &self.shape {
+            Shape::Swing(_, phase) | Shape::Rotation(_, phase) => phase.time(Double::ONE),
+            Shape::Separatrix(..) => f64::INFINITY,
+        }
+    }
+
+    /// K.
+    pub(crate) fn quarter_period(&self) -> f64 {
+        complete(self.moduli.kc)
+    }
+
+    /// q = exp(−πK′/K).
+    pub(crate) fn nome(&self) -> f64 {
+        nome_of(self.moduli.k, self.moduli.kc)
+    }
+
+    /// θ̇²/2ω² + 1 − cos θ = 2k².
+    pub(crate) fn energy(&self) -> f64 {
+        (self.k * self.k).scale(2.0).to_f64()
+    }
+
+    /// Eq. 3, the linearised motion from the same initial state: θ cos ωt + (θ̇/ω) sin ωt.
+    pub(crate) fn small_angle(&self, t: f64) -> f64 {
+        let inverse_turn = Double::ONE / Double::PI.scale(2.0);
+        let (sine, cosine) = sine_cosine(Phase::new(inverse_turn, self.omega, Double::ZERO).reduce(t));
+        let cosine_part = self.theta * cosine;
+        if self.velocity == 0.0 { cosine_part } else { cosine_part + self.velocity / self.omega * sine }
+    }
+
+    /// Eq. 17: the exact period and amplitude, but a cosine; NaN unless the motion is a swing (or rest).
+    pub(crate) fn harmonic(&self, t: f64) -> f64 {
+        match &self.shape {
+            Shape::Swing(_, phase) => {
+                let cosine = sine_cosine(phase.reduce(t)).1;
+                self.unwrap(0.0, self.direction * (self.amplitude * cosine))
+            }
+            Shape::Rotation(..) | Shape::Separatrix(..) => f64::NAN,
+        }
+    }
+
+    /// The first t ≥ 0 at which θ(t) = `angle`.
+    pub(crate) fn time_at(&self, angle: f64) -> Result<f64, Error> {
+        if !angle.is_finite() {
+            return Err(Error::NotFinite { parameter: "theta", value: angle });
+        }
+        if angle == self.theta {
+            return Ok(0.0);
+        }
+        let offset = Double::new(angle) - self.base;
+        let offset = if self.direction < 0.0 { -offset } else { offset };
+        let found = match &self.shape {
+            Shape::Swing(_, phase) => self.swing_turns(offset, phase.offset()).map(|turns| phase.time(turns)),
+            Shape::Rotation(_, phase) => {
+                let whole = (offset.hi / TAU).clamp(-1e15, 1e15);
+                let whole = round(whole);
+                let rest = offset - Double::PI.scale(2.0) * whole;
+                let turns = self.turns_since_bottom(rest, 0.5) + Double::new(whole) - phase.offset();
+                (turns.hi >= 0.0 && rest.hi.abs() <= 4.0).then(|| phase.time(turns))
+            }
+            Shape::Separatrix(_, start) => {
+                let ahead = self.since_bottom(offset) - *start;
+                (offset.hi.abs() <= PI && ahead.hi >= 0.0).then(|| ahead.to_f64() / self.omega)
+            }
+        };
+        found.ok_or(Error::NeverReached { angle })
+    }
+
+    /// The turns from t = 0 until a swing is at `offset` from its base.
+    fn swing_turns(&self, offset: Double, start: Double) -> Option<Double> {
+        if offset.hi.abs() > PI || (self.k - half_angle(offset.abs()).0).hi < 0.0 {
+            return None;
+        }
+        let since_bottom = self.turns_since_bottom(offset, 0.25);
+        let quarter = Double::new(0.25);
+        let ahead = |phase: Double| {
+            let turns = phase - start;
+            if turns.hi < 0.0 { turns + Double::ONE } else { turns }
+        };
+        let (up, down) = (ahead(since_bottom - quarter), ahead(quarter - since_bottom));
+        Some(if up.hi < down.hi { up } else { down })
+    }
+
+    /// `since_bottom` in turns, of which `per_quarter` pass in K.
+    fn turns_since_bottom(&self, offset: Double, per_quarter: f64) -> Double {
+        let mean = self.moduli.mean;
+        let scale = if self.regime == Regime::Rotation { mean * self.k } else { mean };
+        self.since_bottom(offset) * scale.scale(2.0 * per_quarter) / Double::PI
+    }
+
+    /// ωt since the bottom, for |offset| ≤ π within reach.
+    fn since_bottom(&self, offset: Double) -> Double {
+        let (sine, cosine) = half_angle(offset.abs());
+        let squared = (self.k - sine) * (self.k + sine);
+        let magnitude = elapsed(sine, cosine, squared.sqrt(), self.k);
+        if offset.hi < 0.0 { -magnitude } else { magnitude }
+    }
+}
+
+/// (sin 2πs, cos 2πs).
+pub(crate) fn sine_cosine(phase: Reduced) -> (f64, f64) {
+    let (s, low) = if phase.high < 0.0 { (-phase.high, -phase.low) } else { (phase.high, phase.low) };
+    let sine = sin_turns(if s <= 0.25 { s + low } else { (0.5 - s) - low });
+    let cosine = sin_turns((0.25 - s) - low);
+    (if phase.high < 0.0 { -sine } else { sine }, cosine)
+}

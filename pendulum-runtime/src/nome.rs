@@ -1,0 +1,57 @@
+//! √q in two words, for coefficients that are to be rounded only once.
+
+use crate::double::Double;
+
+/// Landen steps until the nome is below this; then ε(1 + 2ε⁴ + 15ε⁸) is exact to 2⁻¹⁰⁶.
+const SMALL_NOME: f64 = 1e-3;
+
+/// Enough Landen steps for every `f64` complement: q at k′ = 10⁻³⁰⁰ is 0.993, and 0.993^(2¹²) is small.
+const MAX_STEPS: usize = 14;
+
+/// √q = exp(−πK′/(2K)) for 0 ≤ k < 1, relative error below 2⁻⁹⁷.
+///
+/// n Landen steps turn q into q^(2ⁿ) = ε(1 + 2ε⁴ + 15ε⁸ + 150ε¹² + …) with ε = c₍ₙ₊₁₎/(4a₍ₙ₊₂₎) in the AGM of 1 and k′ with
+/// c₀ = k (DLMF 19.8, 20.9); then n + 1 square roots lead back. Without the AGM's means, for tiny k,
+/// q = (k²/16)(1 + k²/2 + …).
+pub(crate) fn root_of_nome(k: Double, kc: Double) -> Double {
+    if k.hi < 1e-10 {
+        return k.scale(0.25) * (Double::ONE + (k * k).scale(0.25));
+    }
+    let (mut a, mut b) = (Double::ONE, kc);
+    let mut c = k;
+    let mut steps = 0;
+    // Invariant: c = cₙ, (a, b) = (aₙ, bₙ); q^(2^(n−1)) ≈ cₙ/(4a₍ₙ₊₁₎).
+    loop {
+        let mean = (a + b).scale(0.5);
+        b = (a * b).sqrt();
+        a = mean;
+        if steps > 0 {
+            let e = c / mean.scale(4.0);
+            if e.hi < SMALL_NOME || steps == MAX_STEPS {
+                return root(series(e), steps);
+            }
+        }
+        c = c * c / mean.scale(4.0);
+        steps += 1;
+    }
+}
+
+/// q, rounded once; 1 for k = 1.
+pub(crate) fn nome_of(k: Double, kc: Double) -> f64 {
+    if kc.hi == 0.0 {
+        return 1.0;
+    }
+    let root = root_of_nome(k, kc);
+    (root * root).to_f64()
+}
+
+/// ε(1 + 2ε⁴ + 15ε⁸).
+fn series(e: Double) -> Double {
+    let fourth = (e * e) * (e * e);
+    e * (Double::ONE + fourth.scale(2.0) + fourth * fourth * 15.0)
+}
+
+/// x^(1/2ⁿ).
+fn root(x: Double, n: usize) -> Double {
+    (0..n).fold(x, |x, _| x.sqrt())
+}

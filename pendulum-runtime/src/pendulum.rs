@@ -1,0 +1,203 @@
+//! The public face of a motion.
+
+use crate::error::Error;
+use crate::fourier::Fourier;
+use crate::launch;
+use crate::motion::Motion;
+use crate::regime::Regime;
+use crate::scalar::Scalar;
+use core::marker::PhantomData;
+
+/// The exact motion of a pendulum, θ̈ + ω² sin θ = 0, from any initial state, at any time.
+///
+/// `F` is `f32` or `f64`; `f32` computes in `f64` and rounds once. Angles are in rad from the vertical, downward,
+/// unbounded (turns are counted); ω = √(g/ℓ) in rad per unit of t.
+///
+/// # Accuracy (`f64`)
+/// The numbers given are taken as exact. Released from rest, θ is within 2⁻⁵⁰·|θ0| for |θ0| from 1e-9 to π − 1e-12 and
+/// |t| up to 2⁴⁵ periods; from any other state within 2⁻⁵⁰·max(|θ|, 1); velocity and acceleration within 2⁻⁵⁰ of their
+/// largest value, position within 2⁻⁵⁰. Beyond 2⁴⁵ periods accuracy falls off, yet for every finite t results are
+/// finite and swings stay within their amplitude. NaN and ±∞ give NaN. Released from rest, θ(−t) = θ(t), and −θ0 gives
+/// −θ(t), to the bit. The bits do not depend on platform or optimisation.
+///
+/// # Conditioning near the top
+/// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is
+/// (2/ω) ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in
+/// π − θ0 and of 7.5e-6 in the period, and after n periods θ may differ by anything that 2πn · 7.5e-6 turns of phase
+/// make of it. The same holds for a velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ). What this type
+/// computes is the motion of the number it was given, not of the one that was meant; where that is a formula such as
+/// π − 10⁻¹², the macro `pendulum!` takes it exactly.
+///
+/// ```
+/// # use pendulum_runtime::{Error, Pendulum};
+/// let clock = Pendulum::<f64>::new(0.3, 3.13)?;
+/// let a_year = 3.156e7;
+/// let (theta, velocity) = clock.state(a_year);
+/// let resumed = Pendulum::<f64>::from_state(theta, velocity, 3.13)?;
+/// assert!((resumed.theta(1.0) - clock.theta(a_year + 1.0)).abs() < 1e-14);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pendulum<F: Scalar> {
+    motion: Motion,
+    scalar: PhantomData<F>,
+}
+
+impl<F: Scalar> Pendulum<F> {
+    /// Released at rest from `theta0` (rad, |θ0| < π) with small-angle rate `omega` > 0 (rad per unit of t).
+    ///
+    /// `theta0` = 0 hangs at rest.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Amplitude`] if |θ0| exceeds the last `f64` below π; [`Error::Frequency`] if
+    /// ω ≤ 0.
+    ///
+    /// ```
+    /// # use pendulum_runtime::{Error, Pendulum};
+    /// let p = Pendulum::<f64>::new(2.5, 1.0)?;
+    /// assert_eq!(p.theta(0.0), 2.5);
+    /// assert!(matches!(Pendulum::<f64>::new(3.2, 1.0), Err(Error::Amplitude { .. })));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn new(theta0: F, omega: F) -> Result<Self, Error> {
+        Ok(Self { motion: launch::at_rest(theta0.widen(), omega.widen())?, scalar: PhantomData })
+    }
+
+    /// In the state (`theta`, `velocity`) at t = 0: any angle (whole turns are kept) and any angular velocity, rad per
+    /// unit of t. Swing, separatrix or rotation is decided in twice the working precision.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Frequency`] if ω ≤ 0; [`Error::Velocity`] if |velocity|/ω exceeds 10²⁹⁰.
+    ///
+    /// ```
+    /// # use pendulum_runtime::{Error, Pendulum, Regime};
+    /// assert_eq!(Pendulum::<f64>::from_state(0.0, 1.9, 1.0)?.regime(), Regime::Swing);
+    /// assert_eq!(Pendulum::<f64>::from_state(0.0, 2.0, 1.0)?.regime(), Regime::Separatrix);
+    /// assert_eq!(Pendulum::<f64>::from_state(0.0, -2.1, 1.0)?.regime(), Regime::Rotation);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn from_state(theta: F, velocity: F, omega: F) -> Result<Self, Error> {
+        let motion = launch::from_state(theta.widen(), velocity.widen(), omega.widen())?;
+        Ok(Self { motion, scalar: PhantomData })
+    }
+
+    /// θ(t), rad; turns counted, so that a rotation grows without bound.
+    #[inline]
+    pub fn theta(&self, t: F) -> F {
+        F::narrow(self.motion.angle(&self.motion.at(t.widen())))
+    }
+
+    /// θ̇(t), rad per unit of t.
+    #[inline]
+    pub fn velocity(&self, t: F) -> F {
+        F::narrow(self.motion.speed(&self.motion.at(t.widen())))
+    }
+
+    /// (θ(t), θ̇(t)), sharing one phase reduction.
+    #[inline]
+    pub fn state(&self, t: F) -> (F, F) {
+        let point = self.motion.at(t.widen());
+        (F::narrow(self.motion.angle(&point)), F::narrow(self.motion.speed(&point)))
+    }
+
+    /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared.
+    #[inline]
+    pub fn acceleration(&self, t: F) -> F {
+        F::narrow(self.motion.acceleration(&self.motion.at(t.widen())))
+    }
+
+    /// The bob, (sin θ, −cos θ), in units of the length, y upward; computed without θ and without an arctangent.
+    #[inline]
+    pub fn position(&self, t: F) -> (F, F) {
+        let (x, y) = self.motion.position(&self.motion.at(t.widen()));
+        (F::narrow(x), F::narrow(y))
+    }
+
+    /// θ(t) less its whole turns, in [−π, π): keeps its digits however far a rotation has gone.
+    #[inline]
+    pub fn wrapped(&self, t: F) -> F {
+        F::narrow_angle(self.motion.wrapped(&self.motion.at(t.widen())))
+    }
+
+    /// The first t ≥ 0 at which θ(t) = `theta`, turns counted.
+    ///
+    /// By Carlson's R_F in twice the working precision, so the result is as good as conditioning allows: within a few
+    /// ulp of t, except where θ̇ is small, at a turning point, where half an ulp of the angle moves t by
+    /// √(ulp/|θ̈|).
+    ///
+    /// # Errors
+    /// [`Error::NeverReached`] if no t ≥ 0 qualifies; [`Error::NotFinite`].
+    ///
+    /// ```
+    /// # use pendulum_runtime::{Error, Pendulum};
+    /// let p = Pendulum::<f64>::new(2.0, 1.0)?;
+    /// assert!((p.time_at(0.0)? - p.period() / 4.0).abs() < 1e-15);
+    /// assert!(matches!(p.time_at(2.1), Err(Error::NeverReached { .. })));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn time_at(&self, theta: F) -> Result<F, Error> {
+        self.motion.time_at(theta.widen()).map(F::narrow)
+    }
+
+    /// T = 4K/ω of a swing, 2π/ω at rest, the time of one turn of a rotation, ∞ on the separatrix.
+    pub fn period(&self) -> F {
+        F::narrow_or_infinite(self.motion.period())
+    }
+
+    /// The largest |θ| from the vertical: |θ0| of a swing, 0 at rest, π on the separatrix, ∞ for a rotation.
+    pub fn amplitude(&self) -> F {
+        F::narrow_or_infinite(self.motion.amplitude)
+    }
+
+    /// The elliptic modulus k: sin(θ0/2) of a swing, 1 on the separatrix, κ = 2ω/v0 < 1 of a rotation that passes the
+    /// bottom at v0.
+    pub fn modulus(&self) -> F {
+        F::narrow(self.motion.moduli.k.to_f64())
+    }
+
+    /// The nome q = exp(−πK′/K) of the modulus; 1 on the separatrix.
+    pub fn nome(&self) -> F {
+        F::narrow(self.motion.nome())
+    }
+
+    /// K, the complete elliptic integral of the modulus: the quarter period of a swing in units of 1/ω
+    /// (T = 4K/ω); ∞ on the separatrix. One turn of a rotation takes 2κK/ω.
+    pub fn quarter_period(&self) -> F {
+        F::narrow_or_infinite(self.motion.quarter_period())
+    }
+
+    /// What the pendulum does for all time.
+    pub fn regime(&self) -> Regime {
+        self.motion.regime
+    }
+
+    /// The energy per unit of mass and length squared in units of ω², θ̇²/(2ω²) + 1 − cos θ: below 2 a swing, above a
+    /// rotation.
+    pub fn energy(&self) -> F {
+        F::narrow(self.motion.energy())
+    }
+
+    /// The small-angle approximation θ(0) cos ωt + (θ̇(0)/ω) sin ωt (Eq. 3, there from rest), with ωt reduced exactly.
+    ///
+    /// Its period is off by θ0²/16, so its error grows with t: at 10° 0.9 % of θ0 within one period, 12 % within ten.
+    pub fn small_angle(&self, t: F) -> F {
+        F::narrow(self.motion.small_angle(t.widen()))
+    }
+
+    /// The harmonic approximation θ0 cos(2πt/T) with the exact period (Eq. 17), with the phase of the initial state.
+    ///
+    /// NaN for rotation and separatrix.
+    pub fn harmonic(&self, t: F) -> F {
+        F::narrow(self.motion.harmonic(t.widen()))
+    }
+
+    /// The paper's θ̂ with N Fourier terms (Eq. 22).
+    ///
+    /// # Errors
+    /// [`Error::Overshoot`] if N terms make the argument of the arcsine exceed 1 (from θ0 = 0.7308π for N = 1, 0.9046π
+    /// for 2, 0.9139π for 3, 0.9547π for 4, …); [`Error::NoTerms`] for N = 0; [`Error::NotASwing`] for rotation and
+    /// separatrix.
+    pub fn fourier<const N: usize>(&self) -> Result<Fourier<N, F>, Error> {
+        Fourier::new(self.motion)
+    }
+}

@@ -1,0 +1,62 @@
+//! The number types of the interface.
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// `f32` or `f64`: the type of t and of the results. `f32` computes in `f64` and rounds once.
+pub trait Scalar: sealed::Sealed + Copy + core::fmt::Debug + Default + PartialOrd + 'static {
+    /// Exactly.
+    #[doc(hidden)]
+    fn widen(self) -> f64;
+    /// To nearest; finite stays finite.
+    #[doc(hidden)]
+    fn narrow(x: f64) -> Self;
+    /// To nearest, infinity included.
+    #[doc(hidden)]
+    fn narrow_or_infinite(x: f64) -> Self;
+    /// To nearest, but never beyond the last number below π in magnitude; +π becomes the first number from −π on.
+    #[doc(hidden)]
+    fn narrow_angle(x: f64) -> Self;
+}
+
+impl Scalar for f64 {
+    #[inline]
+    fn widen(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn narrow(x: f64) -> Self {
+        x
+    }
+    #[inline]
+    fn narrow_or_infinite(x: f64) -> Self {
+        x
+    }
+    #[inline]
+    fn narrow_angle(x: f64) -> Self {
+        x // `f64`'s π is below π
+    }
+}
+
+impl Scalar for f32 {
+    #[inline]
+    fn widen(self) -> f64 {
+        f64::from(self)
+    }
+    #[inline]
+    fn narrow(x: f64) -> Self {
+        (x as f32).clamp(f32::MIN, f32::MAX)
+    }
+    #[inline]
+    fn narrow_or_infinite(x: f64) -> Self {
+        x as f32
+    }
+    #[inline]
+    fn narrow_angle(x: f64) -> Self {
+        const BELOW_PI: f32 = core::f32::consts::PI.next_down();
+        (x as f32).clamp(-BELOW_PI, BELOW_PI)
+    }
+}

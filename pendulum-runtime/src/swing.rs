@@ -1,0 +1,236 @@
+//! The shape of a swing: θ and θ̇ as functions of the phase, for amplitudes from 0 up to the last `f64` below π.
+//!
+//! Theta quotients (DLMF 20, and the half-nome pair S, C of the crate documentation) with everything written in terms
+//! of one sine or one exponential. With w = 2πz, z the phase in turns since the angle last passed zero,
+//!
+//! * direct, √q ≤ ½: tan(θ/4) = √q-series: sin w · N(η)/D(η), η = 4 sin² w;
+//! * dual, nearer to the top: tan(θ/4) = tanh X · N(η)/D(η), η = −4 sinh² X, X = πKz/K′.
+//!
+//! N and D have at most four coefficients for 2⁻⁵³, because the weights fall as q^(n²).
+
+use crate::agm::{agm, sqrt_nome};
+use crate::double::Double;
+use crate::kernel::{exp2_m1, four_atan, horner, sin_turns};
+use crate::phase::Reduced;
+use crate::theta_polynomial::Harmonics::{EvenCosine, OddCosine, OddSine};
+use crate::theta_polynomial::{alternate, polynomial, power};
+
+/// k′ above which the direct series serve: √q = ½ at k′ = 0.1115.
+const DIRECT_FROM: f64 = 0.12;
+
+/// 2/ln 2, so that e^{2X} = 2^{(2/ln 2) X}.
+const TWO_BY_LN_2: f64 = 2.0 * core::f64::consts::LOG2_E;
+
+/// Exponents are held below this: beyond, 2⁻⁶⁰ says that the motion stands at the top.
+pub(crate) const LARGEST_EXPONENT: f64 = 60.0;
+
+/// Where in a swing: all that is evaluated at.
+#[derive(Clone, Copy)]
+pub(crate) struct SwingPhase {
+    /// Turns since (before) the last (next) passage through zero, positive while the angle is; in [−¼, ¼].
+    crossing: f64,
+    /// Turns to the nearest turning point, in [0, ¼].
+    turning: f64,
+    /// +1 while the angle grows.
+    growing: f64,
+}
+
+impl SwingPhase {
+    /// From the phase since the positive turning point.
+    ///
+    /// ¼ − |s| is exact from |s| = ⅛ on (Sterbenz), so the steep part near the zero crossings keeps relative accuracy.
+    #[inline]
+    pub(crate) fn new(phase: Reduced) -> Self {
+        let (s, low) = if phase.high < 0.0 { (-phase.high, -phase.low) } else { (phase.high, phase.low) };
+        let turning = if s <= 0.25 { s + low } else { (0.5 - s) - low };
+        Self {
+            crossing: (0.25 - s) - low,
+            turning: turning.max(0.0),
+            growing: if phase.high < 0.0 { 1.0 } else { -1.0 },
+        }
+    }
+
+    /// Turns from the zero crossing, signed like the angle.
+    #[inline]
+    pub(crate) fn crossing(&self) -> f64 {
+        self.crossing
+    }
+
+    /// `z` turns after the passage through zero, 0 ≤ z ≤ ¼.
+    pub(crate) fn at_crossing(z: f64) -> Self {
+        Self { crossing: z, turning: 0.25 - z, growing: 1.0 }
+    }
+}
+
+/// The shape of a swing of one amplitude.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Swing {
+    /// Nothing returned exceeds it.
+    amplitude: f64,
+    /// Scales the velocity's quotient to 1 at the zero crossing.
+    rate: f64,
+    series: Series,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Series {
+    Direct { angle: ([f64; 4], [f64; 4]), rate: ([f64; 5], [f64; 6]) },
+    Dual { growth: f64, angle: ([f64; 4], [f64; 4]), rate: DualRate },
+}
+
+/// cn = ϑ₄/ϑ₂ about the zero crossing and ϑ₁/ϑ₃ about the turning point, each used on its half of the quarter swing:
+/// the first would cancel at the turning point, the second would turn the rounding of a large exponent into an error
+/// where the motion is steep.
+#[derive(Clone, Copy, Debug)]
+struct DualRate {
+    crossing: ([f64; 3], [f64; 3]),
+    turning: ([f64; 3], [f64; 3]),
+    /// Scales the second to the first where they meet.
+    joint: f64,
+}
+
+impl Swing {
+    /// From k = sin(θ0/2), k′ = cos(θ0/2), AGM(1, k′) and the amplitude θ0.
+    pub(crate) fn new(k: Double, kc: Double, mean: f64, amplitude: f64) -> Self {
+        let series = if kc.hi >= DIRECT_FROM { direct(k, kc) } else { dual(k.hi, kc.hi, mean) };
+        let mut swing = Self { amplitude, rate: 1.0, series };
+        swing.rate = 1.0 / swing.series.rate(SwingPhase::at_crossing(0.0));
+        swing
+    }
+
+    /// θ.
+    #[inline]
+    pub(crate) fn angle(&self, at: SwingPhase) -> f64 {
+        let (n, d) = self.quarter_tangent(at.crossing.abs());
+        let angle = four_atan(n, d);
+        let angle = if angle > self.amplitude { self.amplitude } else { angle };
+        if at.crossing < 0.0 { -angle } else { angle }
+    }
+
+    /// (sin(θ/2), cos(θ/2)).
+    #[inline]
+    pub(crate) fn half_angle(&self, at: SwingPhase) -> (f64, f64) {
+        let (n, d) = self.quarter_tangent(at.crossing.abs());
+        let (sine, cosine) = double_angle(n, d);
+        (if at.crossing < 0.0 { -sine } else { sine }, cosine)
+    }
+
+    /// θ̇ in units of its largest value.
+    #[inline]
+    pub(crate) fn velocity(&self, at: SwingPhase) -> f64 {
+        let rate = self.rate * self.series.rate(at);
+        at.growing * (if rate > 1.0 { 1.0 } else { rate })
+    }
+
+    /// (n, d) with n/d = tan(θ/4) at 0 ≤ z ≤ ¼.
+    #[inline]
+    fn quarter_tangent(&self, z: f64) -> (f64, f64) {
+        match &self.series {
+            Series::Direct { angle: (n, d), .. } => {
+                let m = sin_turns(z);
+                let eta = 4.0 * (m * m);
+                (m * horner(n, eta), horner(d, eta))
+            }
+            Series::Dual { growth, angle: (n, d), .. } => {
+                let g = exp2_m1(at_most(growth * z));
+                let eta = -(g * g) / (1.0 + g);
+                (g * horner(n, eta), (g + 2.0) * horner(d, eta))
+            }
+        }
+    }
+}
+
+impl Series {
+    /// A multiple of |θ̇|, by cn(K − u) as a quotient of theta functions that vanishes exactly at the turning point.
+    #[inline]
+    fn rate(&self, at: SwingPhase) -> f64 {
+        match self {
+            Self::Direct { rate: (n, d), .. } => {
+                // cos w and sin w from a sine each: sin² w as 1 − cos² w would magnify the rounding of the cosine fivefold.
+                let (cosine, sine) = (sin_turns(at.turning), sin_turns(at.crossing));
+                let eta = 4.0 * (sine * sine);
+                cosine * horner(n, eta) / horner(d, eta)
+            }
+            Self::Dual { growth, rate, .. } if at.turning > 0.125 => {
+                let (n, d) = &rate.crossing;
+                let e = exp2_m1(at_most(growth * at.crossing.abs())) + 1.0;
+                let inverse = 1.0 / e;
+                let eta = -((e - inverse) * (e - inverse));
+                horner(n, eta) / ((e + inverse) * horner(d, eta))
+            }
+            Self::Dual { growth, rate, .. } => {
+                let (n, d) = &rate.turning;
+                let g = exp2_m1(at_most(growth * at.turning));
+                let twice_sinh = g + g / (1.0 + g);
+                let eta = -(twice_sinh * twice_sinh);
+                rate.joint * (twice_sinh * horner(n, eta)) / horner(d, eta)
+            }
+        }
+    }
+}
+
+/// The direct series. The numerator is scaled so that tan(θ/4) at the turning point is k/(1 + k′), which the two-word
+/// moduli give correctly rounded: the error of the nome touches only the small corrections.
+fn direct(k: Double, kc: Double) -> Series {
+    let h = sqrt_nome(k.hi, kc.hi);
+    let q = h * h;
+    let mut numerator = polynomial(OddSine, |j| alternate(j) * power(q, 2 * j * (j + 1)));
+    let denominator = polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, 2 * j * j));
+    let turn = (k / (Double::ONE + kc)).to_f64();
+    let scale = turn * horner(&denominator, 4.0) / horner(&numerator, 4.0);
+    for c in &mut numerator {
+        *c *= scale;
+    }
+    Series::Direct {
+        angle: (numerator, denominator),
+        rate: (
+            polynomial(OddCosine, |j| power(q, j * (j + 1))),
+            polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, j * j)),
+        ),
+    }
+}
+
+/// The dual series, in p = √q′.
+fn dual(k: f64, kc: f64, mean: f64) -> Series {
+    let p = sqrt_nome(kc, k);
+    let qc = p * p;
+    let growth = core::f64::consts::PI * TWO_BY_LN_2 * (agm(k) / mean);
+    let angle = (
+        polynomial(OddSine, |j| alternate(j) * power(p, j * (j + 1))),
+        polynomial(OddCosine, |j| power(p, j * (j + 1))),
+    );
+    let rate = DualRate {
+        crossing: (
+            polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(qc, j * j)),
+            polynomial(OddCosine, |j| power(qc, j * (j + 1))),
+        ),
+        turning: (
+            polynomial(OddSine, |j| alternate(j) * power(qc, j * (j + 1))),
+            polynomial(EvenCosine, |j| twice_after_first(j) * power(qc, j * j)),
+        ),
+        joint: 1.0,
+    };
+    let at_joint = |rate: DualRate, turning: f64| {
+        Series::Dual { growth, angle, rate }.rate(SwingPhase { crossing: 0.125, turning, growing: 1.0 })
+    };
+    let joint = at_joint(rate, 0.125_f64.next_up()) / at_joint(rate, 0.125);
+    Series::Dual { growth, angle, rate: DualRate { joint, ..rate } }
+}
+
+/// (sin 2α, cos 2α) from tan α = n/d.
+#[inline]
+pub(crate) fn double_angle(n: f64, d: f64) -> (f64, f64) {
+    let norm = n * n + d * d;
+    (2.0 * (n * d) / norm, (d - n) * (d + n) / norm)
+}
+
+/// 1, 2, 2, …: the coefficients of a theta series in cosines.
+pub(crate) fn twice_after_first(j: i32) -> f64 {
+    if j == 0 { 1.0 } else { 2.0 }
+}
+
+/// Keeps an exponent where the powers of e^{2X} in the series cannot overflow.
+#[inline]
+pub(crate) fn at_most(exponent: f64) -> f64 {
+    if exponent > LARGEST_EXPONENT { LARGEST_EXPONENT } else { exponent }
+}

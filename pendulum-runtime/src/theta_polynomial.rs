@@ -1,0 +1,68 @@
+//! Theta series as polynomials: ratios such as sin((2j+1)w)/sin w are polynomials in η = 4 sin² w.
+//!
+//! All four families obey P₍ⱼ₊₁₎ = (2 − η)Pⱼ − P₍ⱼ₋₁₎ with P₀ = 1 and differ only in P₁. Hyperbolic arguments w = iX need
+//! nothing new: η = −4 sinh² X. So a theta quotient is one sine (or exponential) and two short polynomials, whatever
+//! the number of harmonics.
+
+/// Which harmonics are expanded; each is 1 for j = 0.
+#[derive(Clone, Copy)]
+pub(crate) enum Harmonics {
+    /// sin((2j+1)w)/sin w.
+    OddSine,
+    /// cos((2j+1)w)/cos w.
+    OddCosine,
+    /// cos(2jw).
+    EvenCosine,
+    /// sin(2(j+1)w)/sin 2w.
+    EvenSine,
+}
+
+/// The coefficients, lowest power of η first, of Σⱼ weightⱼ Pⱼ(η).
+pub(crate) fn polynomial<const N: usize>(harmonics: Harmonics, weight: impl Fn(i32) -> f64) -> [f64; N] {
+    let (constant, slope) = match harmonics {
+        Harmonics::OddSine => (3.0, 1.0),
+        Harmonics::OddCosine => (1.0, 1.0),
+        Harmonics::EvenCosine => (1.0, 0.5),
+        Harmonics::EvenSine => (2.0, 1.0),
+    };
+    let (mut previous, mut current) = ([0.0; N], [0.0; N]);
+    let mut sum = [0.0; N];
+    previous[0] = 1.0;
+    current[0] = constant;
+    if N > 1 {
+        current[1] = -slope;
+    }
+    sum[0] = weight(0);
+    for j in 1..N {
+        let w = weight(j as i32);
+        for i in 0..=j {
+            sum[i] += w * current[i];
+        }
+        let mut next = [0.0; N];
+        for i in 0..N {
+            let shifted = if i > 0 { current[i - 1] } else { 0.0 };
+            next[i] = 2.0 * current[i] - shifted - previous[i];
+        }
+        previous = current;
+        current = next;
+    }
+    sum
+}
+
+/// xⁿ for n ≥ 0 by squaring.
+pub(crate) fn power(x: f64, n: i32) -> f64 {
+    let (mut result, mut base, mut n) = (1.0, x, n);
+    while n > 0 {
+        if n & 1 == 1 {
+            result *= base;
+        }
+        base *= base;
+        n >>= 1;
+    }
+    result
+}
+
+/// (−1)ʲ.
+pub(crate) fn alternate(j: i32) -> f64 {
+    if j & 1 == 0 { 1.0 } else { -1.0 }
+}

@@ -1,0 +1,112 @@
+//! The runtime against independent truth. `cargo test --release --test runtime_reference -- --nocapture` prints the
+//! table of the worst errors per regime and decade of t.
+
+mod data;
+
+use data::Row;
+use pendulum_runtime::{Pendulum, Regime};
+use std::collections::BTreeMap;
+
+/// 2⁻⁵⁰, the promise's unit.
+const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
+
+/// The promises hold for 2⁴⁵ periods.
+const HORIZON: f64 = (1_u64 << 45) as f64;
+
+fn pendulum(row: &Row) -> Pendulum<f64> {
+    let made = if row.velocity0 == 0.0 {
+        Pendulum::new(row.theta0, row.omega)
+    } else {
+        Pendulum::from_state(row.theta0, row.velocity0, row.omega)
+    };
+    made.expect("the reference data hold valid states")
+}
+
+fn periods(p: &Pendulum<f64>, t: f64) -> f64 {
+    if p.regime() == Regime::Separatrix { 0.0 } else { t.abs() / p.period() }
+}
+
+/// Errors of θ and θ̇ as fractions of what is allowed: the promise, and beside the separatrix 2⁻⁴⁵ of what an ulp of
+/// the initial velocity does to the phase by then.
+fn errors(p: &Pendulum<f64>, row: &Row) -> (f64, f64) {
+    let scale = if row.velocity0 == 0.0 { row.theta0.abs() } else { row.theta.nearest.abs().max(1.0) };
+    let top_speed = row.omega * (2.0 * p.energy()).sqrt();
+    let (theta, velocity) = p.state(row.t);
+    let shift = time_shift(p, row) / (1_u64 << 45) as f64;
+    (
+        row.theta.distance(theta) / (scale * UNIT + top_speed * shift),
+        row.velocity.distance(velocity) / (top_speed * (UNIT + row.omega * shift)),
+    )
+}
+
+/// How much earlier or later everything happens about t if the initial velocity is an ulp larger. Released from rest
+/// there is no such allowance.
+fn time_shift(p: &Pendulum<f64>, row: &Row) -> f64 {
+    if row.velocity0 == 0.0 || p.regime() == Regime::Separatrix {
+        return 0.0;
+    }
+    let nearby = Row { velocity0: row.velocity0.next_up(), ..*row };
+    let change = (pendulum(&nearby).period() - p.period()) / p.period();
+    if change.is_finite() { row.t.abs() * change.abs() } else { 0.0 }
+}
+
+/// The decade of t in periods, as a label that sorts.
+fn decade(periods: f64) -> String {
+    match periods {
+        x if x < 1.0 => "          < 1".into(),
+        x => format!("10^{:02} .. 10^{:02}", x.log10() as u32, x.log10() as u32 + 1),
+    }
+}
+
+#[test]
+fn every_row_keeps_the_promise() {
+    let mut worst = BTreeMap::<(String, String), (f64, f64, u32)>::new();
+    for row in data::reference().chain(data::states()) {
+        let p = pendulum(&row);
+        let periods = periods(&p, row.t);
+        if periods > HORIZON {
+            continue;
+        }
+        let (theta, velocity) = errors(&p, &row);
+        assert!(theta <= 1.0, "theta is off by {theta} of the promise after {periods:e} periods: {row:?}");
+        assert!(velocity <= 1.0, "velocity is off by {velocity} of the promise after {periods:e} periods: {row:?}");
+        let kind = if row.velocity0 == 0.0 { "released" } else { "launched" };
+        let entry = worst.entry((format!("{:?}, {kind}", p.regime()), decade(periods))).or_default();
+        *entry = (entry.0.max(theta), entry.1.max(velocity), entry.2 + 1);
+    }
+    println!("worst error in units of the promise (2^-50 of |theta0|, or of max(|theta|, 1) when launched)");
+    println!("{:22} {:>15} {:>8} {:>9} {:>6}", "regime", "periods", "theta", "velocity", "rows");
+    for ((regime, decade), (theta, velocity, rows)) in worst {
+        println!("{regime:22} {decade:>15} {theta:8.3} {velocity:9.3} {rows:6}");
+    }
+}
+
+#[test]
+fn beyond_the_horizon_all_is_finite_and_bounded() {
+    let extremes = [2f64.powi(60), 1e22, -1e100, 1e300, f64::MAX, f64::MIN];
+    for row in data::reference() {
+        let p = pendulum(&row);
+        for t in [row.t].into_iter().chain(extremes) {
+            let (theta, velocity) = p.state(t);
+            let (x, y) = p.position(t);
+            let all = [theta, velocity, x, y, p.acceleration(t), p.wrapped(t), p.small_angle(t)];
+            assert!(all.iter().all(|value| value.is_finite()), "{row:?} at {t:e}: {all:?}");
+            assert!(p.regime() == Regime::Rotation || theta.abs() <= p.amplitude(), "{row:?} at {t:e}: {theta}");
+            assert!(p.wrapped(t).abs() <= core::f64::consts::PI);
+        }
+    }
+}
+
+#[test]
+fn f32_rounds_the_exact_motion_of_its_own_parameters_once() {
+    // 2⁻²⁴ is the rounding to f32; the f64 underneath is off by 2⁻⁵⁰ more.
+    for row in data::states() {
+        let [theta0, velocity0, omega, t] = [row.theta0, row.velocity0, row.omega, row.t].map(|x| x as f32);
+        let narrow = Pendulum::<f32>::from_state(theta0, velocity0, omega).expect("valid");
+        let wide = Pendulum::<f64>::from_state(theta0.into(), velocity0.into(), omega.into()).expect("valid");
+        let (theta, velocity) = narrow.state(t);
+        let (exact, speed) = wide.state(t.into());
+        assert_eq!((theta, velocity), (exact as f32, speed as f32));
+        assert_eq!(narrow.theta(t), theta);
+    }
+}
