@@ -41,7 +41,8 @@ pub fn pareto(outcomes: &[Outcome], amplitude: Amplitude, precision: &str) -> Lo
     let mut series: Vec<Series> = Vec::new();
     for one in field.iter().filter(|one| !matches!(one.family, Family::Yardstick | Family::Forced)) {
         let look = look(one.family, &one.name);
-        let point = Point { note: note(one), ..Point::new(one.array.median, one.error) };
+        let note_left = one.name == "semi-implicit Euler";
+        let point = Point { note: note(one), note_left, ..Point::new(one.array.median, one.error) };
         match series.iter_mut().find(|seen| seen.label == one.name) {
             Some(seen) => seen.points.push(point),
             None => series.push(Series {
@@ -87,6 +88,7 @@ fn note(one: &Outcome) -> String {
     match one.family {
         Family::Table => one.setting.trim_end_matches(" points").into(),
         Family::Stepper if !one.setting.contains("tolerance") => one.setting.clone(),
+        Family::Library if !one.setting.is_empty() => one.setting.clone(),
         _ => String::new(),
     }
 }
@@ -109,6 +111,21 @@ pub fn drift(drifts: &[Drift], amplitude: Amplitude) -> LogLog {
         x_label: "periods elapsed".into(),
         y_label: "largest error in one period (rad)".into(),
         y_range: Some((1e-17, 20.0)),
-        series: drifts.iter().map(line).collect(),
+        series: drifts.iter().filter(|one| shown(one)).map(line).collect(),
+    }
+}
+
+/// One or two of a kind: the picture with all of them cannot be read.
+fn shown(one: &Drift) -> bool {
+    match one.family {
+        Family::Yardstick | Family::Forced => false,
+        Family::Paper => ["N = 4", "N = 12"].contains(&one.setting.as_str()),
+        Family::Library => one.setting != "f64",
+        Family::Stepper if one.setting.contains("tolerance") => {
+            one.name.contains("T/1000") && !one.setting.contains("10⁻⁶")
+        }
+        Family::Stepper => one.setting == "T/100" || one.name == "RK4",
+        Family::Planned => ["tol 1e-3", "tol 1e-6", "tol 1e-9", "full precision"].contains(&one.setting.as_str()),
+        Family::Runtime | Family::Table => true,
     }
 }

@@ -25,8 +25,8 @@ pub(super) fn contestants<R: Adaptive>(motion: &Motion) -> Vec<Contestant<R>> {
         for &(tolerance, text) in tolerances {
             let interval = R::of(motion.period / f64::from(samples)).wide();
             let method = DormandPrince { theta0: R::of(motion.theta0), interval, tolerance: R::of(tolerance) };
-            let setting = format!("samples at T/{samples}, tolerance {text}");
-            all.push(Contestant::stepping("Dormand–Prince (ode_solvers)", &setting, method));
+            let name = format!("Dormand–Prince, samples at T/{samples}");
+            all.push(Contestant::stepping(&name, &format!("tolerance {text}"), method));
         }
     }
     all

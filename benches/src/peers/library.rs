@@ -50,8 +50,8 @@ impl Precision for f32 {
 fn boost<R: Real + foreign::Boost>(motion: &Motion) -> [Contestant<R>; 2] {
     let modulus = R::of(motion.modulus);
     [
-        entry("Boost.Math", "in the next wider type", angle(motion, move |u| R::promoted_cn(modulus, u))),
-        entry("Boost.Math", "without promotion", angle(motion, move |u| R::plain_cn(modulus, u))),
+        entry("Boost.Math", R::WIDER, angle(motion, move |u| R::promoted_cn(modulus, u))),
+        entry("Boost.Math", R::NAME, angle(motion, move |u| R::plain_cn(modulus, u))),
     ]
 }
 

@@ -36,13 +36,15 @@ pub struct Point {
     pub y: f64,
     /// A short text beside it; empty for none.
     pub note: String,
+    /// Whether the note stands on the left.
+    pub note_left: bool,
 }
 
 impl Point {
     /// A point without a note.
     #[must_use]
     pub fn new(x: f64, y: f64) -> Self {
-        Self { x, y, note: String::new() }
+        Self { x, y, note: String::new(), note_left: false }
     }
 }
 
@@ -76,7 +78,8 @@ pub struct LogLog {
     pub series: Vec<Series>,
 }
 
-const HEIGHT: u32 = 560;
+/// Least height of the sheet, in pixels; a long legend makes it higher.
+const HEIGHT: f64 = 560.0;
 /// Width of the frame, in pixels.
 const FRAME_WIDTH: f64 = 620.0;
 const MARGIN: Window = Window { left: 84.0, top: 44.0, right: 16.0, bottom: 54.0 };
@@ -90,6 +93,11 @@ fn visible(series: &Series) -> impl Iterator<Item = &Point> {
 }
 
 impl LogLog {
+    fn height(&self) -> f64 {
+        let entries = self.series.iter().filter(|series| !series.label.is_empty()).count();
+        HEIGHT.max(MARGIN.top + LEGEND_STEP * entries as f64 + 8.0)
+    }
+
     fn frame(&self) -> Frame {
         let points = || self.series.iter().flat_map(visible);
         let y = match self.y_range {
@@ -103,7 +111,7 @@ impl LogLog {
             left: MARGIN.left,
             top: MARGIN.top,
             right: MARGIN.left + FRAME_WIDTH,
-            bottom: f64::from(HEIGHT) - MARGIN.bottom,
+            bottom: self.height() - MARGIN.bottom,
         };
         Frame { window, x: Axis::logarithmic(&self.x_label, points().map(|point| point.x)), y }
     }
@@ -117,7 +125,7 @@ impl LogLog {
 impl Figure for LogLog {
     fn size(&self) -> (u32, u32) {
         let width = MARGIN.left + FRAME_WIDTH + MARGIN.right + self.legend_width() + 12.0;
-        (width.ceil() as u32, HEIGHT)
+        (width.ceil() as u32, self.height().ceil() as u32)
     }
 
     fn draw<B: DrawingBackend>(&self, sheet: &Sheet<B>) -> Result<(), Error>
@@ -163,8 +171,9 @@ impl Series {
                 marker.draw(sheet, (x, y), self.colour)?;
             }
             if !point.note.is_empty() {
-                let kind = Type::new(TICK_SIZE - 1.0, self.colour, HPos::Left, VPos::Center);
-                sheet.text(&point.note, (x + RADIUS + 4.0, y), kind)?;
+                let (side, away) = if point.note_left { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
+                let kind = Type::new(TICK_SIZE - 1.0, self.colour, side, VPos::Center);
+                sheet.text(&point.note, (x + away * (RADIUS + 4.0), y), kind)?;
             }
         }
         Ok(())

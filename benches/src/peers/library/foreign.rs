@@ -37,13 +37,17 @@ mod boost {
 
     /// A precision of Boost's functions.
     pub(crate) trait Boost: Sized {
-        /// cn(u; k) computed in the next wider type, as the library does it unasked.
+        /// The type that the library computes in unasked.
+        const WIDER: &'static str;
+        /// cn(u; k) computed in the wider type.
         fn promoted_cn(modulus: Self, u: Self) -> Self;
         /// cn(u; k) computed in the type itself.
         fn plain_cn(modulus: Self, u: Self) -> Self;
     }
 
     impl Boost for f64 {
+        const WIDER: &'static str = "long double";
+
         fn promoted_cn(modulus: Self, u: Self) -> Self {
             pendula_boost_cn(modulus, u)
         }
@@ -54,6 +58,8 @@ mod boost {
     }
 
     impl Boost for f32 {
+        const WIDER: &'static str = "double";
+
         fn promoted_cn(modulus: Self, u: Self) -> Self {
             pendula_boost_cnf(modulus, u)
         }
