@@ -11,8 +11,10 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use pendula_benches::amplitude::Amplitude;
+use pendula_benches::contestant::Contestant;
 use pendula_benches::drift::{self, Drift};
-use pendula_benches::peers::{self, peers};
+use pendula_benches::ours::{Planned, ours};
+use pendula_benches::peers::{self, Precision, peers};
 use pendula_benches::race::Effort;
 use pendula_benches::session::{Field, Outcome, Session};
 use pendula_benches::{figures, machine, report};
@@ -74,18 +76,25 @@ fn measure(options: &Options) -> Result<(), Box<dyn Error>> {
         println!("missing: {}: {}", peer.name, peer.why);
     }
     let session = Session {
-        doubles: Amplitude::ALL.map(|amplitude| Field::new(amplitude, peers::<f64>(amplitude))).into(),
-        singles: Amplitude::ALL.map(|amplitude| Field::new(amplitude, peers::<f32>(amplitude))).into(),
+        doubles: Amplitude::ALL.map(|amplitude| Field::new(amplitude, everyone(amplitude))).into(),
+        singles: Amplitude::ALL.map(|amplitude| Field::new(amplitude, everyone(amplitude))).into(),
     };
     let outcomes = session.run(options.effort, |what| progress(start, what));
     progress(start, "drift");
-    let drifts = drift::measure(Amplitude::LARGE, &peers::<f64>(Amplitude::LARGE), options.steps);
+    let drifts = drift::measure(Amplitude::LARGE, &everyone::<f64>(Amplitude::LARGE), options.steps);
     progress(start, "done");
     eprintln!();
     write(&options.directory, &outcomes, &drifts)?;
     print!("{}", report::markdown(&outcomes, &peers::missing(), &peers::versions()));
     println!("written to {} after {:.0} s", options.directory.display(), start.elapsed().as_secs_f64());
     Ok(())
+}
+
+/// Ours and theirs.
+fn everyone<R: Precision + Planned>(amplitude: Amplitude) -> Vec<Contestant<R>> {
+    let mut all = ours(amplitude);
+    all.extend(peers(amplitude));
+    all
 }
 
 /// Rewrites one line on a terminal, and keeps quiet elsewhere.

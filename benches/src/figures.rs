@@ -5,6 +5,7 @@ use pendula_plot::{LogLog, Marker, Point, Series, Stroke, palette};
 use crate::amplitude::Amplitude;
 use crate::contestant::Family;
 use crate::drift::Drift;
+use crate::ours::ANY_TIME;
 use crate::session::Outcome;
 
 /// How a contestant is drawn: colour, marker, whether its settings are joined by a line.
@@ -17,7 +18,7 @@ struct Look {
 fn look(family: Family, name: &str) -> Look {
     let faint = Some((Stroke::Dotted, 1.2));
     let (colour, marker, line) = match (family, name) {
-        (Family::Planned, name) if name.contains("any time") => (palette::BLUE, Marker::Diamond, None),
+        (Family::Planned, ANY_TIME) => (palette::BLUE, Marker::Diamond, None),
         (Family::Planned, _) => (palette::BLUE, Marker::Disc, Some((Stroke::Solid, 2.6))),
         (Family::Forced, _) => (palette::SKY, Marker::Disc, faint),
         (Family::Runtime, _) => (palette::BLUE, Marker::Square, None),

@@ -69,8 +69,13 @@ impl<R: Real> Field<R> {
         Self { amplitude, period, contestants, times }
     }
 
+    /// In the order of the results.
+    pub fn contestants(&self) -> &[Contestant<R>] {
+        &self.contestants
+    }
+
     /// The largest error of each contestant.
-    fn errors(&self) -> Vec<f64> {
+    pub fn errors(&self) -> Vec<f64> {
         let mut truths = Truths { amplitude: self.amplitude, motions: HashMap::new(), values: HashMap::new() };
         self.contestants.iter().map(|contestant| self.error(contestant, &mut truths)).collect()
     }
@@ -98,7 +103,7 @@ impl<R: Real> Field<R> {
     }
 
     /// Two jobs per contestant: the array loop, and the single call.
-    fn jobs<'a>(&'a self, jobs: &mut Vec<Job<'a>>) {
+    pub fn jobs<'a>(&'a self, jobs: &mut Vec<Job<'a>>) {
         for contestant in &self.contestants {
             match &contestant.kind {
                 Kind::AnyTime(function) => {

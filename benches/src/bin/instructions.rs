@@ -140,11 +140,15 @@ fn instructions(what: &str, passes: &str) -> Result<f64, Failure> {
 
 /// The fields that are counted: everything at 7π/8.
 fn fields() -> (Field<f64>, Field<f32>) {
-    (Field::new(Amplitude::LARGE, ours::<f64>(Amplitude::LARGE)), Field::new(Amplitude::LARGE, ours::<f32>(Amplitude::LARGE)))
+    (
+        Field::new(Amplitude::LARGE, ours::<f64>(Amplitude::LARGE)),
+        Field::new(Amplitude::LARGE, ours::<f32>(Amplitude::LARGE)),
+    )
 }
 
 fn names<R: Real>(field: &Field<R>) -> Vec<String> {
-    let name = |one: &Contestant<R>| MODES.map(|mode| format!("{}; {}; {mode}", R::NAME, one.label()));
+    let name =
+        |one: &Contestant<R>| MODES.map(|mode| format!("{}; {}; {mode}", R::NAME, one.label().replace(',', ";")));
     field.contestants().iter().flat_map(name).collect()
 }
 
