@@ -1,0 +1,161 @@
+//! What is compared: anything that gives the angle of a pendulum released at rest with ω = 1.
+
+use std::hint::black_box;
+
+use crate::real::Real;
+use crate::truth::Given;
+
+/// Times of an array loop, and states of an ensemble.
+pub const COUNT: usize = 4096;
+/// The times lie between 0 and this many periods; so far reach the plans with a horizon.
+pub const HORIZON: f64 = 100.0;
+/// The error of a stepper is the largest over this many periods from the release.
+pub const STEPPED: f64 = 10.0;
+
+/// Who made it, which decides colour and side in the pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Family {
+    /// `sin` itself, the unit of cost.
+    Yardstick,
+    /// The macro's own choice.
+    Planned,
+    /// The macro with a method forced.
+    Forced,
+    /// Our run-time crate.
+    Runtime,
+    /// The formula of the paper as it is written there.
+    Paper,
+    /// A library of special functions.
+    Library,
+    /// A table with interpolation.
+    Table,
+    /// Time stepping.
+    Stepper,
+}
+
+impl Family {
+    /// Whether it is part of this project.
+    pub fn ours(self) -> bool {
+        matches!(self, Self::Planned | Self::Forced | Self::Runtime)
+    }
+
+    /// Whether it stands on the other side: neither ours nor the yardstick.
+    pub fn peer(self) -> bool {
+        matches!(self, Self::Paper | Self::Library | Self::Table | Self::Stepper)
+    }
+
+    /// As it is written in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Yardstick => "yardstick",
+            Self::Planned => "pendula, planned",
+            Self::Forced => "pendula, method forced",
+            Self::Runtime => "pendula, run time",
+            Self::Paper => "paper as written",
+            Self::Library => "library",
+            Self::Table => "table",
+            Self::Stepper => "stepper",
+        }
+    }
+}
+
+/// A function of time that can be asked for any t.
+pub trait AnyTime<R> {
+    /// The angles at `times`, independent of each other.
+    fn fill(&self, times: &[R], angles: &mut [R]);
+
+    /// One call after the other, each waiting for the result before.
+    fn chain(&self, times: &[R]) -> R;
+}
+
+/// Any function is one; the loops are compiled for each, so that what can be inlined is.
+#[derive(Clone, Copy, Debug)]
+pub struct Function<F>(pub F);
+
+impl<R: Real, F: Fn(R) -> R> AnyTime<R> for Function<F> {
+    #[inline(never)]
+    fn fill(&self, times: &[R], angles: &mut [R]) {
+        for (angle, &time) in angles.iter_mut().zip(times) {
+            *angle = (self.0)(time);
+        }
+    }
+
+    #[inline(never)]
+    fn chain(&self, times: &[R]) -> R {
+        let nothing = black_box(0);
+        times.iter().fold(R::zero(), |last, &time| (self.0)(time.after(last, nothing)))
+    }
+}
+
+/// A state: angle and angular velocity.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// θ in rad.
+    pub angle: R,
+    /// θ̇ with ω = 1.
+    pub velocity: R,
+}
+
+/// A method that goes from one sample to the next.
+pub trait Stepping<R> {
+    /// The time between samples.
+    fn interval(&self) -> f64;
+
+    /// The angles at `interval`, `2·interval`, … from the release.
+    fn follow(&self, angles: &mut [R]);
+
+    /// One step of every pendulum of an ensemble, `false` if the method only follows one.
+    fn advance(&self, ensemble: &mut [State<R>]) -> bool;
+}
+
+/// The two kinds.
+pub enum Kind<R> {
+    /// Gives θ(t) for any t.
+    AnyTime(Box<dyn AnyTime<R>>),
+    /// Gives θ at equal intervals, in order.
+    Stepping(Box<dyn Stepping<R>>),
+}
+
+/// One entry.
+pub struct Contestant<R> {
+    /// Who made it.
+    pub family: Family,
+    /// What it is.
+    pub name: String,
+    /// Its settings: terms, tolerance, step.
+    pub setting: String,
+    /// The amplitude that it was given.
+    pub given: Given,
+    /// How it is called.
+    pub kind: Kind<R>,
+}
+
+impl<R: Real> Contestant<R> {
+    /// A function of time that was given the amplitude in this precision.
+    pub fn function(family: Family, name: &str, setting: &str, function: impl Fn(R) -> R + 'static) -> Self {
+        Self {
+            family,
+            name: name.into(),
+            setting: setting.into(),
+            given: if R::NAME == "f32" { Given::F32 } else { Given::F64 },
+            kind: Kind::AnyTime(Box::new(Function(function))),
+        }
+    }
+
+    /// A method that steps, started from the amplitude in this precision.
+    pub fn stepping(name: &str, setting: &str, method: impl Stepping<R> + 'static) -> Self {
+        let kind = Kind::Stepping(Box::new(method));
+        Self { kind, ..Self::function(Family::Stepper, name, setting, |t| t) }
+    }
+
+    /// The same, compared with the motion of another amplitude.
+    #[must_use]
+    pub fn given(self, given: Given) -> Self {
+        Self { given, ..self }
+    }
+
+    /// Name and setting.
+    pub fn label(&self) -> String {
+        if self.setting.is_empty() { self.name.clone() } else { format!("{}, {}", self.name, self.setting) }
+    }
+}

@@ -1,0 +1,55 @@
+//! Eq. 22 of the paper as it is written there: N sines and an arcsine.
+
+use super::Motion;
+use crate::contestant::{Contestant, Family};
+use crate::real::Real;
+
+/// θ̂ = 2 arcsin(k Σ b₂ₙ₋₁ sin((2n−1)π(t + K)/(2K))), for N of 1 to 32.
+///
+/// The argument of the arcsine is limited to 1, which it exceeds near the turning points for small N; without that the
+/// formula gives NaN there and could not be drawn.
+pub(super) fn contestants<R: Real>(motion: &Motion) -> Vec<Contestant<R>> {
+    vec![
+        as_written::<R, 1>(motion),
+        as_written::<R, 2>(motion),
+        as_written::<R, 3>(motion),
+        as_written::<R, 4>(motion),
+        as_written::<R, 6>(motion),
+        as_written::<R, 8>(motion),
+        as_written::<R, 12>(motion),
+        as_written::<R, 16>(motion),
+        as_written::<R, 24>(motion),
+        as_written::<R, 32>(motion),
+    ]
+}
+
+fn as_written<R: Real, const N: usize>(motion: &Motion) -> Contestant<R> {
+    let quarter = motion.period / 4.0;
+    let rate = R::of(std::f64::consts::PI / (2.0 * quarter));
+    let modulus = R::of(motion.modulus);
+    let shift = R::of(quarter);
+    let coefficients = coefficients::<N>(motion).map(R::of);
+    Contestant::function(Family::Paper, "Eq. 22 as written", &format!("N = {N}"), move |t: R| {
+        let x = rate * (t + shift);
+        let mut sum = R::zero();
+        for (n, &coefficient) in coefficients.iter().enumerate() {
+            sum = sum + coefficient * (R::of((2 * n + 1) as f64) * x).sin();
+        }
+        R::of(2.0) * (modulus * sum).max(-R::one()).min(R::one()).asin()
+    })
+}
+
+/// b₂ₙ₋₁ = (2π/(kK)) qⁿ⁻¹ᐟ²/(1 − q²ⁿ⁻¹).
+fn coefficients<const N: usize>(motion: &Motion) -> [f64; N] {
+    let quarter = motion.period / 4.0;
+    // K′ = π/(2·AGM(1, k))
+    let (mut a, mut b) = (1.0, motion.modulus);
+    for _ in 0..8 {
+        (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
+    }
+    let nome = (-std::f64::consts::PI * (std::f64::consts::FRAC_PI_2 / a) / quarter).exp();
+    std::array::from_fn(|n| {
+        let odd = (2 * n + 1) as f64;
+        std::f64::consts::TAU / (motion.modulus * quarter) * nome.powf(odd / 2.0) / (1.0 - nome.powf(odd))
+    })
+}

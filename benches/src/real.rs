@@ -1,0 +1,70 @@
+//! The two precisions.
+
+use std::fmt::Debug;
+
+use num_traits::{Float, FloatConst};
+
+/// `f32` or `f64`.
+pub trait Real: Float + FloatConst + Debug + Default + Send + Sync + 'static {
+    /// `"f32"` or `"f64"`.
+    const NAME: &'static str;
+
+    /// The nearest value.
+    fn of(value: f64) -> Self;
+
+    /// Exactly.
+    fn wide(self) -> f64;
+
+    /// Without its fraction; within ±2⁶³ for `f64`, ±2³¹ for `f32`.
+    fn whole(self) -> i64;
+
+    /// `self`, but not before `last` is known: its bits enter masked by `nothing`, which is 0 and must be hidden from
+    /// the compiler. This makes a chain of calls of which each waits for the one before, at the price of two
+    /// single-cycle operations.
+    #[must_use]
+    fn after(self, last: Self, nothing: u64) -> Self;
+}
+
+impl Real for f64 {
+    const NAME: &'static str = "f64";
+
+    fn of(value: f64) -> Self {
+        value
+    }
+
+    fn wide(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn whole(self) -> i64 {
+        self as i64
+    }
+
+    #[inline]
+    fn after(self, last: Self, nothing: u64) -> Self {
+        Self::from_bits(self.to_bits() ^ (last.to_bits() & nothing))
+    }
+}
+
+impl Real for f32 {
+    const NAME: &'static str = "f32";
+
+    fn of(value: f64) -> Self {
+        value as Self
+    }
+
+    fn wide(self) -> f64 {
+        self.into()
+    }
+
+    #[inline]
+    fn whole(self) -> i64 {
+        (self as i32).into()
+    }
+
+    #[inline]
+    fn after(self, last: Self, nothing: u64) -> Self {
+        Self::from_bits(self.to_bits() ^ (last.to_bits() & nothing as u32))
+    }
+}

@@ -1,0 +1,231 @@
+//! One run: the field of contestants per amplitude and precision, their errors, and their times.
+
+use std::collections::HashMap;
+
+use crate::amplitude::Amplitude;
+use crate::contestant::{COUNT, Contestant, Family, HORIZON, Kind, STEPPED, State};
+use crate::race::{Effort, Job, Spread, race};
+use crate::random::Random;
+use crate::real::Real;
+use crate::truth::{Exact, Given, Truth};
+
+/// An array at the start of a cache line, so that vector loads do not depend on where the allocator puts it.
+#[repr(align(64))]
+struct Block<T>([T; COUNT]);
+
+/// All contestants of one amplitude in one precision, with the times that they are asked for.
+pub struct Field<R> {
+    amplitude: Amplitude,
+    period: f64,
+    contestants: Vec<Contestant<R>>,
+    times: Box<Block<R>>,
+}
+
+/// What came out for one contestant.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The release angle.
+    pub amplitude: Amplitude,
+    /// `"f32"` or `"f64"`.
+    pub precision: &'static str,
+    /// Who made it.
+    pub family: Family,
+    /// What it is.
+    pub name: String,
+    /// Its settings.
+    pub setting: String,
+    /// The largest error in rad: on the times of the array loop, or for a stepper over 10 periods.
+    pub error: f64,
+    /// ns per value in the array loop; for a stepper per step of one of 4096 independent pendula.
+    pub array: Spread,
+    /// ns per call when each waits for the one before; for a stepper per step of one trajectory.
+    pub single: Spread,
+    /// `array` in units of `sin` in the same loop of the same round.
+    pub array_ratio: Spread,
+    /// `single` likewise.
+    pub single_ratio: Spread,
+    /// For a stepper, ns for the value at a random time within the horizon, reached from the release.
+    pub random_access: Option<f64>,
+}
+
+/// Contestants of both precisions.
+#[derive(Default)]
+pub struct Session {
+    /// In double precision.
+    pub doubles: Vec<Field<f64>>,
+    /// In single precision.
+    pub singles: Vec<Field<f32>>,
+}
+
+impl<R: Real> Field<R> {
+    /// Random times over the horizon of the plans; the same in every run.
+    pub fn new(amplitude: Amplitude, contestants: Vec<Contestant<R>>) -> Self {
+        let period = Truth::new(amplitude, Given::Exact).period();
+        let mut random = Random::new(0x5EED);
+        let mut times = Box::new(Block([R::zero(); COUNT]));
+        for time in &mut times.0 {
+            *time = R::of(HORIZON * period * random.unit());
+        }
+        Self { amplitude, period, contestants, times }
+    }
+
+    /// In the order of the results.
+    pub fn contestants(&self) -> &[Contestant<R>] {
+        &self.contestants
+    }
+
+    /// The largest error of each contestant.
+    pub fn errors(&self) -> Vec<f64> {
+        let mut truths = Truths { amplitude: self.amplitude, motions: HashMap::new(), values: HashMap::new() };
+        self.contestants.iter().map(|contestant| self.error(contestant, &mut truths)).collect()
+    }
+
+    fn error(&self, contestant: &Contestant<R>, truths: &mut Truths) -> f64 {
+        if contestant.family == Family::Yardstick {
+            return f64::NAN;
+        }
+        match &contestant.kind {
+            Kind::AnyTime(function) => {
+                let mut angles = vec![R::zero(); COUNT];
+                function.fill(&self.times.0, &mut angles);
+                let truth = truths.get(contestant.given, 0, || self.times.0.iter().map(|t| t.wide()).collect());
+                largest(&angles, truth)
+            }
+            Kind::Stepping(method) => {
+                let interval = method.interval();
+                let count = (STEPPED * self.period / interval).round() as usize;
+                let mut angles = vec![R::zero(); count];
+                method.follow(&mut angles);
+                let times = || (1..=count).map(|step| step as f64 * interval).collect();
+                largest(&angles, truths.get(contestant.given, interval.to_bits(), times))
+            }
+        }
+    }
+
+    /// Two jobs per contestant: the array loop, and the single call.
+    pub fn jobs<'a>(&'a self, jobs: &mut Vec<Job<'a>>) {
+        for contestant in &self.contestants {
+            match &contestant.kind {
+                Kind::AnyTime(function) => {
+                    let mut angles = Box::new(Block([R::zero(); COUNT]));
+                    jobs.push(Job::new(COUNT, move || {
+                        function.fill(std::hint::black_box(&self.times.0), &mut angles.0);
+                        std::hint::black_box(&angles);
+                    }));
+                    jobs.push(Job::new(COUNT, move || {
+                        std::hint::black_box(function.chain(std::hint::black_box(&self.times.0)));
+                    }));
+                }
+                Kind::Stepping(method) => {
+                    let follow = move || {
+                        let mut angles = Box::new(Block([R::zero(); COUNT]));
+                        move || {
+                            method.follow(&mut angles.0);
+                            std::hint::black_box(&angles);
+                        }
+                    };
+                    let mut ensemble = self.ensemble();
+                    if method.advance(&mut ensemble) {
+                        jobs.push(Job::new(COUNT, move || {
+                            method.advance(&mut ensemble);
+                            std::hint::black_box(&ensemble);
+                        }));
+                    } else {
+                        jobs.push(Job::new(COUNT, follow()));
+                    }
+                    jobs.push(Job::new(COUNT, follow()));
+                }
+            }
+        }
+    }
+
+    /// Pendula released from angles spread up to the amplitude.
+    fn ensemble(&self) -> Vec<State<R>> {
+        let mut random = Random::new(0xE15E);
+        let mut state = || State { angle: R::of(self.amplitude.theta0() * random.unit()), velocity: R::zero() };
+        (0..COUNT).map(|_| state()).collect()
+    }
+
+    /// Takes this field's share of the samples, in the order of `jobs`.
+    fn outcomes(&self, errors: &[f64], samples: &mut impl Iterator<Item = Vec<f64>>) -> Vec<Outcome> {
+        let mut next = || samples.next().unwrap_or_default();
+        let timed: Vec<Timed> = self.contestants.iter().map(|_| Timed { array: next(), single: next() }).collect();
+        let unit = self.contestants.iter().position(|one| one.family == Family::Yardstick).unwrap_or(0);
+        let outcome = |(index, contestant)| self.outcome(contestant, errors[index], &timed[index], &timed[unit]);
+        self.contestants.iter().enumerate().map(outcome).collect()
+    }
+
+    fn outcome(&self, contestant: &Contestant<R>, error: f64, timed: &Timed, unit: &Timed) -> Outcome {
+        let single = Spread::of(timed.single.iter().copied());
+        let random_access = match &contestant.kind {
+            Kind::AnyTime(_) => None,
+            Kind::Stepping(method) => Some(single.median * 0.5 * HORIZON * self.period / method.interval()),
+        };
+        Outcome {
+            amplitude: self.amplitude,
+            precision: R::NAME,
+            family: contestant.family,
+            name: contestant.name.clone(),
+            setting: contestant.setting.clone(),
+            error,
+            array: Spread::of(timed.array.iter().copied()),
+            single,
+            array_ratio: Spread::of_ratios(&timed.array, &unit.array),
+            single_ratio: Spread::of_ratios(&timed.single, &unit.single),
+            random_access,
+        }
+    }
+}
+
+/// The samples of one contestant, in ns per value, one per round.
+struct Timed {
+    array: Vec<f64>,
+    single: Vec<f64>,
+}
+
+/// Exact values, computed once per release angle and set of times.
+struct Truths {
+    amplitude: Amplitude,
+    motions: HashMap<u8, Truth>,
+    values: HashMap<(u8, u64), Vec<Exact>>,
+}
+
+impl Truths {
+    /// The values at `times`, which `key` stands for.
+    fn get(&mut self, given: Given, key: u64, times: impl FnOnce() -> Vec<f64>) -> &[Exact] {
+        let Self { amplitude, motions, values } = self;
+        values.entry((given as u8, key)).or_insert_with(|| {
+            let motion = motions.entry(given as u8).or_insert_with(|| Truth::new(*amplitude, given));
+            times().into_iter().map(|t| motion.theta(t)).collect()
+        })
+    }
+}
+
+/// NaN if any angle is NaN.
+fn largest<R: Real>(angles: &[R], truth: &[Exact]) -> f64 {
+    let errors = angles.iter().zip(truth).map(|(angle, exact)| exact.distance(angle.wide()));
+    errors
+        .fold(0.0, |largest: f64, error| if error.is_nan() || largest.is_nan() { f64::NAN } else { largest.max(error) })
+}
+
+impl Session {
+    /// Measures everything; `progress` is told what is being done.
+    pub fn run(&self, effort: Effort, mut progress: impl FnMut(&str)) -> Vec<Outcome> {
+        progress("errors");
+        let double_errors: Vec<_> = self.doubles.iter().map(Field::errors).collect();
+        let single_errors: Vec<_> = self.singles.iter().map(Field::errors).collect();
+        let mut jobs = Vec::new();
+        self.doubles.iter().for_each(|field| field.jobs(&mut jobs));
+        self.singles.iter().for_each(|field| field.jobs(&mut jobs));
+        race(&mut jobs, effort, |round, rounds| progress(&format!("round {round} of {rounds}")));
+        let mut samples = jobs.into_iter().map(|job| job.samples);
+        let mut outcomes = Vec::new();
+        for (field, errors) in self.doubles.iter().zip(&double_errors) {
+            outcomes.extend(field.outcomes(errors, &mut samples));
+        }
+        for (field, errors) in self.singles.iter().zip(&single_errors) {
+            outcomes.extend(field.outcomes(errors, &mut samples));
+        }
+        outcomes
+    }
+}
