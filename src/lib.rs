@@ -1,6 +1,8 @@
 #![no_std]
 //! wip
 
+pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
+
 #[doc(hidden)]
 pub mod __private {
     pub use pendulum_macros::pendulum;
