@@ -65,6 +65,35 @@ impl Wave {
         Self::collect(parity, [Double::ZERO; 2], terms, envelope)
     }
 
+    /// sin(θ/2) = k sn of a swing about its turning point: (2π/K) Σ (−1)ⁿ⁻¹ q^(n−½)/(1 − q²ⁿ⁻¹) cos((2n−1)πs) (Eq. 20).
+    pub(crate) fn half_sine(swing: &Swing) -> Self {
+        let nome = swing.elliptic.nome.to_double();
+        let mut power = swing.elliptic.nome.sqrt().to_double();
+        let front = Double::PI * 2.0 / swing.elliptic.quarter.to_double();
+        let growth = 1.0 / (1.0 - nome.hi);
+        let envelope = Envelope { size: front.hi * growth, power: 0, rate: decay(&swing.elliptic) / 2.0, step: 2 };
+        let terms = (1..).step_by(2).map(|m: u32| {
+            let size = front * power / (Double::ONE - power * power);
+            power = power * nome;
+            (m, if m % 4 == 3 { -size } else { size })
+        });
+        Self::collect(Parity::Even, [Double::ZERO; 2], terms, envelope)
+    }
+
+    /// cos(θ/2) = dn of a swing about its turning point: (π/2K)(1 + 4 Σ (−1)ⁿ qⁿ/(1 + q²ⁿ) cos(2nπs)).
+    pub(crate) fn half_cosine(swing: &Swing) -> Self {
+        let nome = swing.elliptic.nome.to_double();
+        let mut power = nome;
+        let front = Double::PI / (swing.elliptic.quarter.to_double() * 2.0);
+        let envelope = Envelope { size: front.hi * 4.0, power: 0, rate: decay(&swing.elliptic) / 2.0, step: 2 };
+        let terms = (1..).map(|n: u32| {
+            let size = front * power * 4.0 / (Double::ONE + power * power);
+            power = power * nome;
+            (2 * n, if n % 2 == 1 { -size } else { size })
+        });
+        Self::collect(Parity::Even, [Double::ZERO, front], terms, envelope)
+    }
+
     /// θ − π of a rotation about the top, differentiated `order` times with respect to s (in turns):
     /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `scale` times.
     pub(crate) fn rotation(rotation: &Rotation, order: i32, scale: Double) -> Self {
@@ -90,6 +119,11 @@ impl Wave {
             _ => (if order % 2 == 0 { Parity::Odd } else { Parity::Even }, [Double::ZERO; 2]),
         };
         Self::collect(parity, polynomial, terms, envelope)
+    }
+
+    /// sin(πs).
+    pub(crate) fn sine() -> Self {
+        Self { parity: Parity::Odd, ..Self::cosine(Double::ONE) }
     }
 
     /// scale·cos(πs).
@@ -155,6 +189,11 @@ impl Wave {
     /// Half the height of the strip in which the series converges, infinite for a finite one.
     pub(crate) fn strip(&self) -> f64 {
         self.envelope.rate / std::f64::consts::PI
+    }
+
+    /// (m, aₘ) of the terms kept.
+    pub(crate) fn terms(&self) -> &[(u32, Double)] {
+        &self.terms
     }
 
     /// What the omitted terms can add for real s.

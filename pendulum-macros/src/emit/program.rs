@@ -136,11 +136,11 @@ impl Writer<'_> {
                 quote!(f64::from_bits(#x.to_bits() & #mask))
             }
             Op::Alternate { x, magic } => self.alternate(x, magic, &float),
-            Op::Toward { x, sign } => {
+            Op::Against { x, sign } => {
                 let (x, sign) = (self.atom(x), self.atom(sign));
                 let mask = if node.float == Float::F64 { "0x8000_0000_0000_0000" } else { "0x8000_0000" };
                 let mask = mask.parse::<Literal>().unwrap_or_else(|_| Literal::u64_unsuffixed(1 << 63));
-                quote!(#float::from_bits(#x.to_bits() ^ (#sign.to_bits() & #mask)))
+                quote!(#float::from_bits(#x.to_bits() ^ (!#sign.to_bits() & #mask)))
             }
             Op::PowerOfTwo { magic } => {
                 let magic = self.atom(magic);

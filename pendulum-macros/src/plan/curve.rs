@@ -11,7 +11,6 @@ use pendulum_runtime::double::Double;
 pub(crate) struct Curve {
     pub(crate) name: &'static str,
     wave: Wave,
-    shape: Shape,
     /// Set where the sign changes from anchor to anchor.
     pub(crate) alternates: bool,
     /// The largest magnitude for real s.
@@ -24,38 +23,18 @@ pub(crate) struct Curve {
     pub(crate) unit: f64,
 }
 
-/// How the curve follows from its wave w.
-#[derive(Clone, Copy, Debug)]
-enum Shape {
-    /// w.
-    Wave,
-    /// −(constant + w²/2).
-    Energy { constant: Double },
-}
-
 impl Curve {
     pub(crate) fn parity(&self) -> Parity {
-        match self.shape {
-            Shape::Wave => self.wave.parity,
-            Shape::Energy { .. } => Parity::Even,
-        }
+        self.wave.parity
     }
 
     pub(crate) fn at(&self, s: Double) -> Double {
-        let wave = self.wave.at(s);
-        match self.shape {
-            Shape::Wave => wave,
-            Shape::Energy { constant } => -(constant + wave * wave * 0.5),
-        }
+        self.wave.at(s)
     }
 
     /// Bounds |curve| for |Im s| ≤ `height`.
     pub(crate) fn bound(&self, height: f64) -> f64 {
-        let wave = self.wave.bound(height);
-        match self.shape {
-            Shape::Wave => wave,
-            Shape::Energy { constant } => constant.hi.abs() + wave * wave * 0.501,
-        }
+        self.wave.bound(height)
     }
 
     /// Height of the strip where [`Self::bound`] is finite.
@@ -65,15 +44,31 @@ impl Curve {
 
     /// What the series' omitted terms can change.
     pub(crate) fn omitted(&self) -> f64 {
-        match self.shape {
-            Shape::Wave => self.wave.omitted(),
-            Shape::Energy { .. } => self.wave.omitted() * (self.wave.bound(0.0) + self.wave.omitted()),
-        }
+        self.wave.omitted()
     }
 
     /// What the reduction's error of the phase does to the curve.
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
         self.slope * reduction.error + self.moment * reduction.relative_error
+    }
+
+    /// (m, aₘ) of the terms of its series.
+    pub(crate) fn terms(&self) -> &[(u32, Double)] {
+        self.wave.terms()
+    }
+
+    /// sin πs.
+    pub(crate) fn sine() -> Self {
+        let largest = std::f64::consts::PI;
+        Self {
+            wave: Wave::sine(),
+            name: "sin",
+            alternates: true,
+            largest: 1.0,
+            slope: largest,
+            moment: largest,
+            unit: 1.0,
+        }
     }
 
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
@@ -82,7 +77,6 @@ impl Curve {
         Self {
             name: "theta",
             wave: Wave::cosine(amplitude.to_double()),
-            shape: Shape::Wave,
             alternates: true,
             largest,
             slope: largest * std::f64::consts::PI,
@@ -122,7 +116,7 @@ impl<'a> SwingCurves<'a> {
         let wave = Wave::swing(self.swing, order, scale);
         let slack = 1.0 + 1e-12;
         let (slope, moment) = (slope * slack, slope * 0.5);
-        Curve { name, wave, shape: Shape::Wave, alternates: true, largest, slope, moment, unit }
+        Curve { name, wave, alternates: true, largest, slope, moment, unit }
     }
 
     /// The largest |z·dθ/dz|, z being the phase from the lowest point. |θ̇| falls from there to the turning point, so that
@@ -157,26 +151,18 @@ impl<'a> SwingCurves<'a> {
         Curve { moment: square * self.moment(), ..curve }
     }
 
-    /// sin θ = −θ̈/ω².
-    pub(crate) fn sine(&self) -> Curve {
-        let slope = 2.0 * self.modulus() / self.rate().hi;
-        let curve = self.wave("x", 2, -(self.rate() * self.rate()), self.largest_sine(), slope, 1.0);
-        Curve { moment: self.moment(), ..curve }
+    /// sin(θ/2) = k sn, of half the slope.
+    pub(crate) fn half_sine(&self) -> Curve {
+        let (largest, unit) = (self.modulus(), 1.0);
+        Curve { wave: Wave::half_sine(self.swing), ..self.wave("sin(θ/2)", 0, Double::ONE, largest, 0.0, unit) }
     }
 
-    /// −cos θ, by the energy: cos θ = cos θ0 + (θ̇/ω)²/2.
-    pub(crate) fn height(&self) -> Curve {
-        let (sine, cosine) = self.swing.amplitude.scale(-1).sin_cos();
-        let constant = cosine.square() - sine.square();
-        let start = constant.to_f64();
-        // |sin θ·θ̇|/ω is largest where 3c² − 2c·cos θ0 − 1 = 0, c = cos θ.
-        let c = (start + (start * start + 3.0).sqrt()) / 3.0;
-        let steepest = ((1.0 - c * c) * 2.0 * (c - start)).max(0.0).sqrt();
+    /// cos(θ/2) = dn.
+    pub(crate) fn half_cosine(&self) -> Curve {
         Curve {
-            shape: Shape::Energy { constant: constant.to_double() },
+            wave: Wave::half_cosine(self.swing),
             alternates: false,
-            moment: self.moment(),
-            ..self.wave("y", 1, self.rate(), 1.0, steepest / self.rate().hi, 1.0)
+            ..self.wave("cos(θ/2)", 0, Double::ONE, 1.0, 0.0, 1.0)
         }
     }
 }

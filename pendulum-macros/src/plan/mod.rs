@@ -1,17 +1,22 @@
 //! [`Scene`] → [`Plan`]: the cheapest program found that provably keeps the promise.
 
+mod arcsine;
 pub(crate) mod curve;
+mod harmonics;
+pub(crate) mod kernel;
+mod paper;
 pub(crate) mod polynomial;
 pub(crate) mod reduction;
 mod search;
 pub(crate) mod variables;
+mod velocity_bias;
 
 use crate::exact::Real;
 use crate::motion::Regime;
 use crate::parse::{Method, Output};
 use crate::program::{Op, Program};
-use crate::scene::Scene;
-use polynomial::Polynomial;
+use crate::scene::{Goal, Scene};
+use kernel::Kernel;
 use reduction::Reduction;
 
 /// What is emitted, and what it promises.
@@ -31,12 +36,14 @@ pub(crate) struct Plan {
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) output: Output,
-    pub(crate) kernels: Vec<Polynomial>,
-    /// What the kernels are, for the reader.
+    pub(crate) kernel: Kernel,
+    /// What the kernel is, for the reader.
     pub(crate) description: String,
     pub(crate) bound: Bound,
     /// What an error of 1 in the output's own unit is: 1, ω, ω².
     pub(crate) unit: f64,
+    /// The largest magnitude of the exact output.
+    pub(crate) largest: f64,
 }
 
 /// A proven bound of the error over the horizon, in the output's unit, and what it is made of.
@@ -68,17 +75,38 @@ pub(crate) struct Function {
 pub(crate) enum Refusal {
     /// No plan reaches the tolerance; the best promises this.
     Unreachable { best: f64 },
+    /// The argument of the paper's arcsine exceeds 1 by this.
+    Overshoot { terms: usize, overshoot: f64, smallest: usize },
+    /// The method doesn't give this output.
+    Output { method: Method, output: Output },
 }
 
 impl Refusal {
     /// The error at the token to blame.
     pub(crate) fn explain(&self, scene: &Scene) -> syn::Error {
+        let blame = &scene.blame;
         match self {
             Self::Unreachable { best } => syn::Error::new_spanned(
-                &scene.blame.goal,
+                &blame.goal,
                 format!(
-                    "this error can't be promised with `{}`: the best is {best:.2e}; ask for that, or leave `tol` out",
+                    "this error can't be promised with `{}` here: the best is {best:.2e}; ask for that, or leave `tol` out",
                     scene.float.word()
+                ),
+            ),
+            Self::Overshoot { terms, overshoot, smallest } => syn::Error::new_spanned(
+                &blame.goal,
+                format!(
+                    "with {terms} term{} the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
+                     where θ̂ would be NaN: the smallest number of terms that works is `n = {smallest}`",
+                    if *terms == 1 { "" } else { "s" }
+                ),
+            ),
+            Self::Output { method, output } => syn::Error::new_spanned(
+                &blame.method,
+                format!(
+                    "`{}` gives θ and its derivative, not `{}`: use `method = polynomial`, or leave `method` out",
+                    method.word(),
+                    output.word()
                 ),
             ),
         }
@@ -88,7 +116,11 @@ impl Refusal {
 /// Plans a scene.
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let Regime::Swing(swing) = &scene.motion.regime else { todo!("other regimes") };
-    search::plan(scene, swing)
+    match (scene.method, scene.goal) {
+        (Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
+        (_, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),
+        _ => search::plan(scene, swing),
+    }
 }
 
 impl Plan {
@@ -102,10 +134,9 @@ impl Plan {
         self.functions.first().map_or(0, |function| function.program.operations())
     }
 
-    /// Terms of the first output's first kernel.
+    /// Terms of the first output.
     pub(crate) fn terms(&self) -> usize {
-        let kernel = self.parts.first().and_then(|part| part.kernels.first());
-        kernel.map_or(self.coefficients.len(), |kernel| kernel.coefficients.len())
+        self.parts.first().map_or(0, |part| part.kernel.terms())
     }
 
     /// Whether `core` alone can evaluate it at compile time: it can't take roots there.

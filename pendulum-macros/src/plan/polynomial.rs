@@ -129,6 +129,16 @@ impl Approximation {
         let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
         let negligible = negligible * pole.map_or(1.0, Pole::least);
         let (points, error) = enough_points(curve, pole, negligible)?;
+        Some(Self::with_points(curve, pole, negligible, points, error))
+    }
+
+    /// As [`Self::new`], for a curve without singularities.
+    pub(crate) fn entire(curve: &Curve, negligible: f64) -> Self {
+        let (points, error) = enough_points(curve, None, negligible).unwrap_or((MOST_POINTS, f64::INFINITY));
+        Self::with_points(curve, None, negligible, points, error)
+    }
+
+    fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, points: usize, error: f64) -> Self {
         let table = CosineTable::new(points);
         let sample = |u: Double| {
             let s = ((u + Double::ONE) * 0.125).sqrt();
@@ -144,7 +154,7 @@ impl Approximation {
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
         }
-        Some(Self { parity: curve.parity(), pole, series, remainder })
+        Self { parity: curve.parity(), pole, series, remainder }
     }
 
     /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
@@ -207,28 +217,28 @@ const PLAIN_POWERS: [&str; 8] = ["p", "p2", "p4", "p8", "p16", "p32", "p64", "p1
 const CENTRED_POWERS: [&str; 8] = ["u", "u2", "u4", "u8", "u16", "u32", "u64", "u128"];
 
 impl Polynomial {
-    /// Evaluates it, with the sign that the anchor and the side of the lowest point give.
+    /// Evaluates it, with its sign.
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
+        let value = self.magnitude(b, variables);
+        b.name(value, name);
+        if self.alternates { variables.sign(b, value, self.parity) } else { value }
+    }
+
+    /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
+    pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
         let (x, powers) = match self.form {
             Form::Plain => (variables.square, &PLAIN_POWERS),
             Form::Centred { .. } => (variables.centred, &CENTRED_POWERS),
         };
-        let even = self.parity == Parity::Even;
-        let side = variables.side.filter(|_| even && self.alternates);
-        let sign = if side.is_some() { -1.0 } else { 1.0 };
-        let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(sign * c.hi, sign * c.lo)).collect();
+        let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
         let mut value = estrin(b, x, &coefficients, powers);
         if let Some(pole) = self.pole {
             value = pole.divide(b, value, variables.centred, variables.centre);
         }
-        if !even {
+        if self.parity == Parity::Odd {
             value = b.mul(variables.distance, value);
         }
-        b.name(value, name);
-        if let Some(side) = side {
-            value = b.push(Op::Toward { x: value, sign: side });
-        }
-        if self.alternates { b.push(Op::Alternate { x: value, magic: variables.magic }) } else { value }
+        value
     }
 
     pub(crate) fn negate(&mut self) {

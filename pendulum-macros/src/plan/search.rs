@@ -2,14 +2,14 @@
 //! promise.
 
 use super::curve::{Curve, SwingCurves};
+use super::kernel::{self, Kernel, norm};
 use super::polynomial::{Approximation, Form, Polynomial};
 use super::reduction::{Clock, Origin, Reduction};
 use super::variables::Variables;
-use super::{Bound, Function, Part, Plan, Refusal};
+use super::{Bound, Part, Plan, Refusal};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
-use crate::program::rounding::Known;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::{Parity, swing_rate};
@@ -18,6 +18,8 @@ use crate::series::{Parity, swing_rate};
 pub(super) struct Aim {
     pub(super) output: Output,
     pub(super) curves: Vec<Curve>,
+    /// The curve whose slope tells what an error of the phase does: a position moves as fast as θ.
+    steepest: Curve,
     /// The power of the nearest poles in the curves, 0 if they are logarithms.
     power: i32,
     /// For the total, in the curve's own unit.
@@ -86,19 +88,22 @@ pub(super) fn aims(scene: &Scene, swing: &Swing) -> Vec<Aim> {
 }
 
 fn aim(scene: &Scene, curves: &SwingCurves, output: Output) -> Aim {
+    let theta = curves.theta();
     let (curves, power) = match output {
         Output::Theta | Output::Wrapped => (vec![curves.theta()], 0),
         Output::Velocity => (vec![curves.velocity()], 1),
         Output::Acceleration => (vec![curves.acceleration()], 2),
-        Output::Position => (vec![curves.sine(), curves.height()], 2),
+        Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
     };
+    let steepest = if output == Output::Position { theta } else { curves[0].clone() };
     let unit = scene.float.unit();
-    let largest = curves.iter().map(|curve| curve.largest).fold(0.0, f64::max);
+    // Of a position, whose two coordinates are products, rounding takes more.
+    let (largest, units) = if output == Output::Position { (1.0, 48.0) } else { (steepest.largest, 16.0) };
     let (limit, truncation) = match scene.goal {
-        Goal::Tolerance(tol) => (tol * curves[0].unit, tol * curves[0].unit),
-        _ => (16.0 * unit * largest, unit * largest),
+        Goal::Tolerance(tol) => (tol * steepest.unit, tol * steepest.unit),
+        _ => (units * unit * largest, unit * largest),
     };
-    Aim { output, curves, power, limit, truncation }
+    Aim { output, curves, steepest, power, limit, truncation }
 }
 
 /// Every combination that might serve, cheapest first.
@@ -139,12 +144,17 @@ fn skeleton(reduction: &Reduction, form: Form, aims: &[Aim]) -> Program {
 impl Aim {
     /// What the reduction's error of the phase costs.
     fn phase_error(&self, reduction: &Reduction) -> f64 {
-        self.curves.iter().map(|curve| curve.phase_error(reduction)).fold(0.0, f64::max)
+        self.steepest.phase_error(reduction)
     }
 
-    /// The truncation allowed to each of the curves, whose errors add like the sides of a right angle.
+    /// The truncation allowed to each of the curves.
     fn share(&self, left: f64) -> f64 {
-        left.min(self.truncation) / (self.curves.len() as f64).sqrt()
+        left.min(self.truncation) / self.error((self.curves.len() as f64).sqrt())
+    }
+
+    /// The output's error where that of its curves is `error`: a position is the square of a number on the unit circle.
+    fn error(&self, error: f64) -> f64 {
+        if self.output == Output::Position { error * (2.0 + error) } else { error }
     }
 
     /// The cost of the kernels with the fewest terms; `None` if no number of them serves.
@@ -170,25 +180,30 @@ impl Aim {
         let mut reached = f64::INFINITY;
         for _ in 0..3 {
             let left = self.share(self.limit - phase - evaluation);
-            let mut kernels = Vec::new();
+            let mut polynomials = Vec::new();
             for (curve, approximation) in self.curves.iter().zip(approximations) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
                     return Err(reached.min(phase + evaluation + least));
                 };
-                let mut kernel = approximation.polynomial(terms, candidate.form, reduction, curve.alternates);
+                let mut polynomial = approximation.polynomial(terms, candidate.form, reduction, curve.alternates);
                 if mirrored && curve.alternates {
-                    kernel.negate();
+                    polynomial.negate();
                 }
-                kernels.push(kernel);
+                polynomials.push(polynomial);
             }
-            evaluation = norm(kernels.iter().map(|kernel| rounding(kernel, reduction)));
-            let bound = Bound { truncation: norm(kernels.iter().map(|k| k.truncation)), phase, evaluation };
+            let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
+            let kernel = match <[Polynomial; 2]>::try_from(polynomials) {
+                Ok([sine, cosine]) => Kernel::Circle { sine, cosine },
+                Err(mut single) => Kernel::Polynomial(single.swap_remove(0)),
+            };
+            evaluation = kernel.rounding(reduction);
+            let bound = Bound { truncation, phase, evaluation };
             reached = reached.min(bound.total());
             if bound.total() <= self.limit {
-                let each: Vec<String> = kernels.iter().map(Polynomial::describe).collect();
-                let (description, unit) = (each.join(" and "), self.curves[0].unit);
-                return Ok(Part { output: self.output, kernels, description, bound, unit });
+                let (description, unit) = (kernel.describe(), self.curves[0].unit);
+                let largest = self.steepest.largest;
+                return Ok(Part { output: self.output, kernel, description, bound, unit, largest });
             }
         }
         Err(reached)
@@ -200,7 +215,7 @@ impl Candidate<'_> {
         let each = aims.iter().zip(approximations);
         let parts = each.map(|(aim, approximations)| aim.part(approximations.choose(self.divided), self, mirrored));
         let parts = parts.collect::<Result<Vec<Part>, f64>>()?;
-        let functions = functions(self.reduction, &parts);
+        let functions = kernel::functions(self.reduction, &parts);
         Ok(Plan {
             method: Method::Polynomial,
             reduction: self.reduction.clone(),
@@ -210,54 +225,4 @@ impl Candidate<'_> {
             rejected: Vec::new(),
         })
     }
-}
-
-fn norm(parts: impl Iterator<Item = f64>) -> f64 {
-    parts.map(|x| x * x).sum::<f64>().sqrt()
-}
-
-/// Subintervals of the phase on which the rounding is analysed separately.
-const SLICES: usize = 64;
-
-/// The rounding of a kernel over the whole range of the phase, taken as exact.
-fn rounding(kernel: &Polynomial, reduction: &Reduction) -> f64 {
-    let program = function(reduction, &[kernel]);
-    let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
-    let half = reduction.half();
-    (0..SLICES)
-        .map(|slice| {
-            let at = |index: usize| half * index as f64 / SLICES as f64;
-            let known = [(phase, Known::between(at(slice), at(slice + 1)))];
-            program.rounding(&known).iter().map(|k| k.error).fold(0.0, f64::max)
-        })
-        .fold(0.0, f64::max)
-}
-
-fn function(reduction: &Reduction, kernels: &[&Polynomial]) -> Program {
-    const NAMES: [&str; 3] = ["y1", "y2", "y3"];
-    let mut b = Builder::new(reduction.float);
-    let t = b.input();
-    let phase = reduction.lower(&mut b, t);
-    let odd = kernels.iter().any(|kernel| kernel.parity == Parity::Odd);
-    let centre = kernels.first().map_or(1.0, |kernel| kernel.form.centre());
-    let variables = Variables::lower(&mut b, phase, reduction, centre, odd);
-    let results = kernels.iter().zip(NAMES).map(|(kernel, name)| kernel.lower(&mut b, &variables, name)).collect();
-    b.finish(results)
-}
-
-/// A function per output, and `state` for θ and velocity together.
-fn functions(reduction: &Reduction, parts: &[Part]) -> Vec<Function> {
-    let mut functions: Vec<Function> = parts
-        .iter()
-        .map(|part| {
-            let kernels: Vec<&Polynomial> = part.kernels.iter().collect();
-            Function { name: part.output.word(), program: function(reduction, &kernels) }
-        })
-        .collect();
-    let of = |output| parts.iter().find(|part| part.output == output);
-    if let (Some(theta), Some(velocity)) = (of(Output::Theta), of(Output::Velocity)) {
-        let kernels: Vec<&Polynomial> = theta.kernels.iter().chain(&velocity.kernels).collect();
-        functions.push(Function { name: "state", program: function(reduction, &kernels) });
-    }
-    functions
 }

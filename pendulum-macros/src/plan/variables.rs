@@ -2,6 +2,7 @@
 
 use crate::plan::reduction::{Origin, Phase, Reduction};
 use crate::program::{Builder, Id, Op};
+use crate::series::Parity;
 use pendulum_runtime::double::Double;
 
 /// The variables that all kernels of a function share.
@@ -72,6 +73,19 @@ impl Variables {
         let centred = b.sub(top, scaled);
         b.name(centred, "u");
         Self { distance, square, centred, centre, side: Some(phase.remainder), magic: phase.magic }
+    }
+}
+
+impl Variables {
+    /// `value` of a curve that changes its sign from anchor to anchor, and, if it is even about an anchor, from one side
+    /// of the lowest point to the other: before that point the anchor passed counts, after it the next one.
+    pub(crate) fn sign(&self, b: &mut Builder, value: Id, parity: Parity) -> Id {
+        let side = self.side.filter(|_| parity == Parity::Even);
+        let value = match side {
+            Some(side) => b.push(Op::Against { x: value, sign: side }),
+            None => value,
+        };
+        b.push(Op::Alternate { x: value, magic: self.magic })
     }
 }
 

@@ -19,7 +19,7 @@ fn weight(op: Op) -> f64 {
         Op::Input | Op::Constant { .. } => 0.0,
         Op::Div(..) => 5.0,
         Op::Sqrt(_) => 7.0,
-        Op::Alternate { .. } | Op::Toward { .. } | Op::PowerOfTwo { .. } | Op::Select { .. } => 2.0,
+        Op::Alternate { .. } | Op::Against { .. } | Op::PowerOfTwo { .. } | Op::Select { .. } => 2.0,
         Op::Widen(_) | Op::Narrow(_) => 1.5,
         _ => 1.0,
     }

@@ -52,11 +52,11 @@ impl Program {
                 let odd = self.integer_bits(magic, v) & 1 == 1;
                 if odd { -v[x] } else { v[x] }
             }
-            Op::Toward { x, sign } => {
+            Op::Against { x, sign } => {
                 if v[sign].is_sign_negative() {
-                    -v[x]
-                } else {
                     v[x]
+                } else {
+                    -v[x]
                 }
             }
             Op::PowerOfTwo { magic } => f64::from_bits(self.integer_bits(magic, v).wrapping_add(1023) << 52),

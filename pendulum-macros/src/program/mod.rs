@@ -52,8 +52,8 @@ pub(crate) enum Op {
         x: Id,
         magic: Id,
     },
-    /// x with its sign flipped where `sign` is negative.
-    Toward {
+    /// x with its sign flipped where `sign` is positive.
+    Against {
         x: Id,
         sign: Id,
     },
@@ -127,7 +127,7 @@ impl Op {
             Self::Min { limit, x } | Self::Max { limit, x } => vec![limit, x],
             Self::Select { a, b, then, otherwise } => vec![a, b, then, otherwise],
             Self::Alternate { x, magic } => vec![x, magic],
-            Self::Toward { x, sign } => vec![x, sign],
+            Self::Against { x, sign } => vec![x, sign],
             Self::PowerOfTwo { magic } => vec![magic],
         }
     }
@@ -161,6 +161,12 @@ impl Builder {
     pub(crate) fn exact(&mut self, value: f64, rest: f64) -> Id {
         let rounded = self.float.round(value);
         self.push(Op::Constant { value: rounded, rest: (value - rounded) + rest })
+    }
+
+    /// A number that stands for something within `slack` of it.
+    pub(crate) fn loose(&mut self, value: f64, slack: f64) -> Id {
+        let rounded = self.float.round(value);
+        self.push(Op::Constant { value: rounded, rest: (value - rounded).abs() + slack })
     }
 
     /// A number that is exact as it stands.
@@ -268,7 +274,7 @@ impl Op {
                 Self::Select { a: to[a], b: to[b], then: to[then], otherwise: to[otherwise] }
             }
             Self::Alternate { x, magic } => Self::Alternate { x: to[x], magic: to[magic] },
-            Self::Toward { x, sign } => Self::Toward { x: to[x], sign: to[sign] },
+            Self::Against { x, sign } => Self::Against { x: to[x], sign: to[sign] },
             Self::PowerOfTwo { magic } => Self::PowerOfTwo { magic: to[magic] },
         }
     }

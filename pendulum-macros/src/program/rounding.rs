@@ -104,13 +104,15 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
             high: known[x].high.max(known[limit].high),
             error: known[x].error.max(known[limit].error),
         },
-        // Both branches are within their errors of the same function where the condition is in doubt.
+        // Where the computed condition is in doubt, each branch is within its error of the same function.
+        Op::Select { a, b, then, .. } if known[a].high < known[b].low => known[then],
+        Op::Select { a, b, otherwise, .. } if known[a].low >= known[b].high => known[otherwise],
         Op::Select { then, otherwise, .. } => Known {
             low: known[then].low.min(known[otherwise].low),
             high: known[then].high.max(known[otherwise].high),
             error: known[then].error.max(known[otherwise].error),
         },
-        Op::Alternate { x, .. } | Op::Toward { x, .. } => {
+        Op::Alternate { x, .. } | Op::Against { x, .. } => {
             let magnitude = known[x].magnitude();
             Known { low: -magnitude, high: magnitude, error: known[x].error }
         }

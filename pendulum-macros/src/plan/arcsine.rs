@@ -1,0 +1,119 @@
+//! 2·arcsin y for 0 ≤ y < 1 by a polynomial fitted to the range that occurs.
+//!
+//! arcsin √z/√z is analytic in z but for the cut [1, ∞), and bounded by π/2 for |z| ≤ 1. On z ∈ [0, Z] its Chebyshev
+//! interpolant converges with (ρ + 1/ρ)/2 = 2/Z − 1. Beyond y = ½, arcsin y = π/2 − 2 arcsin √((1 − y)/2), whose
+//! argument is in [0, ½] again; up to a largest y of √0.4 the polynomial serves directly.
+
+use super::polynomial::estrin;
+use crate::chebyshev::{CosineTable, scale, shift, to_powers};
+use crate::program::{Builder, Id, Op};
+use pendulum_runtime::double::Double;
+
+/// The polynomial, and whether the range is split at y = ½.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Arcsine {
+    /// Powers of z of arcsin √z/√z.
+    coefficients: Vec<Double>,
+    split: bool,
+    /// sup |polynomial − arcsin √z/√z|.
+    truncation: f64,
+}
+
+/// The largest z for which one polynomial is the cheaper way.
+const DIRECT: f64 = 0.4;
+
+impl Arcsine {
+    /// For arguments up to `most`, with an error of at most `limit`.
+    pub(crate) fn new(most: f64, limit: f64) -> Self {
+        let direct = most * most < DIRECT;
+        let end = if direct { (most * most).max(1e-6) } else { 0.25 };
+        // Rounded up to few bits, so that the change of variable is exact.
+        let end = f64::from((end * 1.0001) as f32);
+        let x = 2.0 / end - 1.0;
+        let rho = x + (x * x - 1.0).sqrt();
+        let bound = |points: f64| 2.0 * std::f64::consts::PI * rho.powf(1.0 - points) / (rho - 1.0);
+        let points = (4..200).find(|&points| bound(f64::from(points)) < limit / 16.0).unwrap_or(200);
+        let table = CosineTable::new(points as usize);
+        let sample = |u: Double| ratio((u + Double::ONE) * (0.5 * end));
+        let values: Vec<Double> = table.points().map(sample).collect();
+        let series = table.coefficients(&values, values.len());
+        let dropped =
+            |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + bound(f64::from(points));
+        let terms = (2..series.len()).find(|&terms| dropped(terms) <= limit).unwrap_or(series.len());
+        let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));
+        let coefficients = scale(powers, Double::new(2.0) / Double::new(end));
+        Self { coefficients, split: !direct, truncation: dropped(terms) }
+    }
+
+    /// Emits 2·arcsin y.
+    pub(crate) fn lower(&self, b: &mut Builder, y: Id) -> Id {
+        if !self.split {
+            let square = b.mul(y, y);
+            let ratio = self.ratio(b, square);
+            let single = b.mul(y, ratio);
+            return b.add(single, single);
+        }
+        let half = b.constant(0.5);
+        let one = b.constant(1.0);
+        let square = b.mul(y, y);
+        let rest = b.sub(one, y);
+        let other = b.mul(rest, half);
+        let z = b.push(Op::Select { a: y, b: half, then: square, otherwise: other });
+        b.name(z, "z_arcsine");
+        let root = b.push(Op::Sqrt(z));
+        let x = b.push(Op::Select { a: y, b: half, then: y, otherwise: root });
+        b.name(x, "x_arcsine");
+        let ratio = self.ratio(b, z);
+        let single = b.mul(x, ratio);
+        let double = b.add(single, single);
+        b.name(double, "double");
+        let quadruple = b.add(double, double);
+        let pi = b.exact(Double::PI.hi, Double::PI.lo);
+        let complement = b.sub(pi, quadruple);
+        b.push(Op::Select { a: y, b: half, then: double, otherwise: complement })
+    }
+
+    fn ratio(&self, b: &mut Builder, z: Id) -> Id {
+        let loose = |(index, c): (usize, &Double)| (c.hi, c.lo.abs() + if index == 0 { self.truncation } else { 0.0 });
+        let coefficients: Vec<(f64, f64)> = self.coefficients.iter().enumerate().map(loose).collect();
+        let ids: Vec<Id> = coefficients.into_iter().map(|(value, slack)| b.loose(value, slack)).collect();
+        estrin(b, z, &ids, &["z", "z2", "z4", "z8", "z16", "z32", "z64", "z128"])
+    }
+
+    pub(crate) fn terms(&self) -> usize {
+        self.coefficients.len()
+    }
+}
+
+/// arcsin √z/√z = Σ (2j)!/(4ʲ j!² (2j + 1)) zʲ, for 0 ≤ z ≤ 0.41.
+fn ratio(z: Double) -> Double {
+    let (mut weight, mut sum, mut j) = (Double::ONE, Double::ONE, 0.0);
+    while weight.hi > 1e-34 {
+        weight = weight * z * (2.0 * j + 1.0) / Double::new(2.0 * j + 2.0);
+        j += 1.0;
+        sum = sum + weight / Double::new(2.0 * j + 1.0);
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse::Float;
+
+    #[test]
+    fn keeps_its_bound_on_both_branches() {
+        for most in [0.1, 0.6, 0.95, 0.999_999] {
+            let arcsine = Arcsine::new(most, 1e-17);
+            let mut b = Builder::new(Float::F64);
+            let y = b.input();
+            let result = arcsine.lower(&mut b, y);
+            let program = b.finish(vec![result]);
+            for i in 0..=1000 {
+                let y = most * f64::from(i) / 1000.0;
+                let error = (program.run(y)[0] - 2.0 * y.asin()).abs();
+                assert!(error <= 6e-16, "{y} of {most}: {error:e}");
+            }
+        }
+    }
+}

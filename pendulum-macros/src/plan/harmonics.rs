@@ -1,0 +1,188 @@
+//! Sums of harmonics of one cosine, evaluated by Clenshaw's recurrence: the paper's θ̂ (Eq. 22), its derivative, and the
+//! series of θ (Eq. 17 being its shape with one term).
+//!
+//! With X = 2 cos 2φ and uₙ = wₙ + X·uₙ₊₁ − uₙ₊₂, Σ wₙ cos((2n−1)φ) = cos φ·(u₁ − u₂) and
+//! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). The recurrence is linear in the weights, so that a rounding error made in uₙ is
+//! an error of wₙ, which the sum passes on undiminished at most: the errors add, they don't multiply.
+
+use super::arcsine::Arcsine;
+use super::kernel::Kernel;
+use super::polynomial::Polynomial;
+use super::reduction::{Origin, Reduction};
+use super::variables::Variables;
+use crate::program::rounding::{Known, half_ulp};
+use crate::program::{Builder, Id, Op};
+use crate::series::Parity;
+use pendulum_runtime::double::Double;
+use std::f64::consts::PI;
+
+/// How one output is a sum of harmonics.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Harmonics {
+    /// cos πs, without sign.
+    pub(crate) cosine: Polynomial,
+    /// sin πs, where the output is a derivative.
+    pub(crate) sine: Option<Polynomial>,
+    /// Weights of cos((2n−1)πs).
+    pub(crate) cosines: Vec<Double>,
+    /// Weights of sin((2n−1)πs), where the output is a derivative.
+    pub(crate) sines: Vec<Double>,
+    /// Of the sum of cosines, in the paper's formula.
+    pub(crate) arcsine: Option<Arcsine>,
+}
+
+impl Harmonics {
+    pub(super) fn centre(&self) -> f64 {
+        self.cosine.form.centre()
+    }
+
+    pub(super) fn is_odd(&self) -> bool {
+        self.sine.is_some()
+    }
+
+    pub(super) fn terms(&self) -> usize {
+        self.cosines.len().max(self.sines.len())
+    }
+
+    pub(super) fn describe(&self) -> String {
+        let terms = self.terms();
+        let cosine = self.cosine.coefficients.len();
+        let arcsine = self
+            .arcsine
+            .as_ref()
+            .map_or(String::new(), |arcsine| format!(", an arcsine by a polynomial of {} terms", arcsine.terms()));
+        format!("{terms} harmonics by recurrence from one cosine of {cosine} terms{arcsine}")
+    }
+
+    pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
+        let cosine = self.cosine.magnitude(b, variables);
+        b.name(cosine, "cosine");
+        let value = match &self.sine {
+            None => self.value(b, cosine),
+            Some(sine) => {
+                let sine = sine.magnitude(b, variables);
+                b.name(sine, "sine");
+                self.derivative(b, cosine, sine)
+            }
+        };
+        b.name(value, name);
+        let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
+        variables.sign(b, value, parity)
+    }
+
+    fn value(&self, b: &mut Builder, cosine: Id) -> Id {
+        let sum = self.sum_of_cosines(b, cosine);
+        self.arcsine.as_ref().map_or(sum, |arcsine| arcsine.lower(b, sum))
+    }
+
+    /// The sum of sines; of an arcsine, 2y′/√((1 − y)(1 + y)).
+    fn derivative(&self, b: &mut Builder, cosine: Id, sine: Id) -> Id {
+        let (first, second) = clenshaw(b, cosine, &self.sines);
+        let sum = second.map_or(first, |second| b.add(first, second));
+        let slope = b.mul(sine, sum);
+        b.name(slope, "slope");
+        if self.arcsine.is_none() {
+            return slope;
+        }
+        let y = self.sum_of_cosines(b, cosine);
+        let one = b.constant(1.0);
+        let (below, above) = (b.sub(one, y), b.add(one, y));
+        let product = b.mul(below, above);
+        let root = b.push(Op::Sqrt(product));
+        let quotient = b.div(slope, root);
+        b.add(quotient, quotient)
+    }
+
+    fn sum_of_cosines(&self, b: &mut Builder, cosine: Id) -> Id {
+        let (first, second) = clenshaw(b, cosine, &self.cosines);
+        let difference = second.map_or(first, |second| b.sub(first, second));
+        let sum = b.mul(cosine, difference);
+        b.name(sum, "argument")
+    }
+
+    /// The errors of the cosine and the sine.
+    pub(super) fn errors(&self, reduction: &Reduction) -> [f64; 2] {
+        let error = |polynomial: &Polynomial| {
+            Kernel::Polynomial(polynomial.clone()).rounding(reduction)
+                + polynomial.truncation
+                + 2.0 * reduction.float.unit()
+        };
+        [error(&self.cosine), self.sine.as_ref().map_or(0.0, error)]
+    }
+
+    /// What is known of the sums where the phase is between `low` and `high`, for [`crate::program::Program::rounding`].
+    pub(super) fn known(
+        &self,
+        reduction: &Reduction,
+        [cosine, sine]: [f64; 2],
+        low: f64,
+        high: f64,
+    ) -> Vec<(&'static str, Known)> {
+        let float = reduction.float;
+        let from_anchor = |phase: f64| {
+            let phase = phase * reduction.unit.hi;
+            if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase }
+        };
+        let (low, high) = (from_anchor(low), from_anchor(high));
+        let range = |weights: &[Double], wave: fn(f64) -> f64| {
+            let at = |s: f64| {
+                let harmonic = |(n, w): (usize, &Double)| w.hi * wave((2 * n + 1) as f64 * PI * s);
+                weights.iter().enumerate().map(harmonic).sum::<f64>()
+            };
+            let bend = |(n, w): (usize, &Double)| w.hi.abs() * ((2 * n + 1) as f64 * PI).powi(2);
+            let slack = weights.iter().enumerate().map(bend).sum::<f64>() * (high - low).powi(2) / 8.0;
+            let ends = [at(low), at(high)];
+            (ends[0].min(ends[1]) - slack, ends[0].max(ends[1]) + slack)
+        };
+        let known = |weights: &[Double], factor: f64, wave| {
+            let error =
+                recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0) + half_ulp(1.0, float);
+            let (low, high) = range(weights, wave);
+            Known { low: low - error, high: high + error, error }
+        };
+        let mut all = vec![];
+        if !self.cosines.is_empty() {
+            all.push(("argument", known(&self.cosines, cosine, f64::cos)));
+        }
+        if !self.sines.is_empty() {
+            all.push(("slope", known(&self.sines, sine, f64::sin)));
+        }
+        all
+    }
+}
+
+/// u₁ and u₂ (absent for a single weight).
+fn clenshaw(b: &mut Builder, cosine: Id, weights: &[Double]) -> (Id, Option<Id>) {
+    let constants: Vec<Id> = weights.iter().map(|w| b.exact(w.hi, w.lo)).collect();
+    let Some((&last, rest)) = constants.split_last() else { return (cosine, None) };
+    let square = b.mul(cosine, cosine);
+    let (four, two) = (b.constant(4.0), b.constant(2.0));
+    let fourfold = b.mul(square, four);
+    let x = b.sub(fourfold, two);
+    b.name(x, "twice_cosine_of_double");
+    let (mut here, mut before) = (last, None);
+    for &weight in rest.iter().rev() {
+        let product = b.mul(x, here);
+        let sum = b.add(weight, product);
+        let next = before.map_or(sum, |before| b.sub(sum, before));
+        (before, here) = (Some(here), next);
+    }
+    (here, before)
+}
+
+/// Σ_{m ≥ n} |wₘ|(m − n + 1), a bound of |uₙ| (n from 0).
+fn total(weights: &[Double], n: usize) -> f64 {
+    weights.iter().skip(n).enumerate().map(|(i, w)| w.hi.abs() * (i + 1) as f64).sum()
+}
+
+/// What the recurrence's roundings and the cosine's error `cosine` add, relative to the final product's factor.
+fn recurrence_error(weights: &[Double], cosine: f64, unit: f64) -> f64 {
+    let x_error = 8.0 * cosine + 6.0 * unit;
+    let local = |n: usize| {
+        let (here, next) = (total(weights, n), total(weights, n + 1));
+        unit * (2.0 * next + (weights[n].hi.abs() + 2.0 * next) + here + weights[n].hi.abs()) + x_error * next
+    };
+    let steps: f64 = (0..weights.len()).map(local).sum();
+    // The last sum and product.
+    steps + 2.0 * unit * (total(weights, 0) + total(weights, 1))
+}

@@ -1,0 +1,134 @@
+//! Kernels: what computes one output from the reduced phase; and the functions made of them.
+
+use super::harmonics::Harmonics;
+use super::polynomial::Polynomial;
+use super::reduction::Reduction;
+use super::variables::Variables;
+use super::{Function, Part};
+use crate::parse::Output;
+use crate::program::rounding::Known;
+use crate::program::{Builder, Id, Program};
+use crate::series::Parity;
+
+/// The computation of one output.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Kernel {
+    /// The output itself, as a polynomial or a quotient.
+    Polynomial(Polynomial),
+    /// sin θ and −cos θ from sin(θ/2) and cos(θ/2): the square of a point of the unit circle.
+    Circle { sine: Polynomial, cosine: Polynomial },
+    /// A sum of harmonics of one cosine.
+    Harmonics(Box<Harmonics>),
+}
+
+impl Kernel {
+    /// Emits the kernel; a position has two results.
+    pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
+        match self {
+            Self::Polynomial(polynomial) => vec![polynomial.lower(b, variables, name)],
+            Self::Circle { sine, cosine } => circle(b, variables, sine, cosine),
+            Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
+        }
+    }
+
+    /// The centre of the variable it is a polynomial of.
+    fn centre(&self) -> f64 {
+        match self {
+            Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.form.centre(),
+            Self::Harmonics(harmonics) => harmonics.centre(),
+        }
+    }
+
+    /// Whether it needs the sign of the phase.
+    fn is_odd(&self) -> bool {
+        match self {
+            Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
+            Self::Circle { .. } => false,
+            Self::Harmonics(harmonics) => harmonics.is_odd(),
+        }
+    }
+
+    /// For the reader.
+    pub(crate) fn describe(&self) -> String {
+        match self {
+            Self::Polynomial(polynomial) => polynomial.describe(),
+            Self::Circle { sine, cosine } => {
+                format!("sin(θ/2) by a {}, cos(θ/2) by a {}, squared", sine.describe(), cosine.describe())
+            }
+            Self::Harmonics(harmonics) => harmonics.describe(),
+        }
+    }
+
+    /// Terms of the (first) polynomial, or harmonics.
+    pub(crate) fn terms(&self) -> usize {
+        match self {
+            Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.coefficients.len(),
+            Self::Harmonics(harmonics) => harmonics.terms(),
+        }
+    }
+
+    /// The norm of the rounding of its results over the whole range of the phase, taken as exact.
+    pub(crate) fn rounding(&self, reduction: &Reduction) -> f64 {
+        let program = function(reduction, &[self]);
+        let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
+        let half = reduction.half();
+        let at = |index: usize| half * index as f64 / SLICES as f64;
+        let harmonics = if let Self::Harmonics(sum) = self { Some((sum, sum.errors(reduction))) } else { None };
+        let slice = |index: usize| {
+            let mut known = vec![(phase, Known::between(at(index), at(index + 1)))];
+            if let Some((harmonics, errors)) = &harmonics {
+                let sums = harmonics.known(reduction, *errors, at(index), at(index + 1));
+                known.extend(sums.into_iter().filter_map(|(name, sum)| Some((program.named(name)?, sum))));
+            }
+            norm(program.rounding(&known).iter().map(|known| known.error))
+        };
+        (0..SLICES).map(slice).fold(0.0, f64::max)
+    }
+}
+
+/// Subintervals of the phase on which the rounding is analysed separately.
+const SLICES: usize = 64;
+
+pub(super) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
+    parts.map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
+fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Polynomial) -> Vec<Id> {
+    let (half_sine, half_cosine) = (sine.magnitude(b, variables), cosine.magnitude(b, variables));
+    b.name(half_sine, "half_sine");
+    b.name(half_cosine, "half_cosine");
+    let product = b.mul(half_sine, half_cosine);
+    let x = b.add(product, product);
+    b.name(x, "x");
+    let x = variables.sign(b, x, sine.parity);
+    let (sine_squared, cosine_squared) = (b.mul(half_sine, half_sine), b.mul(half_cosine, half_cosine));
+    let y = b.sub(sine_squared, cosine_squared);
+    vec![x, b.name(y, "y")]
+}
+
+/// One function of the time, the kernels' results its own.
+pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
+    const NAMES: [&str; 2] = ["first_result", "second_result"];
+    let mut b = Builder::new(reduction.float);
+    let t = b.input();
+    let phase = reduction.lower(&mut b, t);
+    let odd = kernels.iter().any(|kernel| kernel.is_odd());
+    let centre = kernels.first().map_or(1.0, |kernel| kernel.centre());
+    let variables = Variables::lower(&mut b, phase, reduction, centre, odd);
+    let names = if kernels.len() == 1 { ["result"; 2] } else { NAMES };
+    let results = kernels.iter().zip(names).flat_map(|(kernel, name)| kernel.lower(&mut b, &variables, name)).collect();
+    b.finish(results)
+}
+
+/// A function per output, and `state` for θ and velocity together.
+pub(super) fn functions(reduction: &Reduction, parts: &[Part]) -> Vec<Function> {
+    let single = |part: &Part| Function { name: part.output.word(), program: function(reduction, &[&part.kernel]) };
+    let mut functions: Vec<Function> = parts.iter().map(single).collect();
+    let of = |output| parts.iter().find(|part| part.output == output);
+    if let (Some(theta), Some(velocity)) = (of(Output::Theta), of(Output::Velocity)) {
+        let program = function(reduction, &[&theta.kernel, &velocity.kernel]);
+        functions.push(Function { name: "state", program });
+    }
+    functions
+}

@@ -1,0 +1,235 @@
+//! The methods of the paper, and the series of θ: sums of harmonics of one cosine.
+
+use super::arcsine::Arcsine;
+use super::curve::{Curve, SwingCurves};
+use super::harmonics::Harmonics;
+use super::kernel::{self, Kernel};
+use super::polynomial::{Approximation, Form};
+use super::reduction::{Clock, Reduction};
+use super::{Bound, Part, Plan, Refusal, velocity_bias};
+use crate::exact::Real;
+use crate::motion::Swing;
+use crate::parse::{Method, Output};
+use crate::scene::{Goal, Scene};
+use crate::series::swing_rate;
+use pendulum_runtime::double::Double;
+use pendulum_runtime::fourier_analysis::FourierAnalysis;
+
+/// More harmonics than this make a program too long to be of use.
+const MOST_HARMONICS: usize = 400;
+
+/// How far certified suprema may exceed the true ones.
+const SLACK: f64 = 1e-3;
+
+/// The plan of a forced method, or of the paper's θ̂.
+pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
+    let sum = Sum::choose(scene, swing, method)?;
+    sum.plan(scene, swing)
+}
+
+/// The weights that a method gives to the harmonics of the phase.
+struct Sum {
+    method: Method,
+    /// Anchors per unit of time: of the small-angle motion where that is the method.
+    rate: Real,
+    /// Of cos((2n−1)πs).
+    weights: Vec<Double>,
+    /// b₂ₙ₋₁, where the weights are those of k sn.
+    coefficients: Vec<Real>,
+    /// sup |approximation − exact| for θ.
+    bias: f64,
+}
+
+impl Sum {
+    fn choose(scene: &Scene, swing: &Swing, method: Method) -> Result<Self, Refusal> {
+        let rate = swing_rate(swing);
+        let amplitude = || vec![swing.amplitude.to_double()];
+        match method {
+            Method::Fourier => Self::fourier(scene, swing, rate),
+            Method::Series => Ok(Self::series(scene, swing, rate)),
+            Method::SmallAngle => {
+                let small = &scene.motion.omega / scene.motion.omega.context().pi();
+                let drift = (&small - &rate).abs().to_f64() * std::f64::consts::PI * horizon(scene, &rate);
+                let apart = swing.amplitude.to_f64() * (0.5 * drift).min(std::f64::consts::FRAC_PI_2).sin() * 2.0;
+                let bias = harmonic_bias(scene, swing) + apart;
+                Ok(Self { method, rate: small, weights: amplitude(), coefficients: Vec::new(), bias })
+            }
+            _ => Ok(Self {
+                method,
+                rate,
+                weights: amplitude(),
+                coefficients: Vec::new(),
+                bias: harmonic_bias(scene, swing),
+            }),
+        }
+    }
+
+    /// k b₂ₙ₋₁ with alternating signs: k sn_N(u + K) (Eq. 22).
+    fn fourier(scene: &Scene, swing: &Swing, rate: Real) -> Result<Self, Refusal> {
+        let elliptic = &swing.elliptic;
+        let analysis = FourierAnalysis::new(elliptic.modulus.to_double(), elliptic.complementary.to_double());
+        let n = match scene.goal {
+            Goal::Terms(n) => n,
+            Goal::Tolerance(tol) => first(|n| analysis.overshoot(n).is_none() && analysis.supremum(n) < tol * 0.99),
+            Goal::Full => first(|n| {
+                analysis.overshoot(n).is_none() && analysis.supremum(n) < scene.float.unit() * swing.amplitude.to_f64()
+            }),
+        };
+        if let Some(overshoot) = analysis.overshoot(n) {
+            return Err(Refusal::Overshoot { terms: n, overshoot, smallest: analysis.smallest_working() });
+        }
+        let coefficients: Vec<Real> = (1..=n).map(|n| swing.fourier_coefficient(n)).collect();
+        let weight = |(index, b): (usize, &Real)| {
+            let weight = (b * &elliptic.modulus).to_double();
+            if index % 2 == 1 { -weight } else { weight }
+        };
+        let weights = coefficients.iter().enumerate().map(weight).collect();
+        Ok(Self { method: Method::Fourier, rate, weights, coefficients, bias: analysis.certified_bound(n, SLACK) })
+    }
+
+    /// The series of θ; its tail's supremum is bounded by samples finer than its fastest harmonic.
+    fn series(scene: &Scene, swing: &Swing, rate: Real) -> Self {
+        let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+        let terms = theta.terms();
+        let aim = match scene.goal {
+            Goal::Tolerance(tol) => tol * 0.98,
+            _ => scene.float.unit() * swing.amplitude.to_f64(),
+        };
+        let simple = |kept: usize| terms.iter().skip(kept).map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted();
+        let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
+        let sup =
+            |kept: usize| if kept + 40 < terms.len() { simple(kept) } else { tail(&terms[kept..]) + theta.omitted() };
+        let kept = (fewest..=terms.len()).find(|&kept| sup(kept) <= aim).unwrap_or(terms.len());
+        let weights = terms[..kept.min(MOST_HARMONICS)].iter().map(|&(_, a)| a).collect();
+        Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias: sup(kept.min(MOST_HARMONICS)) }
+    }
+}
+
+/// sup |Σ aₘ cos mφ| from 16 samples a wave of the highest harmonic M: at most a factor 1/cos(π/16) above the largest
+/// sample (Ehlich and Zeller 1964).
+fn tail(terms: &[(u32, Double)]) -> f64 {
+    let Some(&(highest, _)) = terms.last() else { return 0.0 };
+    let points = 8 * highest;
+    let at = |i: u32| {
+        let phi = std::f64::consts::PI * f64::from(i) / f64::from(points);
+        terms.iter().map(|&(m, a)| a.hi * (f64::from(m) * phi).cos()).sum::<f64>().abs()
+    };
+    (0..=points / 2).map(at).fold(0.0, f64::max) / (std::f64::consts::PI / 16.0).cos() * (1.0 + 1e-9)
+}
+
+/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics.
+fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
+    let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    let mut terms = theta.terms().to_vec();
+    if let Some(first) = terms.first_mut() {
+        first.1 = first.1 - swing.amplitude.to_double();
+    }
+    tail(&terms) + theta.omitted()
+}
+
+fn first(serves: impl Fn(usize) -> bool) -> usize {
+    (1..MOST_HARMONICS).find(|&n| serves(n)).unwrap_or(MOST_HARMONICS)
+}
+
+fn horizon(scene: &Scene, rate: &Real) -> f64 {
+    scene.t_max.as_ref().map_or_else(|| 2f64.powi(54) / rate.to_f64(), Real::to_f64)
+}
+
+impl Sum {
+    /// The cheapest reduction with which the promise is kept, or, if nothing is promised, whose error is beside the
+    /// rounding of the rest.
+    fn plan(&self, scene: &Scene, swing: &Swing) -> Result<Plan, Refusal> {
+        if let Some(&output) = scene.outputs.iter().find(|&&output| !self.serves(output)) {
+            return Err(Refusal::Output { method: self.method, output });
+        }
+        let clock = Clock {
+            rate: &self.rate,
+            launch: swing.launch.to_double(),
+            t_max: scene.t_max.as_ref().map(Real::to_f64),
+            float: scene.float,
+        };
+        let mut reductions = clock.reductions();
+        reductions.sort_by_key(|reduction| kernel::function(reduction, &[]).operations());
+        let mut closest = f64::INFINITY;
+        for reduction in &reductions {
+            let parts: Vec<Part> =
+                scene.outputs.iter().map(|&output| self.part(scene, swing, output, reduction)).collect();
+            let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
+            let kept = match scene.goal {
+                Goal::Tolerance(tol) => worst <= tol,
+                _ => parts.iter().all(|part| part.bound.phase <= 4.0 * scene.float.unit() * part.largest),
+            };
+            if kept {
+                return Ok(Plan {
+                    method: self.method,
+                    reduction: reduction.clone(),
+                    functions: kernel::functions(reduction, &parts),
+                    parts,
+                    coefficients: self.coefficients.clone(),
+                    rejected: Vec::new(),
+                });
+            }
+            closest = closest.min(worst);
+        }
+        Err(Refusal::Unreachable { best: closest })
+    }
+
+    /// Which outputs follow from the sum and its derivative.
+    fn serves(&self, output: Output) -> bool {
+        matches!(output, Output::Theta | Output::Velocity)
+    }
+
+    fn part(&self, scene: &Scene, swing: &Swing, output: Output, reduction: &Reduction) -> Part {
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        let derivative = output == Output::Velocity;
+        let curve = if derivative { curves.velocity() } else { curves.theta() };
+        let precision = scene.float.unit() / 2.0;
+        let base = |curve: &Curve| {
+            let approximation = Approximation::entire(curve, precision / 16.0);
+            let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
+            approximation.polynomial(terms, Form::Plain, reduction, true)
+        };
+        let one = scene.motion.omega.context().integer(1);
+        let cosine = base(&Curve::cosine(&one));
+        let sine = derivative.then(|| base(&Curve::sine()));
+        let arcsine = (!self.coefficients.is_empty()).then(|| self.arcsine(scene));
+        let mirror = if swing.mirrored { -1.0 } else { 1.0 };
+        let needs_value = !derivative || arcsine.is_some();
+        let harmonics = Harmonics {
+            cosine,
+            sine,
+            cosines: if needs_value {
+                self.weights.iter().map(|&w| w * if derivative { 1.0 } else { mirror }).collect()
+            } else {
+                Vec::new()
+            },
+            sines: if derivative { self.slopes(mirror) } else { Vec::new() },
+            arcsine,
+        };
+        let kernel = Kernel::Harmonics(Box::new(harmonics));
+        let evaluation = kernel.rounding(reduction);
+        let bias = if derivative { self.velocity_bias(scene, swing) } else { self.bias };
+        let bound = Bound { truncation: bias, phase: curve.phase_error(reduction), evaluation };
+        let (description, unit, largest) = (kernel.describe(), curve.unit, curve.largest);
+        Part { output, kernel, description, bound, unit, largest }
+    }
+
+    /// Weights of the derivative: −wₙ(2n − 1)π·rate.
+    fn slopes(&self, mirror: f64) -> Vec<Double> {
+        let rate = self.rate.to_double() * Double::PI * -mirror;
+        self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
+    }
+
+    /// For arguments up to the largest that occurs.
+    fn arcsine(&self, scene: &Scene) -> Arcsine {
+        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
+        Arcsine::new(sum.min(1.0), scene.float.unit() / 2.0)
+    }
+
+    /// sup |θ̂′ − θ̇|.
+    fn velocity_bias(&self, scene: &Scene, swing: &Swing) -> f64 {
+        let exact = swing_rate(swing);
+        let drift = (&self.rate - &exact).abs().to_f64() * horizon(scene, &exact);
+        velocity_bias::bound(&self.weights, self.method, &self.rate, drift, scene, swing)
+    }
+}
