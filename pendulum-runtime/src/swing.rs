@@ -45,7 +45,7 @@ impl SwingPhase {
         let turning = if s <= 0.25 { s + low } else { (0.5 - s) - low };
         Self {
             crossing: (0.25 - s) - low,
-            turning: turning.max(0.0),
+            turning: if turning < 0.0 { 0.0 } else { turning }, // keeps NaN
             growing: if phase.high < 0.0 { 1.0 } else { -1.0 },
         }
     }
