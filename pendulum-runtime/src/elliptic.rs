@@ -6,10 +6,9 @@
 //!
 //! | | error at most |
 //! |---|---|
-//! | K, K′, F | 2 ulp |
-//! | q | 2 ulp |
-//! | sn, cn, dn | 4 · 2⁻⁵³ absolute (sn also relative, near u = 0), for \|u\| up to 2⁴⁵ K |
-//! | am | 2⁻⁵¹ max(1, \|am\|) |
+//! | K, K′, q, F | 1 ulp |
+//! | sn, cn, dn | 6 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K; sn also 8 · 2⁻⁵³ \|sn\| near u = 0 |
+//! | am | 6 · 2⁻⁵³ max(1, \|am\|); also 8 · 2⁻⁵³ \|am\| near u = 0 |
 //!
 //! ```
 //! use pendulum_runtime::elliptic::{self, complementary};

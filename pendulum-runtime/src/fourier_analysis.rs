@@ -78,7 +78,7 @@ fn distance(y: f64, dn: f64, tail: f64, margin: f64) -> f64 {
     if x <= 0.0 {
         return 2.0 * (libm::atan2(y, dn) - libm::atan2(x, root)).abs();
     }
-    let sine = tail * (x + y) / (x * dn + y * root);
+    let sine = tail * ((x + y) / (x * dn + y * root)); // in this order: nothing underflows on the way
     2.0 * libm::atan2(sine.abs(), x * y + dn * root)
 }
 
@@ -271,7 +271,8 @@ impl Cells<'_> {
         left.max(self.bound(middle, high, depth - 1))
     }
 
-    /// Taylor's theorem bounds ρ on the cell; given ρ, |asin(y − ρ) − asin y| grows with y, which is largest at the end.
+    /// Taylor's theorem bounds ρ on the cell; given ρ, |asin(y − ρ) − asin y| is largest at the cell's end, where y is,
+    /// with two exceptions.
     fn cell_bound(&self, low: f64, high: f64) -> f64 {
         let radius = core::f64::consts::PI * (high - low); // half the cell, in w = 2πz
         let tail = self.analysis.tail(self.terms, 0.5 * (low + high));
@@ -279,13 +280,17 @@ impl Cells<'_> {
         let end = self.analysis.sample(self.terms, high);
         let bound = |tail: f64| {
             let margin = end.dn * end.dn + tail * (2.0 * end.y - tail);
-            if margin >= self.least {
+            if end.y < tail {
+                // asin y − asin(y − ρ) grows with y from y = ρ/2 on, and is the same at y = 0 and y = ρ.
+                let y = tail.min(1.0);
+                distance(y, sqrt((1.0 - y) * (1.0 + y)), y, 1.0)
+            } else if margin >= self.least {
                 distance(end.y, end.dn, tail, margin)
             } else {
-                // x reaches its largest value anywhere: the tail that takes it there from y.
-                let x = sqrt(1.0 - self.least);
-                let reach = (end.dn * end.dn - self.least).max(0.0) / (x + end.y);
-                distance(end.y, end.dn, -reach, self.least)
+                // asin(y − ρ) − asin y grows with y only until y − ρ is as large as it ever gets.
+                let y = sqrt(1.0 - self.least) + tail;
+                let dn = sqrt(self.least - tail * (2.0 * y - tail));
+                distance(y, dn, tail, self.least)
             }
         };
         let most = (tail.value + spread).min(self.total);
