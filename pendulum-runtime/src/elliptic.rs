@@ -124,7 +124,7 @@ impl Jacobi {
         if halves == 0.0 { partial } else { partial + halves * 2.0 * self.quarter_period() }
     }
 
-    /// F for 0 ≤ φ ≤ π/2: sin φ · R_F(cos² φ, 1 − k² sin² φ, 1), the second argument as cos² φ + k′² sin² φ.
+    /// F for 0 ≤ φ ≤ π/2: sin φ · RF(cos² φ, 1 − k² sin² φ, 1), the second argument as cos² φ + k′² sin² φ.
     fn partial(&self, phi: Double) -> f64 {
         let (sine, cosine) = half_angle(phi.scale(2.0));
         let scaled = self.kc * sine;

@@ -3,7 +3,7 @@
 //! Shared by the run-time `Fourier` and the macro; not part of the public interface.
 //!
 //! With w the phase since the zero crossing, 0 ≤ w ≤ π/2 by symmetry, let y = sin(θ/2) = k sn, and let
-//! x = k sn_N = y − ρ be the argument of the arcsine, ρ the tail of the series. Everything follows from y, from
+//! x = k snᴺ = y − ρ be the argument of the arcsine, ρ the tail of the series. Everything follows from y, from
 //! dn = cos(θ/2) and from the tail, each known to relative accuracy, and nothing is ever the difference of two large
 //! numbers:
 //!
@@ -108,7 +108,7 @@ impl FourierAnalysis {
         (self.root / self.k) * self.scale * power / (Double::ONE - odd)
     }
 
-    /// How far the largest argument of the arcsine, k sn_N, exceeds 1; `None` if it nowhere does.
+    /// How far the largest argument of the arcsine, k snᴺ, exceeds 1; `None` if it nowhere does.
     #[must_use]
     pub fn overshoot(&self, terms: usize) -> Option<f64> {
         let least = -self.largest(terms, |sample| -sample.margin());
@@ -136,7 +136,7 @@ impl FourierAnalysis {
     /// sup |θ̂ − θ| over the period: every local maximum found by sampling, refined until it stands still.
     #[must_use]
     pub fn supremum(&self, terms: usize) -> f64 {
-        self.largest(terms, |sample| sample.error())
+        self.largest(terms, Sample::error)
     }
 
     /// An upper bound of |θ̂ − θ| over the period, at most 1 + `slack` times its supremum, by branch and bound: proven
