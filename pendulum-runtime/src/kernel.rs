@@ -95,7 +95,7 @@ const FOUR_ATAN: [(f64, f64); 5] = [
     (core::f64::consts::PI, 1.2246467991473532e-16),
 ];
 
-/// 4 atan(n/d) for 0 ≤ n ≤ 1.1 d with one division; relative error below 3.2 · 2⁻⁵³.
+/// 4 atan(n/d) for 0 ≤ n ≤ 1.1 d with one division; relative error below 2.5 · 2⁻⁵³.
 ///
 /// With b the multiple of ¼ nearest to n/d, atan(n/d) = atan b + atan r, r = (n − bd)/(d + bn), |r| ≤ ⅛.
 #[inline]
