@@ -2,7 +2,7 @@
 
 mod data;
 
-use pendulum_runtime::elliptic::{self, Jacobi, complementary};
+use pendula::elliptic::{self, Jacobi, complementary};
 
 /// Half an ulp of 1.
 const U: f64 = f64::EPSILON / 2.0;

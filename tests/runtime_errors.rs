@@ -1,6 +1,6 @@
 //! Bad input at run time: the matching variant, and a message that names value and remedy.
 
-use pendulum_runtime::{Error, Pendulum};
+use pendula::{Error, Pendulum};
 
 #[test]
 fn released_at_rest() {

@@ -1,9 +1,9 @@
 //! The paper's approximation at run time: its table, its limits, and the true supremum of its error.
 
 use core::f64::consts::PI;
+use pendula::{Error, Fourier, Pendulum};
 use pendulum_runtime::double::Double;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
-use pendulum_runtime::{Error, Fourier, Pendulum};
 
 fn released(turn_fraction: f64) -> Pendulum<f64> {
     Pendulum::new(turn_fraction * PI, 1.0).expect("below pi")

@@ -1,7 +1,7 @@
 //! What must hold of any motion, whatever the numbers: property tests over all regimes, with shrinking.
 
 use core::f64::consts::PI;
-use pendulum_runtime::{Error, Pendulum, Regime};
+use pendula::{Error, Pendulum, Regime};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
