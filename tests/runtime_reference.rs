@@ -4,7 +4,7 @@
 mod data;
 
 use data::Row;
-use pendulum_runtime::{Pendulum, Regime};
+use pendula::{Pendulum, Regime};
 use std::collections::BTreeMap;
 
 /// 2⁻⁵⁰, the promise's unit.

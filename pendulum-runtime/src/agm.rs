@@ -6,7 +6,7 @@ use crate::support::sqrt;
 /// More steps than any pair in (2⁻¹⁰⁷⁴, 1] needs; the loop ends earlier.
 const MAX_STEPS: usize = 24;
 
-/// AGM(1, x) for 0 < x ≤ 1 in two words.
+/// AGM(1, x) for 0 < x ≤ 1 in two words (for x below 10⁻²⁹⁰ in fewer, as products underflow).
 ///
 /// Each step doubles the digits that agree. When a and b agree to 2⁻⁵⁴, their mean is AGM to (a − b)²/16 = 2⁻¹¹².
 /// A rounding error enters a homogeneous function of degree one with positive weights, so the steps add at most the
@@ -66,4 +66,38 @@ pub(crate) fn sqrt_nome(k: f64, kc: f64) -> f64 {
     let e2 = e * e;
     let product = sqrt(sqrt(a3 * a4) * a2) * a1; // (a₁⁴ a₂² a₃ a₄)^(1/4)
     0.25 * k * (1.0 + 0.25 * e2 * e2) / sqrt(product)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::double::relative_error;
+
+    /// Expected values by mpmath.
+    #[test]
+    fn means_in_two_words() {
+        let cases = [
+            (Double::new(0.5).sqrt(), Double { hi: 0.847213084793979, lo: 3.2274329925022014e-17 }),
+            (Double::new(0.5), Double { hi: 0.7283955155234534, lo: 4.945050030370928e-17 }),
+            (Double::new(1e-12), Double { hi: 0.054133068513430714, lo: 1.1684898136696955e-18 }),
+            (Double::new(1e-300), Double { hi: 0.002269406194157821, lo: 1.2098312148717716e-19 }),
+        ];
+        for (x, expected) in cases {
+            let error = relative_error(agm_double(x), expected);
+            // At 1e-300 the second words underflow.
+            let bound = if x.hi < 1e-290 { 1e-24 } else { 1.0 / (1_u128 << 102) as f64 };
+            assert!(error <= bound, "{x:?}: {error:e}");
+            assert!((agm(x.hi) / expected.hi - 1.0).abs() <= 2.0 * f64::EPSILON);
+        }
+        assert_eq!((agm_double(Double::ONE), agm(1.0)), (Double::ONE, 1.0));
+        assert_eq!((agm(0.0), complete(Double::ZERO)), (0.0, f64::INFINITY));
+    }
+
+    /// k/4 as k → 0, even where k² underflows.
+    #[test]
+    fn the_root_of_the_nome_at_tiny_moduli() {
+        for k in [1e-9, 1e-100, 1e-300] {
+            assert!((sqrt_nome(k, 1.0) / (k / 4.0) - 1.0).abs() <= 2.0 * f64::EPSILON);
+        }
+    }
 }

@@ -85,18 +85,21 @@ impl Double {
 
     /// |x|.
     #[inline]
+    #[must_use]
     pub const fn abs(self) -> Self {
         if self.hi < 0.0 { Self { hi: -self.hi, lo: -self.lo } } else { self }
     }
 
     /// x · 2ᵏ for an exact power of two `scale` (no rounding short of overflow and underflow).
     #[inline]
+    #[must_use]
     pub const fn scale(self, scale: f64) -> Self {
         Self { hi: self.hi * scale, lo: self.lo * scale }
     }
 
     /// √x for x ≥ 0, within 4u² (Karp's trick: one Newton step from the `f64` root).
     #[inline]
+    #[must_use]
     pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::ZERO;
@@ -176,5 +179,55 @@ impl Div for Double {
         let third = rest.hi / other.hi;
         let (hi, lo) = quick_two_sum(first, second);
         Self { hi, lo } + Self::new(third)
+    }
+}
+
+/// |x/exact − 1|, for tests.
+#[cfg(test)]
+pub(crate) fn relative_error(x: Double, exact: Double) -> f64 {
+    ((x - exact) / exact).abs().to_f64()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 2⁻⁵³.
+    const U: f64 = f64::EPSILON / 2.0;
+
+    #[test]
+    fn transformations_lose_nothing() {
+        assert_eq!(two_sum(1.0, 1e-30), (1.0, 1e-30));
+        assert_eq!(two_sum(1e-30, 1.0), (1.0, 1e-30));
+        assert_eq!(quick_two_sum(1.0, U), (1.0, U));
+        // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰
+        let x = 1.0 + 1.0 / 1_073_741_824.0;
+        assert_eq!(two_prod(x, x), (1.0 + 2.0 / 1_073_741_824.0, U / 128.0));
+        let (high, low) = split(core::f64::consts::PI);
+        assert_eq!(high + low, core::f64::consts::PI);
+        assert_eq!((high.to_bits() | low.to_bits()) & 0x3ff_ffff, 0);
+    }
+
+    /// Division, multiplication and root undo one another within the sum of their bounds.
+    #[test]
+    fn operations_keep_their_bounds() {
+        let mut x = Double { hi: 0.731, lo: 3.1e-17 };
+        for _ in 0..1000 {
+            let y = x * Double::PI + Double::ONE;
+            assert!(relative_error(y / x * x, y) <= 20.0 * U * U);
+            assert!(relative_error(y.sqrt() * y.sqrt(), y) <= 16.0 * U * U);
+            assert!(relative_error((y - Double::ONE) / Double::PI, x) <= 30.0 * U * U);
+            x = Double::ONE / y + x.scale(0.5);
+        }
+        assert_eq!(Double::ZERO.sqrt(), Double::ZERO);
+        assert_eq!((-Double::PI).abs(), Double::PI);
+        assert_eq!(Double::from_sum(1e-30, 1.0).to_f64(), 1.0);
+        assert_eq!(Double::from(2.0), Double::new(2.0));
+    }
+
+    #[test]
+    fn pi_has_its_second_word() {
+        // sin x for x = the first word of π is π − x to third order.
+        assert!((libm::sin(Double::PI.hi) - Double::PI.lo).abs() < U * U);
     }
 }

@@ -78,3 +78,42 @@ fn supplement(theta: Double) -> Double {
         + (Double::new(Double::PI.lo) - Double::new(theta.lo))
         + Double::new(PI_THIRD)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::double::relative_error;
+
+    /// 2⁻¹⁰², as promised.
+    const BOUND: f64 = 1.0 / (1_u128 << 102) as f64;
+
+    /// Expected values by mpmath.
+    #[test]
+    fn sine_and_cosine_in_two_words() {
+        let (half, most) = (Double::new(0.5), Double::new(0.8));
+        let close = |x, exact| assert!(relative_error(x, exact) <= BOUND, "{x:?} {exact:?}");
+        close(sin_small(half), Double { hi: 0.479425538604203, lo: -5.103969860556013e-18 });
+        close(cos_small(half), Double { hi: 0.8775825618903728, lo: -4.2623149864279997e-17 });
+        close(sin_small(most), Double { hi: 0.7173560908995228, lo: 1.1851419720716684e-18 });
+        close(cos_small(most), Double { hi: 0.6967067093471654, lo: 1.9275818349860986e-18 });
+        assert_eq!(sin_small(Double::new(1e-300)), Double::new(1e-300));
+    }
+
+    #[test]
+    fn half_angles_near_the_top_keep_the_small_cosine() {
+        let (_, cosine) = half_angle(Double::new(3.141592653588793));
+        assert!(relative_error(cosine, Double { hi: 5.001056826311279e-13, lo: -1.2536990227779046e-29 }) <= BOUND);
+        let (sine, cosine) = half_angle(Double::new(core::f64::consts::PI));
+        assert!(relative_error(cosine, Double { hi: 6.123233995736766e-17, lo: -1.4973849048591698e-33 }) <= BOUND);
+        assert_eq!(sine.hi, 1.0);
+    }
+
+    #[test]
+    fn half_angles_obey_pythagoras() {
+        for i in 0..=1000 {
+            let (sine, cosine) = half_angle(Double::PI * (f64::from(i) / 1000.0));
+            // Twice each relative bound, weighted by the squares.
+            assert!(relative_error(sine * sine + cosine * cosine, Double::ONE) <= 4.0 * BOUND);
+        }
+    }
+}

@@ -6,10 +6,9 @@
 //!
 //! | | error at most |
 //! |---|---|
-//! | K, K′, F | 2 ulp |
-//! | q | 2 ulp |
-//! | sn, cn, dn | 4 · 2⁻⁵³ absolute (sn also relative, near u = 0), for \|u\| up to 2⁴⁵ K |
-//! | am | 2⁻⁵¹ max(1, \|am\|) |
+//! | K, K′, q, F | 1 ulp |
+//! | sn, cn, dn | 6 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K; sn also 8 · 2⁻⁵³ \|sn\| near u = 0 |
+//! | am | 6 · 2⁻⁵³ max(1, \|am\|); also 8 · 2⁻⁵³ \|am\| near u = 0 |
 //!
 //! ```
 //! use pendulum_runtime::elliptic::{self, complementary};
@@ -125,7 +124,7 @@ impl Jacobi {
         if halves == 0.0 { partial } else { partial + halves * 2.0 * self.quarter_period() }
     }
 
-    /// F for 0 ≤ φ ≤ π/2: sin φ · R_F(cos² φ, 1 − k² sin² φ, 1), the second argument as cos² φ + k′² sin² φ.
+    /// F for 0 ≤ φ ≤ π/2: sin φ · RF(cos² φ, 1 − k² sin² φ, 1), the second argument as cos² φ + k′² sin² φ.
     fn partial(&self, phi: Double) -> f64 {
         let (sine, cosine) = half_angle(phi.scale(2.0));
         let scaled = self.kc * sine;

@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 use crate::swing::SwingPhase;
 use core::marker::PhantomData;
 
-/// θ̂(t) = 2 arcsin(k sn_N(ωt + K)) with sn_N(u) = Σ b₂ₙ₋₁ sin((2n − 1)πu/(2K)), n = 1 … N (Eqs. 20 to 22).
+/// θ̂(t) = 2 arcsin(k snᴺ(ωt + K)) with snᴺ(u) = Σ b₂ₙ₋₁ sin((2n − 1)πu/(2K)), n = 1 … N (Eqs. 20 to 22).
 ///
 /// Made by [`Pendulum::fourier`](crate::Pendulum::fourier). Exactly periodic with the exact period, so its error does
 /// not grow with t.
@@ -33,7 +33,7 @@ pub struct Fourier<const N: usize, F: Scalar = f64> {
 }
 
 impl<const N: usize, F: Scalar> Fourier<N, F> {
-    pub(crate) fn new(motion: Motion) -> Result<Self, Error> {
+    pub(crate) fn new(motion: &Motion) -> Result<Self, Error> {
         if N == 0 {
             return Err(Error::NoTerms);
         }
@@ -46,7 +46,7 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
         }
         let exact: [_; N] = core::array::from_fn(|i| analysis.coefficient(i + 1));
         Ok(Self {
-            motion,
+            motion: *motion,
             coefficients: exact.map(crate::double::Double::to_f64),
             amplitudes: exact.map(|b| (b * motion.k).to_f64()),
             max_error: analysis.supremum(N),

@@ -36,16 +36,17 @@ pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion
     frequency(omega)?;
     // Both are brought to ω's binade first, so that the division neither underflows nor overflows needlessly.
     let unit = binade(omega);
-    let speed = velocity.abs() / unit;
-    if speed > LARGEST_SPEED {
+    let speed = 0.5 * (velocity.abs() / unit);
+    if speed > 0.5 * LARGEST_SPEED * (omega / unit) {
         return Err(Error::Velocity { value: velocity });
     }
     let angle = reduce(theta);
     let base = Double::new(theta) - angle;
-    if velocity == 0.0 {
+    if speed == 0.0 {
+        // At rest, or so slow that the motion it adds is below the smallest `f64`.
         return Ok(released(angle, base, theta, omega));
     }
-    let speed = Double::new(0.5 * speed) / Double::new(omega / unit);
+    let speed = Double::new(speed) / Double::new(omega / unit);
     let forward = velocity > 0.0;
     let state = State {
         angle: if forward { angle } else { -angle },
@@ -81,7 +82,7 @@ fn released(angle: Double, base: Double, theta: f64, omega: f64) -> Motion {
         ),
         base,
         direction: if angle.hi < 0.0 { -1.0 } else { 1.0 },
-        top_speed: (k * 2.0 * omega).to_f64(),
+        top_speed: top_speed(k, omega),
         amplitude: magnitude.to_f64(),
         k,
         moduli: Moduli { k, kc, mean },
@@ -173,7 +174,7 @@ impl State {
             shape: Shape::Separatrix(Rotation::separatrix(), Double::ZERO),
             base: self.base,
             direction: self.direction,
-            top_speed: (k * 2.0 * self.omega).to_f64(),
+            top_speed: top_speed(k, self.omega),
             amplitude: 0.0,
             k,
             moduli: Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO },
@@ -182,6 +183,12 @@ impl State {
             omega: self.omega,
         }
     }
+}
+
+/// 2ωk, within the finite numbers; scaled so that no product is split beyond 2⁹⁹⁵.
+fn top_speed(k: Double, omega: f64) -> f64 {
+    let unit = binade(omega);
+    ((k * (2.0 * (omega / unit))).to_f64() * unit).min(f64::MAX)
 }
 
 /// √(a² + b²) without overflow or underflow.

@@ -7,7 +7,7 @@ use crate::double_trig::half_angle;
 use crate::error::Error;
 use crate::kernel::{round, sin_turns};
 use crate::nome::nome_of;
-use crate::phase::{Phase, Reduced};
+use crate::phase::{Phase, Reduced, binade};
 use crate::regime::Regime;
 use crate::rotation::Rotation;
 use crate::swing::{Swing, SwingPhase};
@@ -73,7 +73,9 @@ impl Motion {
     /// ωt + u₀, where only |u| < 42 matters; NaN for NaN and ±∞.
     fn separatrix_phase(&self, start: Double, t: f64) -> Reduced {
         let product = self.omega * t;
-        let u = if product.abs() < 1e9 { (Double::from_product(self.omega, t) + start).hi } else { product };
+        let unit = binade(self.omega); // scaled so that neither factor is split beyond 2⁹⁹⁵
+        let exact = Double::from_product(self.omega / unit, t * unit) + start;
+        let u = if product.abs() < 1e9 { exact.hi } else { product };
         let high = if t.is_finite() { u.clamp(-1e9, 1e9) } else { f64::NAN };
         Reduced { turns: 0.0, high, low: 0.0 }
     }
@@ -157,9 +159,9 @@ impl Motion {
         nome_of(self.moduli.k, self.moduli.kc)
     }
 
-    /// θ̇²/2ω² + 1 − cos θ = 2k².
+    /// θ̇²/2ω² + 1 − cos θ = 2k²; ∞ from 2·10³⁰⁰ on.
     pub(crate) fn energy(&self) -> f64 {
-        (self.k * self.k).scale(2.0).to_f64()
+        if self.k.hi > 1e150 { f64::INFINITY } else { (self.k * self.k).scale(2.0).to_f64() }
     }
 
     /// Eq. 3, the linearised motion from the same initial state: θ cos ωt + (θ̇/ω) sin ωt.

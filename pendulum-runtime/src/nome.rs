@@ -55,3 +55,37 @@ fn series(e: Double) -> Double {
 fn root(x: Double, n: usize) -> Double {
     (0..n).fold(x, |x, _| x.sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::agm::sqrt_nome;
+    use crate::double::relative_error;
+
+    /// Expected values by mpmath, exp(−πK′/(2K)).
+    #[test]
+    fn roots_in_two_words() {
+        let bound = 1.0 / (1_u128 << 97) as f64;
+        let root = root_of_nome(Double::new(0.5), Double { hi: 0.8660254037844386, lo: 5.0175421109034514e-17 });
+        assert!(relative_error(root, Double { hi: 0.1340611316115422, lo: -3.377252941970281e-18 }) <= bound);
+        let kc = Double::new(1e-12);
+        let root = root_of_nome((Double::ONE - kc * kc).sqrt(), kc);
+        assert!(relative_error(root, Double { hi: 0.9184828693521186, lo: -3.92228320154781e-17 }) <= bound);
+        assert_eq!(nome_of(Double::ONE, Double::ZERO), 1.0);
+        assert_eq!(nome_of(Double::ZERO, Double::ONE), 0.0);
+    }
+
+    /// The quick form in one word, over its whole domain.
+    #[test]
+    fn one_word_and_two_words_agree() {
+        for i in 1..=880 {
+            let k = Double::new(f64::from(i) / 1000.0);
+            let kc = ((Double::ONE - k) * (Double::ONE + k)).sqrt();
+            let exact = root_of_nome(k, kc).hi;
+            assert!((sqrt_nome(k.hi, kc.hi) / exact - 1.0).abs() <= 3.0 * f64::EPSILON, "{i}");
+        }
+        let kc = Double::new(0.12); // where the direct series end
+        let k = ((Double::ONE - kc) * (Double::ONE + kc)).sqrt();
+        assert!((sqrt_nome(k.hi, kc.hi) / root_of_nome(k, kc).hi - 1.0).abs() <= 3.0 * f64::EPSILON);
+    }
+}

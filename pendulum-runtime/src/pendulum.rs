@@ -121,7 +121,7 @@ impl<F: Scalar> Pendulum<F> {
 
     /// The first t ≥ 0 at which θ(t) = `theta`, turns counted.
     ///
-    /// By Carlson's R_F in twice the working precision, so the result is as good as conditioning allows: within a few
+    /// By Carlson's RF in twice the working precision, so the result is as good as conditioning allows: within a few
     /// ulp of t, except where θ̇ is small, at a turning point, where half an ulp of the angle moves t by
     /// √(ulp/|θ̈|).
     ///
@@ -198,6 +198,6 @@ impl<F: Scalar> Pendulum<F> {
     /// for 2, 0.9139π for 3, 0.9547π for 4, …); [`Error::NoTerms`] for N = 0; [`Error::NotASwing`] for rotation and
     /// separatrix.
     pub fn fourier<const N: usize>(&self) -> Result<Fourier<N, F>, Error> {
-        Fourier::new(self.motion)
+        Fourier::new(&self.motion)
     }
 }

@@ -105,3 +105,54 @@ fn normalise(whole: f64, sum: f64, low: f64) -> Reduced {
 pub(crate) fn binade(x: f64) -> f64 {
     f64::from_bits((x.to_bits() & (0x7ff << 52)).max(1 << 52))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1/3 in two words: 3n periods' worth of time are whole turns, exactly known.
+    fn third() -> Phase {
+        Phase::new(Double::ONE / Double::new(3.0), 1.0, Double::ZERO)
+    }
+
+    #[test]
+    fn long_times_lose_nothing() {
+        for n in [1.0, 7.0, 1e9, 35_184_372_088_832.0] {
+            for (t, fraction) in [(3.0 * n, 0.0), (3.0 * n + 1.0, 1.0 / 3.0), (3.0 * n - 1.0, -1.0 / 3.0)] {
+                let reduced = third().reduce(t);
+                assert_eq!(reduced.turns, n);
+                // 2⁻⁶⁰ from the products, n 2⁻¹⁰⁸ from 1/3.
+                assert!(((reduced.high - fraction) + reduced.low).abs() <= f64::EPSILON / 4.0, "{t} {reduced:?}");
+            }
+            assert!((third().reduce(3.0 * n).high).abs() <= 1e-18 * (1.0 + n * 1e-13), "{n}");
+        }
+    }
+
+    #[test]
+    fn odd_to_the_bit() {
+        for t in [0.1, 1.7, 123.456, 1e12, 1e17, 1e40] {
+            let (plus, minus) = (third().reduce(t), third().reduce(-t));
+            assert_eq!((plus.high, plus.low, plus.turns), (-minus.high, -minus.low, -minus.turns));
+        }
+    }
+
+    #[test]
+    fn every_finite_time_has_a_phase() {
+        for omega in [5e-324, 1e-300, 1.0, 1e300] {
+            let phase = Phase::new(Double::ONE / Double::PI, omega, Double::new(0.25));
+            for t in [0.0, 5e-324, 1e-300, 1e16, 1e100, f64::MAX, f64::MIN] {
+                let reduced = phase.reduce(t);
+                assert!(reduced.high.abs() <= 0.5 && reduced.turns.is_finite(), "{omega:e} {t:e} {reduced:?}");
+            }
+            for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                assert!(phase.reduce(t).high.is_nan());
+            }
+        }
+    }
+
+    #[test]
+    fn binades() {
+        assert_eq!((binade(1.0), binade(1.99), binade(2.0), binade(0.3)), (1.0, 1.0, 2.0, 0.25));
+        assert_eq!((binade(5e-324), binade(0.0)), (f64::MIN_POSITIVE, f64::MIN_POSITIVE));
+    }
+}

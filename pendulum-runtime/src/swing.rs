@@ -45,7 +45,7 @@ impl SwingPhase {
         let turning = if s <= 0.25 { s + low } else { (0.5 - s) - low };
         Self {
             crossing: (0.25 - s) - low,
-            turning: turning.max(0.0),
+            turning: if turning < 0.0 { 0.0 } else { turning }, // keeps NaN
             growing: if phase.high < 0.0 { 1.0 } else { -1.0 },
         }
     }
@@ -169,17 +169,22 @@ impl Series {
     }
 }
 
-/// The direct series. The numerator is scaled so that tan(θ/4) at the turning point is k/(1 + k′), which the two-word
-/// moduli give correctly rounded: the error of the nome touches only the small corrections.
+/// The direct series, normalised to D(0) = 1 and, in two words, to tan(θ0/4) = k/(1 + k′) at the turning point: the
+/// error of the nome touches only the small corrections, and the amplitude carries one rounding.
 fn direct(k: Double, kc: Double) -> Series {
     let h = sqrt_nome(k.hi, kc.hi);
     let q = h * h;
-    let mut numerator = polynomial(OddSine, |j| alternate(j) * power(q, 2 * j * (j + 1)));
-    let denominator = polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, 2 * j * j));
-    let turn = (k / (Double::ONE + kc)).to_f64();
-    let scale = turn * horner(&denominator, 4.0) / horner(&numerator, 4.0);
+    let mut numerator: [f64; 4] = polynomial(OddSine, |j| alternate(j) * power(q, 2 * j * (j + 1)));
+    let mut denominator: [f64; 4] =
+        polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, 2 * j * j));
+    let constant = denominator[0];
+    for c in &mut denominator {
+        *c /= constant;
+    }
+    let at_turn = |c: &[f64; 4]| c.iter().rev().fold(Double::ZERO, |sum, &c| sum.scale(4.0) + Double::new(c));
+    let scale = k * at_turn(&denominator) / ((Double::ONE + kc) * at_turn(&numerator));
     for c in &mut numerator {
-        *c *= scale;
+        *c = (scale * *c).to_f64();
     }
     Series::Direct {
         angle: (numerator, denominator),

@@ -66,3 +66,32 @@ pub(crate) fn power(x: f64, n: i32) -> f64 {
 pub(crate) fn alternate(j: i32) -> f64 {
     if j & 1 == 0 { 1.0 } else { -1.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::horner;
+
+    /// The harmonics themselves, one at a time.
+    #[test]
+    fn polynomials_are_the_harmonics() {
+        let w = 0.4_f64;
+        let eta = 4.0 * libm::sin(w) * libm::sin(w);
+        for n in 0..6 {
+            let only = |harmonics| horner(&polynomial::<6>(harmonics, |j| if j == n { 1.0 } else { 0.0 }), eta);
+            let (odd, even) = (f64::from(2 * n + 1), f64::from(2 * n));
+            // Coefficients up to 2000 cancel to values of about 1.
+            let close = |x: f64, y: f64| assert!((x - y).abs() < 1e-12, "{n}: {x} {y}");
+            close(only(Harmonics::OddSine), libm::sin(odd * w) / libm::sin(w));
+            close(only(Harmonics::OddCosine), libm::cos(odd * w) / libm::cos(w));
+            close(only(Harmonics::EvenCosine), libm::cos(even * w));
+            close(only(Harmonics::EvenSine), libm::sin((even + 2.0) * w) / libm::sin(2.0 * w));
+        }
+    }
+
+    #[test]
+    fn powers() {
+        assert_eq!((power(3.0, 0), power(3.0, 5), power(0.0, 0), power(0.0, 2)), (1.0, 243.0, 1.0, 0.0));
+        assert_eq!((alternate(0), alternate(3)), (1.0, -1.0));
+    }
+}

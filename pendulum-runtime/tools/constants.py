@@ -5,7 +5,7 @@ usage: constants.py
 
 Near-minimax polynomials are interpolations at Chebyshev nodes computed with 60 digits and rounded once to f64.
 """
-from mpmath import mp, mpf, pi, sin, sqrt, atan, expm1, log, chebyfit, factorial, floor, nstr
+from mpmath import mp, mpf, pi, sin, cos, sqrt, atan, expm1, log, chebyfit, factorial, floor, nstr
 
 mp.dps = 60
 TINY = mpf(10) ** -40
@@ -24,6 +24,13 @@ def sine(zeta):
         return -((2 * pi) ** 3) / 6
     z = sqrt(zeta)
     return (sin(2 * pi * z) / z - 2 * pi) / zeta
+
+
+def cosine(zeta):
+    """(cos(2 pi z) - 1)/z^2 with zeta = z^2."""
+    if zeta < TINY:
+        return -((2 * pi) ** 2) / 2
+    return (cos(2 * pi * sqrt(zeta)) - 1) / zeta
 
 
 def exponential(f):
@@ -47,7 +54,8 @@ def words(x, count):
     return ", ".join(repr(w) for w in out)
 
 
-fit("SINE", sine, mpf(0), mpf(1) / 16, 8, mpf(1) / 64)
+fit("SINE", sine, mpf(0), mpf(1) / 64, 7, mpf(1) / 512)
+fit("COSINE", cosine, mpf(0), mpf(1) / 64, 7, mpf(1) / 64)
 fit("EXPONENTIAL", exponential, mpf(-1) / 2, mpf(1) / 2, 11, 1)
 r2 = mpf(1) / 64 * mpf("1.02")
 fit("ARCTANGENT", arctangent, mpf(0), r2, 6, r2)

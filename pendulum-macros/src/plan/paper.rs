@@ -157,7 +157,7 @@ impl Sum {
             let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
             let kept = match scene.goal {
                 Goal::Tolerance(tol) => worst <= tol,
-                _ => parts.iter().all(|part| part.bound.phase <= 4.0 * scene.float.unit() * part.largest),
+                _ => parts.iter().all(|part| part.bound.phase <= 8.0 * scene.float.unit() * part.largest),
             };
             if kept {
                 return Ok(Plan {

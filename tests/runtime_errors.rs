@@ -1,0 +1,53 @@
+//! Bad input at run time: the matching variant, and a message that names value and remedy.
+
+use pendula::{Error, Pendulum};
+
+#[test]
+fn released_at_rest() {
+    let error = |theta0, omega| Pendulum::<f64>::new(theta0, omega).expect_err("bad input");
+    assert_eq!(error(3.2, 1.0), Error::Amplitude { value: 3.2 });
+    assert_eq!(error(-core::f64::consts::PI.next_up(), 1.0), Error::Amplitude { value: -3.1415926535897936 });
+    assert_eq!(error(1.0, 0.0), Error::Frequency { value: 0.0 });
+    assert_eq!(error(1.0, -2.0), Error::Frequency { value: -2.0 });
+    assert_eq!(error(f64::INFINITY, 1.0), Error::NotFinite { parameter: "theta0", value: f64::INFINITY });
+    assert!(matches!(error(f64::NAN, 1.0), Error::NotFinite { parameter: "theta0", .. }));
+    assert!(matches!(error(1.0, f64::NAN), Error::NotFinite { parameter: "omega", .. }));
+    // f32's π is above π.
+    assert!(matches!(Pendulum::<f32>::new(core::f32::consts::PI, 1.0), Err(Error::Amplitude { .. })));
+}
+
+#[test]
+fn launched() {
+    let error = |theta, velocity, omega| Pendulum::<f64>::from_state(theta, velocity, omega).expect_err("bad input");
+    assert!(matches!(error(f64::NAN, 0.0, 1.0), Error::NotFinite { parameter: "theta", .. }));
+    assert!(matches!(error(0.0, f64::NEG_INFINITY, 1.0), Error::NotFinite { parameter: "velocity", .. }));
+    assert_eq!(error(0.0, 1e300, 1.0), Error::Velocity { value: 1e300 });
+    assert_eq!(error(0.0, 1.0, -1.0), Error::Frequency { value: -1.0 });
+}
+
+#[test]
+fn never_reached() {
+    let p = Pendulum::<f64>::new(1.0, 1.0).expect("a swing");
+    assert_eq!(p.time_at(1.5), Err(Error::NeverReached { angle: 1.5 }));
+    assert!(matches!(p.time_at(f64::NAN), Err(Error::NotFinite { parameter: "theta", .. })));
+}
+
+#[test]
+fn messages_name_value_and_remedy() {
+    let says = |error: Error, parts: &[&str]| {
+        let message = error.to_string();
+        assert!(parts.iter().all(|part| message.contains(part)), "{message}");
+        assert!(std::error::Error::source(&error).is_none());
+    };
+    says(Error::Amplitude { value: 3.2 }, &["theta0 = 3.2 rad", "183.3", "below pi", "from_state"]);
+    says(Error::Frequency { value: -2.0 }, &["omega = -2", "positive", "sqrt(g/length)"]);
+    says(Error::NotFinite { parameter: "omega", value: f64::NAN }, &["omega = NaN", "finite"]);
+    says(Error::Velocity { value: 1e300 }, &["velocity = 1", "unit of time"]);
+    says(Error::NeverReached { angle: 1.5 }, &["theta = 1.5 rad", "amplitude"]);
+    says(
+        Error::Overshoot { terms: 3, overshoot: 1.25e-3, smallest: 6 },
+        &["N = 3", "1.25e-3", "smallest N that works is 6"],
+    );
+    says(Error::NoTerms, &["N = 0", "at least 1"]);
+    says(Error::NotASwing, &["Eq. 22", "`theta`"]);
+}
