@@ -57,6 +57,11 @@ impl Context {
         Real(Big::pi(self.bits))
     }
 
+    /// ln 2.
+    pub(crate) fn ln_2(self) -> Real {
+        Real(Big::from(2).with_precision(self.bits).value().ln())
+    }
+
     /// A decimal literal without suffix or underscores; `None` if malformed.
     pub(crate) fn decimal(self, text: &str) -> Option<Real> {
         let decimal = DBig::from_str(text).ok()?;

@@ -121,6 +121,23 @@ impl Wave {
         Self::collect(parity, polynomial, terms, envelope)
     }
 
+    /// sn or −cn of a rotation about the top: cos and −sin of half the angle from there,
+    /// (2π/(κK)) Σ (−1)ⁿ q^(n+½) cos((2n+1)πs)/(1 − q²ⁿ⁺¹) and −(2π/(κK)) Σ (−1)ⁿ q^(n+½) sin((2n+1)πs)/(1 + q²ⁿ⁺¹).
+    pub(crate) fn from_top(rotation: &Rotation, parity: Parity) -> Self {
+        let elliptic = &rotation.elliptic;
+        let nome = elliptic.nome.to_double();
+        let mut power = elliptic.nome.sqrt().to_double();
+        let front = Double::PI * 2.0 / (&elliptic.modulus * &elliptic.quarter).to_double();
+        let envelope = Envelope { size: front.hi / (1.0 - nome.hi), power: 0, rate: decay(elliptic) / 2.0, step: 2 };
+        let terms = (1..).step_by(2).map(|m: u32| {
+            let square = power * power;
+            let size = front * power / if parity == Parity::Even { Double::ONE - square } else { Double::ONE + square };
+            power = power * nome;
+            (m, if (m % 4 == 3) ^ (parity == Parity::Odd) { -size } else { size })
+        });
+        Self::collect(parity, [Double::ZERO; 2], terms, envelope)
+    }
+
     /// sin(πs).
     pub(crate) fn sine() -> Self {
         Self { parity: Parity::Odd, ..Self::cosine(Double::ONE) }
@@ -228,4 +245,9 @@ impl Envelope {
 /// The rate of anchors: 2/T of a swing.
 pub(crate) fn swing_rate(swing: &Swing) -> Real {
     swing.period.context().integer(2) / &swing.period
+}
+
+/// The rate of anchors: 1/T of a rotation, T being the time of one turn.
+pub(crate) fn rotation_rate(rotation: &Rotation) -> Real {
+    rotation.period.context().integer(1) / &rotation.period
 }

@@ -116,6 +116,7 @@ fn reduction(reduction: &Reduction) -> String {
         Reducing::CodyWaite { words, .. } => format!("Cody and Waite's, with the half period in {} words", words.len()),
         Reducing::Wide { .. } => "one product with the rate, in `f64`".to_owned(),
         Reducing::WideAnyTime { .. } => "exact products with the rate in three `f64` words".to_owned(),
+        Reducing::Linear { .. } => "the time itself, for all t".to_owned(),
         Reducing::AnyTime { .. } => "exact products with the rate in four words".to_owned(),
     };
     format!("{how}, wrong by at most {:.1e}", reduction.error)

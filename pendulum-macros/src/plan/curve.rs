@@ -1,9 +1,9 @@
 //! The curves that outputs are made of: each a function of the phase alone, with what planning needs to know of it.
 
 use crate::exact::Real;
-use crate::motion::Swing;
+use crate::motion::{Rotation, Swing};
 use crate::plan::reduction::Reduction;
-use crate::series::{Parity, Wave, swing_rate};
+use crate::series::{Parity, Wave, rotation_rate, swing_rate};
 use pendulum_runtime::double::Double;
 
 /// A function of the phase s (in anchors) between two anchors.
@@ -164,5 +164,57 @@ impl<'a> SwingCurves<'a> {
             alternates: false,
             ..self.wave("cos(θ/2)", 0, Double::ONE, 1.0, 0.0, 1.0)
         }
+    }
+}
+
+/// The curves of a rotation, by the phase in turns from the top.
+pub(crate) struct RotationCurves<'a> {
+    rotation: &'a Rotation,
+    omega: &'a Real,
+}
+
+impl<'a> RotationCurves<'a> {
+    pub(crate) fn new(rotation: &'a Rotation, omega: &'a Real) -> Self {
+        Self { rotation, omega }
+    }
+
+    /// Turns per unit of time.
+    fn rate(&self) -> Double {
+        rotation_rate(self.rotation).to_double()
+    }
+
+    fn wave(&self, name: &'static str, wave: Wave, largest: f64, slope: f64, unit: f64) -> Curve {
+        let slope = slope / self.rate().hi * (1.0 + 1e-12);
+        Curve { name, wave, alternates: false, largest, slope, moment: 0.5 * slope, unit }
+    }
+
+    /// The angle from the top.
+    pub(crate) fn angle(&self) -> Curve {
+        let wave = Wave::rotation(self.rotation, 0, Double::ONE);
+        self.wave("theta", wave, std::f64::consts::PI, self.rotation.fastest.to_f64(), 1.0)
+    }
+
+    /// |θ̇|; its derivative is at most ω².
+    pub(crate) fn velocity(&self) -> Curve {
+        let omega = self.omega.to_f64();
+        let wave = Wave::rotation(self.rotation, 1, self.rate());
+        self.wave("velocity", wave, self.rotation.fastest.to_f64(), omega * omega, omega)
+    }
+
+    /// θ̈.
+    pub(crate) fn acceleration(&self) -> Curve {
+        let square = self.omega.square().to_f64();
+        let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
+        self.wave("acceleration", wave, square, square * self.rotation.fastest.to_f64(), square)
+    }
+
+    /// cos of half the angle from the top.
+    pub(crate) fn half_sine(&self) -> Curve {
+        self.wave("cos", Wave::from_top(self.rotation, Parity::Even), 1.0, 0.0, 1.0)
+    }
+
+    /// −sin of half the angle from the top.
+    pub(crate) fn half_cosine(&self) -> Curve {
+        self.wave("sin", Wave::from_top(self.rotation, Parity::Odd), 1.0, 0.0, 1.0)
     }
 }

@@ -138,7 +138,7 @@ impl Harmonics {
             let error =
                 recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0) + half_ulp(1.0, float);
             let (low, high) = range(weights, wave);
-            Known { low: low - error, high: high + error, error }
+            Known::within(low - error, high + error, error)
         };
         let mut all = vec![];
         if !self.cosines.is_empty() {

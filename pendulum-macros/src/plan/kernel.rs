@@ -1,8 +1,10 @@
 //! Kernels: what computes one output from the reduced phase; and the functions made of them.
 
 use super::harmonics::Harmonics;
+use super::hyperbolic::Hyperbolic;
 use super::polynomial::Polynomial;
 use super::reduction::Reduction;
+use super::turning::Turning;
 use super::variables::Variables;
 use super::{Function, Part};
 use crate::parse::Output;
@@ -19,6 +21,10 @@ pub(crate) enum Kernel {
     Circle { sine: Polynomial, cosine: Polynomial },
     /// A sum of harmonics of one cosine.
     Harmonics(Box<Harmonics>),
+    /// The passage through the lowest point of a motion that comes near the top.
+    Hyperbolic(Box<Hyperbolic>),
+    /// The angle of a rotation.
+    Turning(Turning),
 }
 
 impl Kernel {
@@ -28,6 +34,8 @@ impl Kernel {
             Self::Polynomial(polynomial) => vec![polynomial.lower(b, variables, name)],
             Self::Circle { sine, cosine } => circle(b, variables, sine, cosine),
             Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
+            Self::Hyperbolic(hyperbolic) => hyperbolic.lower(b, variables, name),
+            Self::Turning(turning) => vec![turning.lower(b, variables, name)],
         }
     }
 
@@ -36,6 +44,8 @@ impl Kernel {
         match self {
             Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.form.centre(),
             Self::Harmonics(harmonics) => harmonics.centre(),
+            Self::Hyperbolic(_) => 1.0,
+            Self::Turning(turning) => turning.angle.centre(),
         }
     }
 
@@ -43,8 +53,10 @@ impl Kernel {
     fn is_odd(&self) -> bool {
         match self {
             Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
-            Self::Circle { .. } => false,
+            Self::Circle { cosine, .. } => cosine.parity == Parity::Odd,
             Self::Harmonics(harmonics) => harmonics.is_odd(),
+            Self::Hyperbolic(_) => false,
+            Self::Turning(turning) => turning.angle.is_odd(),
         }
     }
 
@@ -56,6 +68,8 @@ impl Kernel {
                 format!("sin(θ/2) by a {}, cos(θ/2) by a {}, squared", sine.describe(), cosine.describe())
             }
             Self::Harmonics(harmonics) => harmonics.describe(),
+            Self::Hyperbolic(hyperbolic) => hyperbolic.describe(),
+            Self::Turning(turning) => turning.angle.describe(),
         }
     }
 
@@ -64,12 +78,20 @@ impl Kernel {
         match self {
             Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.coefficients.len(),
             Self::Harmonics(harmonics) => harmonics.terms(),
+            Self::Hyperbolic(hyperbolic) => hyperbolic.terms(),
+            Self::Turning(turning) => turning.angle.terms(),
         }
     }
 
     /// The norm of the rounding of its results over the whole range of the phase, taken as exact.
     pub(crate) fn rounding(&self, reduction: &Reduction) -> f64 {
         let program = function(reduction, &[self]);
+        if let Self::Hyperbolic(hyperbolic) = self {
+            return hyperbolic.rounding(&program);
+        }
+        if let Self::Turning(turning) = self {
+            return turning.rounding(reduction);
+        }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
         let half = reduction.half();
         let at = |index: usize| half * index as f64 / SLICES as f64;
@@ -101,7 +123,7 @@ fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Po
     let product = b.mul(half_sine, half_cosine);
     let x = b.add(product, product);
     b.name(x, "x");
-    let x = variables.sign(b, x, sine.parity);
+    let x = if sine.alternates { variables.sign(b, x, sine.parity) } else { x };
     let (sine_squared, cosine_squared) = (b.mul(half_sine, half_sine), b.mul(half_cosine, half_cosine));
     let y = b.sub(sine_squared, cosine_squared);
     vec![x, b.name(y, "y")]

@@ -1,13 +1,17 @@
 //! [`Scene`] → [`Plan`]: the cheapest program found that provably keeps the promise.
 
+mod aim;
 mod arcsine;
 pub(crate) mod curve;
+mod fit;
 mod harmonics;
+mod hyperbolic;
 pub(crate) mod kernel;
 mod paper;
 pub(crate) mod polynomial;
 pub(crate) mod reduction;
 mod search;
+mod turning;
 pub(crate) mod variables;
 mod velocity_bias;
 
@@ -115,11 +119,10 @@ impl Refusal {
 
 /// Plans a scene.
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
-    let Regime::Swing(swing) = &scene.motion.regime else { todo!("other regimes") };
-    match (scene.method, scene.goal) {
-        (Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
-        (_, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),
-        _ => search::plan(scene, swing),
+    match (&scene.motion.regime, scene.method, scene.goal) {
+        (Regime::Swing(swing), Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
+        (Regime::Swing(swing), _, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),
+        _ => search::plan(scene),
     }
 }
 

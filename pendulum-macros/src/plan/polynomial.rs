@@ -241,6 +241,11 @@ impl Polynomial {
         value
     }
 
+    /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
+    pub(crate) fn mirrors(&self, from_top: bool) -> bool {
+        if from_top { self.parity == Parity::Odd } else { self.alternates }
+    }
+
     pub(crate) fn negate(&mut self) {
         self.coefficients.iter_mut().for_each(|c| *c = -*c);
     }

@@ -57,6 +57,8 @@ pub(crate) enum Method {
     WideAnyTime { words: [f64; 3] },
     /// An `f64` time, R in four words; all products that matter are exact.
     AnyTime { words: [f64; 4] },
+    /// z = t·R + launch, never reduced: the separatrix has one lowest point. R in three words where there is a launch.
+    Linear { words: [f64; 3] },
 }
 
 /// The reduced phase in a program.
@@ -66,10 +68,15 @@ pub(crate) struct Phase {
     pub(crate) remainder: Id,
     /// The sum whose lowest bit is the parity of n.
     pub(crate) magic: Id,
+    /// The number n of anchors passed.
+    pub(crate) count: Id,
 }
 
 /// The horizon when no `t_max` is given: 2⁵³ periods are 2⁵⁴ anchors.
 const UNLIMITED: f64 = 18_014_398_509_481_984.0;
+
+/// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision.
+const LINEAR_HALF: f64 = 700.0;
 
 /// What all reductions of one motion start from.
 pub(crate) struct Clock<'a> {
@@ -111,7 +118,9 @@ impl Clock<'_> {
     ) -> Reduction {
         let overflows = self.float == Float::F64 && self.rate.to_f64() > 0.25;
         let cody_waite = matches!(method, Method::CodyWaite { .. });
-        let launch_error = if self.launch == Double::ZERO { 0.0 } else { 2.0 * half_ulp(0.5, self.float) };
+        // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
+        let exact = matches!(method, Method::AnyTime { .. }) || (2.0 * self.launch.hi).fract() == 0.0;
+        let launch_error = if exact { 0.0 } else { 2.0 * half_ulp(0.5, self.float) };
         Reduction {
             method,
             float: self.float,
@@ -179,6 +188,29 @@ impl Clock<'_> {
         let words = split_down(self.rate, 29, 3, Float::F64);
         let method = Method::WideAnyTime { words: [words[0], words[1], words[2]] };
         self.reduction(method, origin, self.narrowed(2f64.powi(-27), origin), 2f64.powi(-26))
+    }
+
+    /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point.
+    pub(crate) fn linear(&self) -> Reduction {
+        let words = if self.launch == Double::ZERO {
+            [self.rate.to_f64(), 0.0, 0.0]
+        } else {
+            let [r1, r2, r3] = split_near(self.rate, &[26, 26]);
+            [r1, r2, r3]
+        };
+        let launch = self.launch.hi.abs();
+        let relative = if self.float == Float::F64 { 3.001 } else { 1.001 } * self.float.unit();
+        Reduction {
+            method: Method::Linear { words },
+            float: self.float,
+            launch: self.launch,
+            origin: Origin::Lowest,
+            error: (launch + 1.0) * 2f64.powi(-74),
+            relative_error: relative,
+            overshoot: 0.0,
+            unit: Double::ONE,
+            cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
+        }
     }
 
     /// What the conversion of the phase to `f32` adds.
@@ -274,6 +306,9 @@ impl Reduction {
 
     /// The largest |s|, in units of the reduced variable, rounded up to a number of its type.
     pub(crate) fn half(&self) -> f64 {
+        if matches!(self.method, Method::Linear { .. }) {
+            return LINEAR_HALF;
+        }
         if self.overshoot == 0.0 && self.unit == Double::ONE {
             return 0.5;
         }
@@ -296,6 +331,10 @@ impl Reduction {
                 self.wide_any_time(b, wide, words)
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
+            Method::Linear { words } => {
+                let wide = b.convert(t, Float::F64);
+                self.linear(b, wide, words)
+            }
         };
         let remainder = b.convert(phase.remainder, self.float);
         let name = if self.origin == Origin::Anchor { "s" } else { "z" };
@@ -315,6 +354,9 @@ impl Reduction {
 
     /// Phase of t = 0 from the origin.
     fn offset(&self) -> Double {
+        if matches!(self.method, Method::Linear { .. }) {
+            return self.launch;
+        }
         match self.origin {
             Origin::Anchor => self.launch,
             Origin::Lowest => self.launch - Double::new(0.5),
@@ -347,13 +389,14 @@ impl Reduction {
         b.name(x, "x");
         let (magic, n) = self.round(b, x);
         let rest = b.sub(x, n);
-        Phase { remainder: self.offset_by(b, rest, self.offset()), magic }
+        Phase { remainder: self.offset_by(b, rest, self.offset()), magic, count: n }
     }
 
     fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {
         let rate = b.constant(rate);
         let x = b.mul(t, rate);
-        let (magic, mut n) = self.round(b, x);
+        let (magic, count) = self.round(b, x);
+        let mut n = count;
         let mut offset = self.offset() / self.unit;
         if self.origin == Origin::Lowest {
             // n + ½ anchors, without rounding.
@@ -367,7 +410,7 @@ impl Reduction {
             let whole = b.mul(n, word);
             remainder = b.sub(remainder, whole);
         }
-        Phase { remainder: self.offset_by(b, remainder, offset), magic }
+        Phase { remainder: self.offset_by(b, remainder, offset), magic, count }
     }
 
     fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
@@ -375,13 +418,14 @@ impl Reduction {
             let word = b.constant(word);
             b.mul(t, word)
         });
-        let first = modulo_eight(b, first);
+        let (first, eights) = modulo_eight(b, first);
         let low = b.add(second, third);
         let sum = b.add(first, low);
         let (magic, n) = self.round(b, sum);
         let rest = b.sub(first, n);
         let rest = self.offset_by(b, rest, self.offset());
-        Phase { remainder: b.add(rest, low), magic }
+        let count = b.add(eights, n);
+        Phase { remainder: b.add(rest, low), magic, count }
     }
 
     /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the sum of
@@ -395,10 +439,10 @@ impl Reduction {
         let tail = b.sub(t, head);
         b.name(tail, "tail");
         let first = b.mul(head, r1);
-        let first = modulo_eight(b, first);
+        let (first, many) = modulo_eight(b, first);
         b.name(first, "first");
         let second = cross(b, (tail, r1), (head, r2));
-        let second = modulo_eight(b, second);
+        let (second, some) = modulo_eight(b, second);
         b.name(second, "second");
         let third = cross(b, (tail, r2), (head, r3));
         b.name(third, "third");
@@ -411,7 +455,33 @@ impl Reduction {
         let (rest, fourth) = self.launched(b, rest, fourth);
         let remainder = b.add(rest, second);
         let remainder = b.add(remainder, third);
-        Phase { remainder: b.add(remainder, fourth), magic }
+        let eights = b.add(many, some);
+        let count = b.add(eights, n);
+        Phase { remainder: b.add(remainder, fourth), magic, count }
+    }
+
+    /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
+    /// be exact where the launch cancels it: t in 27 + 26 bits, R in 26 + 26 and the rest.
+    fn linear(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
+        let [r1, r2, r3] = words.map(|word| b.constant(word));
+        if self.launch == Double::ZERO {
+            let remainder = b.mul(t, r1);
+            return Phase { remainder, magic: t, count: t };
+        }
+        let head = b.push(Op::Head(t));
+        b.name(head, "head");
+        let tail = b.sub(t, head);
+        b.name(tail, "tail");
+        let first = b.mul(head, r1);
+        let second = cross(b, (tail, r1), (head, r2));
+        let third = cross(b, (tail, r2), (t, r3));
+        let (launch, rest) = (b.exact(self.launch.hi, 0.0), b.constant(self.launch.lo));
+        let (sum, lost) = b.two_sum(first, launch);
+        let (sum, lost_too) = b.two_sum(sum, second);
+        let low = b.add(lost, lost_too);
+        let third = b.add(third, rest);
+        let low = b.add(low, third);
+        Phase { remainder: b.add(sum, low), magic: t, count: t }
     }
 
     /// Adds the offset to `rest`, what its rounding leaves to `fourth`. Half an anchor is added without rounding that
@@ -435,10 +505,10 @@ fn cross(b: &mut Builder, left: (Id, Id), right: (Id, Id)) -> Id {
     b.add(left, right)
 }
 
-/// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴: adding 1.5·2⁵⁵ rounds to a multiple of 8.
-fn modulo_eight(b: &mut Builder, x: Id) -> Id {
+/// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴, and that multiple: adding 1.5·2⁵⁵ rounds to one.
+fn modulo_eight(b: &mut Builder, x: Id) -> (Id, Id) {
     let constant = b.constant(8.0 * Float::F64.magic());
-    let even = b.add(x, constant);
-    let even = b.sub(even, constant);
-    b.sub(x, even)
+    let sum = b.add(x, constant);
+    let eights = b.sub(sum, constant);
+    (b.sub(x, eights), eights)
 }

@@ -1,32 +1,19 @@
 //! The cheapest polynomials: every reduction with every form, in the order of their estimated cost, until one keeps the
 //! promise.
 
-use super::curve::{Curve, SwingCurves};
+use super::aim::{Aim, Task};
+use super::curve::Curve;
+use super::hyperbolic::{Hyperbolic, Passage};
 use super::kernel::{self, Kernel, norm};
 use super::polynomial::{Approximation, Form, Polynomial};
-use super::reduction::{Clock, Origin, Reduction};
+use super::reduction::{Origin, Reduction};
+use super::turning::Turning;
 use super::variables::Variables;
 use super::{Bound, Part, Plan, Refusal};
-use crate::exact::Real;
-use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
-use crate::series::{Parity, swing_rate};
-
-/// What one output has to keep.
-pub(super) struct Aim {
-    pub(super) output: Output,
-    pub(super) curves: Vec<Curve>,
-    /// The curve whose slope tells what an error of the phase does: a position moves as fast as θ.
-    steepest: Curve,
-    /// The power of the nearest poles in the curves, 0 if they are logarithms.
-    power: i32,
-    /// For the total, in the curve's own unit.
-    limit: f64,
-    /// For the truncation alone.
-    truncation: f64,
-}
+use crate::series::Parity;
 
 /// The variables tried.
 const FORMS: [Form; 3] = [Form::Plain, Form::Centred { centre: 1.0 }, Form::Centred { centre: 1.25 }];
@@ -34,11 +21,18 @@ const FORMS: [Form; 3] = [Form::Plain, Form::Centred { centre: 1.0 }, Form::Cent
 /// One way of computing all outputs.
 struct Candidate<'a> {
     reduction: &'a Reduction,
-    form: Form,
-    /// Whether the poles are divided out.
-    divided: bool,
+    way: Way,
     /// Estimated; no less than a term too low.
     cost: f64,
+}
+
+/// How the outputs follow from the phase.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    /// Polynomials; `divided` tells whether poles are divided out.
+    Polynomial { form: Form, divided: bool },
+    /// The passage through the lowest point.
+    Passage,
 }
 
 /// An output's approximations, without and with its poles divided out.
@@ -60,21 +54,14 @@ impl Approximations {
     }
 }
 
-/// The cheapest plan of a swing.
-pub(super) fn plan(scene: &Scene, swing: &Swing) -> Result<Plan, Refusal> {
-    let aims = aims(scene, swing);
-    let approximations: Vec<Approximations> = aims.iter().map(Approximations::new).collect();
-    let rate = swing_rate(swing);
-    let clock = Clock {
-        rate: &rate,
-        launch: swing.launch.to_double(),
-        t_max: scene.t_max.as_ref().map(Real::to_f64),
-        float: scene.float,
-    };
-    let reductions = clock.reductions();
+/// The cheapest plan.
+pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
+    let task = Task::new(scene);
+    let approximations: Vec<Approximations> = task.aims.iter().map(Approximations::new).collect();
+    let reductions = task.reductions(scene);
     let mut closest = f64::INFINITY;
-    for candidate in candidates(&reductions, &aims, &approximations) {
-        match candidate.plan(swing.mirrored, &aims, &approximations) {
+    for candidate in candidates(&reductions, &task, &approximations) {
+        match candidate.plan(scene, &task, &approximations) {
             Ok(plan) => return Ok(plan),
             Err(reached) => closest = closest.min(reached),
         }
@@ -82,53 +69,40 @@ pub(super) fn plan(scene: &Scene, swing: &Swing) -> Result<Plan, Refusal> {
     Err(Refusal::Unreachable { best: closest })
 }
 
-pub(super) fn aims(scene: &Scene, swing: &Swing) -> Vec<Aim> {
-    let curves = SwingCurves::new(swing, &scene.motion.omega);
-    scene.outputs.iter().map(|&output| aim(scene, &curves, output)).collect()
-}
-
-fn aim(scene: &Scene, curves: &SwingCurves, output: Output) -> Aim {
-    let theta = curves.theta();
-    let (curves, power) = match output {
-        Output::Theta | Output::Wrapped => (vec![curves.theta()], 0),
-        Output::Velocity => (vec![curves.velocity()], 1),
-        Output::Acceleration => (vec![curves.acceleration()], 2),
-        Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
-    };
-    let steepest = if output == Output::Position { theta } else { curves[0].clone() };
-    let unit = scene.float.unit();
-    // Of a position, whose two coordinates are products, rounding takes more.
-    let (largest, units) = if output == Output::Position { (1.0, 48.0) } else { (steepest.largest, 16.0) };
-    let (limit, truncation) = match scene.goal {
-        Goal::Tolerance(tol) => (tol * steepest.unit, tol * steepest.unit),
-        _ => (units * unit * largest, unit * largest),
-    };
-    Aim { output, curves, steepest, power, limit, truncation }
-}
-
 /// Every combination that might serve, cheapest first.
-fn candidates<'a>(reductions: &'a [Reduction], aims: &[Aim], approximations: &[Approximations]) -> Vec<Candidate<'a>> {
+fn candidates<'a>(reductions: &'a [Reduction], task: &Task, approximations: &[Approximations]) -> Vec<Candidate<'a>> {
     let mut candidates = Vec::new();
-    for reduction in reductions {
-        let base = skeleton(reduction, Form::Plain, aims).cost();
-        for form in FORMS {
-            for divided in [false, true] {
-                if divided && aims.iter().all(|aim| aim.power == 0) {
-                    continue;
-                }
-                let extra = if form == Form::Plain && !divided { 0.0 } else { 2.0 };
-                let kernels = aims
-                    .iter()
-                    .zip(approximations)
-                    .map(|(aim, approximations)| aim.estimate(approximations.choose(divided), reduction, divided));
-                if let Some(cost) = kernels.sum::<Option<f64>>() {
-                    candidates.push(Candidate { reduction, form, divided, cost: base + extra + cost });
-                }
+    for reduction in reductions.iter().filter(|reduction| !task.turning || reduction.origin == Origin::Anchor) {
+        let base = skeleton(reduction, Form::Plain, &task.aims).cost();
+        for way in polynomial_ways(&task.aims) {
+            let Way::Polynomial { form, divided } = way else { continue };
+            let extra = if form == Form::Plain && !divided { 0.0 } else { 2.0 };
+            let kernels = task.aims.iter().zip(approximations);
+            let kernels = kernels.map(|(aim, all)| aim.estimate(all.choose(divided), reduction, divided));
+            if let Some(cost) = kernels.sum::<Option<f64>>() {
+                candidates.push(Candidate { reduction, way, cost: base + extra + cost });
             }
+        }
+    }
+    if task.passage.is_some() {
+        for reduction in reductions.iter().filter(|reduction| reduction.origin == Origin::Lowest) {
+            let base = skeleton(reduction, Form::Plain, &task.aims).cost();
+            let kernels: f64 = task.aims.iter().map(Aim::passage_estimate).sum();
+            candidates.push(Candidate { reduction, way: Way::Passage, cost: base + kernels });
         }
     }
     candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     candidates
+}
+
+/// The polynomials tried; none where there are no curves.
+fn polynomial_ways(aims: &[Aim]) -> Vec<Way> {
+    if aims.iter().any(|aim| aim.curves.is_empty()) {
+        return Vec::new();
+    }
+    let poles = aims.iter().any(|aim| aim.power > 0);
+    let divisions: &[bool] = if poles { &[false, true] } else { &[false] };
+    FORMS.iter().flat_map(|&form| divisions.iter().map(move |&divided| Way::Polynomial { form, divided })).collect()
 }
 
 /// The reduction and the variables, without any kernel.
@@ -142,11 +116,6 @@ fn skeleton(reduction: &Reduction, form: Form, aims: &[Aim]) -> Program {
 }
 
 impl Aim {
-    /// What the reduction's error of the phase costs.
-    fn phase_error(&self, reduction: &Reduction) -> f64 {
-        self.steepest.phase_error(reduction)
-    }
-
     /// The truncation allowed to each of the curves.
     fn share(&self, left: f64) -> f64 {
         left.min(self.truncation) / self.error((self.curves.len() as f64).sqrt())
@@ -172,9 +141,22 @@ impl Aim {
         self.curves.iter().zip(approximations).map(one).sum()
     }
 
+    /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them.
+    fn passage_estimate(&self) -> f64 {
+        let bits = -(self.limit / self.unit.max(self.largest)).log2().min(-4.0);
+        let angle = matches!(self.output, Output::Theta | Output::Wrapped);
+        30.0 + 2.0 * (3.0 + bits / 5.0) + if angle { bits / 1.3 } else { 6.0 }
+    }
+
     /// The fewest terms that keep the promise, or what was reached.
-    fn part(&self, approximations: &[Approximation], candidate: &Candidate, mirrored: bool) -> Result<Part, f64> {
-        let reduction = candidate.reduction;
+    fn part(
+        &self,
+        scene: &Scene,
+        task: &Task,
+        approximations: &[Approximation],
+        reduction: &Reduction,
+        form: Form,
+    ) -> Result<Part, f64> {
         let phase = self.phase_error(reduction);
         let mut evaluation = 0.0;
         let mut reached = f64::INFINITY;
@@ -184,37 +166,93 @@ impl Aim {
             for (curve, approximation) in self.curves.iter().zip(approximations) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
-                    return Err(reached.min(phase + evaluation + least));
+                    return Err(reached.min((phase + evaluation + least) / self.unit));
                 };
-                let mut polynomial = approximation.polynomial(terms, candidate.form, reduction, curve.alternates);
-                if mirrored && curve.alternates {
-                    polynomial.negate();
-                }
-                polynomials.push(polynomial);
+                polynomials.push(approximation.polynomial(terms, form, reduction, curve.alternates));
             }
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
-            let kernel = match <[Polynomial; 2]>::try_from(polynomials) {
-                Ok([sine, cosine]) => Kernel::Circle { sine, cosine },
-                Err(mut single) => Kernel::Polynomial(single.swap_remove(0)),
-            };
+            let kernel = self.kernel(scene, task, polynomials);
             evaluation = kernel.rounding(reduction);
             let bound = Bound { truncation, phase, evaluation };
-            reached = reached.min(bound.total());
-            if bound.total() <= self.limit {
-                let (description, unit) = (kernel.describe(), self.curves[0].unit);
-                let largest = self.steepest.largest;
-                return Ok(Part { output: self.output, kernel, description, bound, unit, largest });
+            reached = reached.min(bound.total() / self.unit);
+            if bound.total() <= self.limit + allowance(scene, &kernel, reduction) {
+                return Ok(self.finished(kernel, bound));
             }
         }
         Err(reached)
     }
+
+    /// Puts the polynomials together.
+    fn kernel(&self, scene: &Scene, task: &Task, mut polynomials: Vec<Polynomial>) -> Kernel {
+        if task.direction < 0.0 {
+            // A mirror image leaves the height as it is, and cos(θ/2) with it, or sin where the angle is from the top.
+            let mirrored =
+                |polynomial: &Polynomial| self.output != Output::Position || polynomial.mirrors(task.turning);
+            polynomials.iter_mut().filter(|polynomial| mirrored(polynomial)).for_each(Polynomial::negate);
+        }
+        match <[Polynomial; 2]>::try_from(polynomials) {
+            Ok([sine, cosine]) => Kernel::Circle { sine, cosine },
+            Err(mut single) => self.turned(scene, task, Kernel::Polynomial(single.swap_remove(0)), true),
+        }
+    }
+
+    /// The angle of a rotation, wrapped or with its turns; anything else as it is.
+    fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: bool) -> Kernel {
+        let wrapped = self.output == Output::Wrapped;
+        if !task.turning || !matches!(self.output, Output::Theta | Output::Wrapped) {
+            return kernel;
+        }
+        let (direction, turns) = (task.direction, task.turns(scene));
+        Kernel::Turning(Turning { angle: Box::new(kernel), from_top, wrapped, direction, turns })
+    }
+
+    /// The kernel of the passage through the lowest point, or what it reaches.
+    fn passage_part(&self, scene: &Scene, task: &Task, reduction: &Reduction, passage: &Passage) -> Result<Part, f64> {
+        let phase = self.passage_error(reduction, passage);
+        let factor = match self.output {
+            Output::Velocity => task.fastest(scene),
+            Output::Acceleration => scene.motion.omega.square().to_double(),
+            _ => pendulum_runtime::double::Double::ONE,
+        };
+        let scaled = Passage { rate: passage.rate * reduction.unit, half: reduction.half(), ..passage.clone() };
+        let mut limit = self.limit.min(self.truncation) / factor.hi;
+        let mut reached = f64::INFINITY;
+        for _ in 0..3 {
+            let kernel = Hyperbolic::new(self.output, scaled.clone(), factor, limit);
+            let truncation = kernel.truncation * factor.hi;
+            let kernel = self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), false);
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction) };
+            reached = reached.min(bound.total() / self.unit);
+            if bound.total() <= self.limit + allowance(scene, &kernel, reduction) {
+                return Ok(self.finished(kernel, bound));
+            }
+            limit *= 0.125;
+        }
+        Err(reached)
+    }
+
+    fn finished(&self, kernel: Kernel, bound: Bound) -> Part {
+        let (output, unit, largest) = (self.output, self.unit, self.largest);
+        Part { output, description: kernel.describe(), kernel, bound, unit, largest }
+    }
+}
+
+/// At full precision, what the turns of an angle that grows without bound cost.
+fn allowance(scene: &Scene, kernel: &Kernel, reduction: &Reduction) -> f64 {
+    match (kernel, scene.goal) {
+        (Kernel::Turning(turning), Goal::Full) => turning.own_rounding(reduction) * (1.0 + 1e-11),
+        _ => 0.0,
+    }
 }
 
 impl Candidate<'_> {
-    fn plan(&self, mirrored: bool, aims: &[Aim], approximations: &[Approximations]) -> Result<Plan, f64> {
-        let each = aims.iter().zip(approximations);
-        let parts = each.map(|(aim, approximations)| aim.part(approximations.choose(self.divided), self, mirrored));
-        let parts = parts.collect::<Result<Vec<Part>, f64>>()?;
+    fn plan(&self, scene: &Scene, task: &Task, approximations: &[Approximations]) -> Result<Plan, f64> {
+        let part = |(aim, all): (&Aim, &Approximations)| match (self.way, &task.passage) {
+            (Way::Polynomial { form, divided }, _) => aim.part(scene, task, all.choose(divided), self.reduction, form),
+            (Way::Passage, Some(passage)) => aim.passage_part(scene, task, self.reduction, passage),
+            (Way::Passage, None) => Err(f64::INFINITY),
+        };
+        let parts = task.aims.iter().zip(approximations).map(part).collect::<Result<Vec<Part>, f64>>()?;
         let functions = kernel::functions(self.reduction, &parts);
         Ok(Plan {
             method: Method::Polynomial,
@@ -225,4 +263,22 @@ impl Candidate<'_> {
             rejected: Vec::new(),
         })
     }
+}
+#[cfg(test)]
+pub(super) fn trial(scene: &Scene, task: &Task, reduction: &Reduction) -> Option<(f64, Bound)> {
+    let passage = task.passage.as_ref()?;
+    let aim = &task.aims[0];
+    let factor = match aim.output {
+        Output::Velocity => task.fastest(scene),
+        Output::Acceleration => scene.motion.omega.square().to_double(),
+        _ => pendulum_runtime::double::Double::ONE,
+    };
+    let scaled = Passage { rate: passage.rate * reduction.unit, half: reduction.half(), ..passage.clone() };
+    let kernel = Hyperbolic::new(aim.output, scaled, factor, aim.limit.min(aim.truncation) / factor.hi);
+    let truncation = kernel.truncation * factor.hi;
+    let kernel = aim.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), false);
+    Some((
+        aim.limit,
+        Bound { truncation, phase: aim.passage_error(reduction, passage), evaluation: kernel.rounding(reduction) },
+    ))
 }

@@ -36,7 +36,7 @@ fn observed(scene: &Scene, plan: &Plan, samples: usize) -> Vec<f64> {
         (seed >> 11) as f64 / (1u64 << 53) as f64
     };
     let mut worst = vec![];
-    for (aim, function) in search::aims(scene, swing).iter().zip(&plan.functions) {
+    for (aim, function) in aim::Task::new(scene).aims.iter().zip(&plan.functions) {
         let mut most: f64 = 0.0;
         for i in 0..samples {
             let t = if i % 2 == 0 {
@@ -130,4 +130,111 @@ fn look() {
             Err(e) => println!("{theta} {rest}: {e:?} {:?}", clock.elapsed()),
         }
     }
+}
+
+fn written(parameter: &str) -> String {
+    // 999*pi/1000, pi-10^-9, 2+10^-6
+    let mut out = parameter.to_owned();
+    for n in [2, 3, 4, 6, 9, 12] {
+        out = out.replace(&format!("10^-{n}"), &format!("1e-{n}"));
+    }
+    out.replace("10^6", "1e6")
+}
+
+#[test]
+fn reference() {
+    let Ok(path) = std::env::var("REFERENCE") else { return };
+    let text = std::fs::read_to_string(path).unwrap();
+    let mut groups: Vec<(String, Vec<Vec<String>>)> = Vec::new();
+    for line in text.lines().skip(1) {
+        let row: Vec<String> = line.split(',').map(str::to_owned).collect();
+        let key = format!("{} {}", row[0], row[1]);
+        match groups.last_mut() {
+            Some((last, rows)) if *last == key => rows.push(row),
+            _ => groups.push((key, vec![row])),
+        }
+    }
+    for (key, rows) in groups {
+        let (kind, parameter) = key.split_once(' ').unwrap();
+        let start = if kind == "lib" { "theta0" } else { "velocity0" };
+        let extra = std::env::var("EXTRA").unwrap_or_default();
+        let text = format!("struct A; {start} = {}, outputs = [theta, velocity, wrapped] {extra}", written(parameter));
+        let scene = scene(&text);
+        let clock = std::time::Instant::now();
+        let plan = match plan(&scene) {
+            Ok(plan) => plan,
+            Err(e) => {
+                println!("{key}: {e:?}");
+                continue;
+            }
+        };
+        let time = clock.elapsed();
+        let context = crate::exact::Context::for_digits(60);
+        let mut worst = [0f64; 3];
+        for row in &rows {
+            let t = f64::from_bits(u64::from_str_radix(&row[7][2..], 16).unwrap());
+            if row[6] == "extreme" || row[6] == "big" && kind == "rot" {
+                continue;
+            }
+            for (index, column) in [9, 10, 11].into_iter().enumerate() {
+                let truth = context.decimal(&row[column]).unwrap();
+                let got = plan.functions[index].program.run(t)[0];
+                let error = (context.float(got).unwrap_or_else(|| panic!("{key} {t}: {got}")) - &truth).abs().to_f64();
+                let scale = plan.parts[index].largest.min(4.0).max(truth.abs().to_f64().min(if kind == "rot" {
+                    1e300
+                } else {
+                    0.0
+                }));
+                let relative = error / scale * 2f64.powi(50);
+                if relative > 1.0 {
+                    println!("   {key} {index} t={t:e} {} got {got} truth {}", row[6], row[column]);
+                }
+                worst[index] = worst[index].max(relative);
+            }
+        }
+        println!(
+            "{key}: {time:?} cost {} {} worst/2^-50 {:.2?} proven/2^-49 {:.2?}",
+            plan.cost(),
+            plan.parts[0].description,
+            worst,
+            plan.parts.iter().map(|p| p.bound.total() / p.largest * 2f64.powi(49)).collect::<Vec<_>>()
+        );
+    }
+}
+
+#[test]
+fn near_top() {
+    for text in [
+        "velocity0 = 2",
+        "velocity0 = 2, outputs = [velocity]",
+        "theta0 = pi - 1e-9",
+        "theta0 = pi - 1e-9, outputs = [velocity]",
+        "theta0=pi-1e-3, outputs=[velocity]",
+        "theta0=0.999*pi, outputs=[velocity]",
+        "velocity0 = 2.0000001, outputs = [wrapped]",
+        "velocity0 = 1.9999999999",
+        "velocity0 = 1.99999999, outputs=[velocity]",
+        "velocity0 = 2, outputs = [position]",
+        "velocity0 = 2, outputs = [acceleration]",
+    ] {
+        let scene = scene(&format!("struct A; {text}"));
+        let task = aim::Task::new(&scene);
+        for reduction in task.reductions(&scene).iter().filter(|r| r.origin == reduction::Origin::Lowest) {
+            println!("{text}: {:?} {:?}", reduction.method, search::trial(&scene, &task, reduction));
+        }
+    }
+}
+
+#[test]
+fn passage_at_lowest() {
+    let scene = scene("struct A; velocity0 = 2 - 1e-12");
+    let plan = plan(&scene).unwrap();
+    let program = &plan.functions[0].program;
+    for name in ["z", "w", "f", "even", "odd", "direct", "image", "squares", "denominator", "tangent"] {
+        let Some(id) = program.named(name) else { continue };
+        let single = Program { results: vec![id], ..program.clone() };
+        println!("{name} {:?}", single.run(1e-8));
+    }
+    for node in program.nodes.iter().filter(|n| matches!(n.op, Op::Constant{..})) { println!("{:?}", node.op); }
+    println!("{:?}", scene.motion.regime);
 }

@@ -10,6 +10,8 @@ use pendulum_runtime::double::Double;
 pub(crate) struct Variables {
     /// The phase s from the nearest anchor, or its magnitude if reduced from the lowest point.
     pub(crate) distance: Id,
+    /// The magnitude of the phase from the lowest point, if reduced from there.
+    pub(crate) magnitude: Id,
     /// p = s².
     pub(crate) square: Id,
     /// 8p − `centre`, of a phase in anchors.
@@ -19,6 +21,8 @@ pub(crate) struct Variables {
     pub(crate) side: Option<Id>,
     /// The sum with the parity of the anchor.
     pub(crate) magic: Id,
+    /// The number of anchors passed.
+    pub(crate) count: Id,
 }
 
 impl Variables {
@@ -48,7 +52,8 @@ impl Variables {
         let offset = b.constant(centre);
         let centred = b.sub(scaled, offset);
         b.name(centred, "u");
-        Self { distance, square, centred, centre, side: None, magic: phase.magic }
+        let (magic, count) = (phase.magic, phase.count);
+        Self { distance, magnitude: distance, square, centred, centre, side: None, magic, count }
     }
 
     /// With s = ½ − |z|: p = ¼ − |z|(1 − |z|), in which |z| small beside 1 loses nothing.
@@ -72,7 +77,8 @@ impl Variables {
         let top = b.constant(2.0 - centre);
         let centred = b.sub(top, scaled);
         b.name(centred, "u");
-        Self { distance, square, centred, centre, side: Some(phase.remainder), magic: phase.magic }
+        let (side, magic, count) = (Some(phase.remainder), phase.magic, phase.count);
+        Self { distance, magnitude, square, centred, centre, side, magic, count }
     }
 }
 

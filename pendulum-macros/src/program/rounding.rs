@@ -6,6 +6,12 @@
 //! the method of Higham, *Accuracy and Stability of Numerical Algorithms* (2002), 3.1, with intervals in place of
 //! asymptotic constants. Rounding is monotone, so the intervals of computed values are exact when their ends are computed
 //! by the very operations of the program; the bounds on errors are inflated by more than their own rounding.
+//!
+//! Where an operand reaches a result by two ways whose effects cancel, as x does in x·f(x²), that is too pessimistic. The
+//! module [`adjoint`] therefore sums the roundings a second time, each weighted by the derivative of the result with
+//! respect to the node where it happens; the smaller of the two bounds counts.
+
+mod adjoint;
 
 use super::{Id, Op, Program};
 use crate::parse::Float;
@@ -17,12 +23,29 @@ pub(crate) struct Known {
     pub(crate) low: f64,
     pub(crate) high: f64,
     pub(crate) error: f64,
+    /// The part of the error that arises here, not in operands.
+    local: f64,
 }
 
 impl Known {
     /// An exactly known value between two numbers.
     pub(crate) const fn between(low: f64, high: f64) -> Self {
-        Self { low, high, error: 0.0 }
+        Self::within(low, high, 0.0)
+    }
+
+    /// A value between two numbers, wrong by at most `error`.
+    pub(crate) const fn within(low: f64, high: f64, error: f64) -> Self {
+        Self { low, high, error, local: error }
+    }
+
+    /// A result whose operands contribute `inherited` to its error.
+    fn result((low, high): (f64, f64), inherited: f64, local: f64) -> Self {
+        Self { low, high, error: inherited + local, local }
+    }
+
+    /// The same value, none of whose error arises here.
+    fn passed_on(self) -> Self {
+        Self { local: 0.0, ..self }
     }
 
     fn magnitude(self) -> f64 {
@@ -57,7 +80,7 @@ fn rounding_up_to(magnitude: f64, float: Float) -> f64 {
 }
 
 impl Program {
-    /// The error bound of each result where the nodes `given` hold values in the intervals stated, exact as they are.
+    /// The error bound of each result where the nodes `given` hold values in the intervals stated.
     pub(crate) fn rounding(&self, given: &[(Id, Known)]) -> Vec<Known> {
         let mut known: Vec<Known> = Vec::with_capacity(self.nodes.len());
         for (id, node) in self.nodes.iter().enumerate() {
@@ -67,67 +90,67 @@ impl Program {
             };
             known.push(value);
         }
-        self.results.iter().map(|&id| known[id]).collect()
+        let result = |&id: &Id| {
+            let forward = known[id];
+            Known { error: forward.error.min(self.adjoint_error(id, &known, given)), ..forward }
+        };
+        self.results.iter().map(result).collect()
     }
 }
 
 fn inflate(known: Known) -> Known {
-    Known { error: known.error * INFLATION, ..known }
+    Known { error: known.error * INFLATION, local: known.local * INFLATION, ..known }
 }
 
 fn step(op: Op, float: Float, known: &[Known]) -> Known {
-    let everything = Known::between(f64::NEG_INFINITY, f64::INFINITY);
     match op {
-        Op::Input | Op::PowerOfTwo { .. } | Op::Head(_) => everything,
-        Op::Constant { value, rest } => Known { low: value, high: value, error: rest.abs() },
+        Op::Input | Op::PowerOfTwo { .. } | Op::Head(_) => Known::between(f64::NEG_INFINITY, f64::INFINITY),
+        Op::Constant { value, rest } => Known::within(value, value, rest.abs()),
         Op::Add(a, b) => sum(known[a], known[b], float),
         Op::Sub(a, b) => {
-            let Known { low, high, error } = known[b];
-            sum(known[a], Known { low: -high, high: -low, error }, float)
+            let Known { low, high, error, local } = known[b];
+            sum(known[a], Known { low: -high, high: -low, error, local }, float)
         }
         Op::Mul(a, b) if a == b => square(known[a], float),
         Op::Mul(a, b) => product(known[a], known[b], float),
         Op::Div(a, b) => quotient(known[a], known[b], float),
         Op::Sqrt(x) => root(known[x], float),
         Op::Abs(x) => {
-            let Known { low, high, error } = known[x];
+            let Known { low, high, error, .. } = known[x];
             let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
-            Known { low: least, high: known[x].magnitude(), error }
+            Known::result((least, known[x].magnitude()), error, 0.0)
         }
-        Op::Min { limit, x } => Known {
-            low: known[x].low.min(known[limit].low),
-            high: known[x].high.min(known[limit].high),
-            error: known[x].error.max(known[limit].error),
-        },
-        Op::Max { limit, x } => Known {
-            low: known[x].low.max(known[limit].low),
-            high: known[x].high.max(known[limit].high),
-            error: known[x].error.max(known[limit].error),
-        },
+        Op::Min { limit, x } => extreme(known[limit], known[x], f64::min),
+        Op::Max { limit, x } => extreme(known[limit], known[x], f64::max),
         // Where the computed condition is in doubt, each branch is within its error of the same function.
-        Op::Select { a, b, then, .. } if known[a].high < known[b].low => known[then],
-        Op::Select { a, b, otherwise, .. } if known[a].low >= known[b].high => known[otherwise],
-        Op::Select { then, otherwise, .. } => Known {
-            low: known[then].low.min(known[otherwise].low),
-            high: known[then].high.max(known[otherwise].high),
-            error: known[then].error.max(known[otherwise].error),
-        },
+        Op::Select { a, b, then, .. } if known[a].high < known[b].low => known[then].passed_on(),
+        Op::Select { a, b, otherwise, .. } if known[a].low >= known[b].high => known[otherwise].passed_on(),
+        Op::Select { then, otherwise, .. } => {
+            let (then, otherwise) = (known[then], known[otherwise]);
+            let range = (then.low.min(otherwise.low), then.high.max(otherwise.high));
+            Known::result(range, then.error.max(otherwise.error), 0.0)
+        }
         Op::Alternate { x, .. } | Op::Against { x, .. } => {
             let magnitude = known[x].magnitude();
-            Known { low: -magnitude, high: magnitude, error: known[x].error }
+            Known::result((-magnitude, magnitude), known[x].error, 0.0)
         }
-        Op::Widen(x) => known[x],
+        Op::Widen(x) => known[x].passed_on(),
         Op::Narrow(x) => {
-            let Known { low, high, error } = known[x];
-            Known { low, high, error: error + half_ulp(known[x].magnitude(), float) }
+            let Known { low, high, error, .. } = known[x];
+            Known::result((float.round(low), float.round(high)), error, half_ulp(known[x].magnitude(), float))
         }
     }
+}
+
+/// The smaller or larger of a limit and a number.
+fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
+    Known::result((choose(limit.low, x.low), choose(limit.high, x.high)), x.error.max(limit.error), 0.0)
 }
 
 fn sum(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = a.corners(b, float, |x, y| x + y);
     let exact = two_sum(a.low, b.low).1 == 0.0 && two_sum(a.high, b.high).1 == 0.0;
-    Known { low, high, error: a.error + b.error + rounding(low, high, exact, float) }
+    Known::result((low, high), a.error + b.error, rounding(low, high, exact, float))
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
@@ -136,7 +159,7 @@ fn product(a: Known, b: Known, float: Float) -> Known {
     let exact = ends.into_iter().all(|(x, y)| two_prod(x, y).1 == 0.0);
     let scaling = [a, b].iter().any(|x| x.low == x.high && x.error == 0.0 && is_power_of_two(x.low.abs()));
     let rounding = if scaling { 0.0 } else { rounding(low, high, exact, float) };
-    Known { low, high, error: a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error + rounding }
+    Known::result((low, high), a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error, rounding)
 }
 
 /// A product of a number with itself isn't negative.
@@ -157,18 +180,18 @@ fn rounding(low: f64, high: f64, exact: bool, float: Float) -> f64 {
 fn quotient(a: Known, b: Known, float: Float) -> Known {
     let least = b.low.abs().min(b.high.abs()) - b.error;
     if b.low <= 0.0 && b.high >= 0.0 || least <= 0.0 {
-        return Known { low: f64::NEG_INFINITY, high: f64::INFINITY, error: f64::INFINITY };
+        return Known::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
     }
     let (low, high) = a.corners(b, float, |x, y| x / y);
     let magnitude = low.abs().max(high.abs());
-    Known { low, high, error: (a.error + magnitude * b.error) / least + half_ulp(magnitude, float) }
+    Known::result((low, high), (a.error + magnitude * b.error) / least, half_ulp(magnitude, float))
 }
 
 /// |√a − √b| is at most both |a − b|/√a and √|a − b|.
 fn root(x: Known, float: Float) -> Known {
-    let (low, high) = (x.low.max(0.0).sqrt(), x.high.max(0.0).sqrt());
-    let error = if low > 0.0 { (x.error / low).min(x.error.sqrt()) } else { x.error.sqrt() };
-    Known { low, high, error: error + half_ulp(high, float) }
+    let (low, high) = (float.round(x.low.max(0.0).sqrt()), float.round(x.high.max(0.0).sqrt()));
+    let inherited = if low > 0.0 { (x.error / low).min(x.error.sqrt()) } else { x.error.sqrt() };
+    Known::result((low, high), inherited, half_ulp(high, float))
 }
 
 fn is_power_of_two(x: f64) -> bool {

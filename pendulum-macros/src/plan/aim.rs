@@ -1,0 +1,212 @@
+//! What each output has to keep, in every regime.
+
+use super::curve::{Curve, RotationCurves, SwingCurves};
+use super::hyperbolic::{Hyperbolic, Passage};
+use super::reduction::{Clock, Reduction};
+use crate::exact::Real;
+use crate::motion::{Elliptic, Regime, Rotation, Separatrix, Swing};
+use crate::parse::Output;
+use crate::scene::{Goal, Scene};
+use crate::series::{rotation_rate, swing_rate};
+use pendulum_runtime::double::Double;
+use std::f64::consts::PI;
+
+/// The motion in the planner's terms: its outputs as functions of one phase.
+pub(super) struct Task {
+    pub(super) aims: Vec<Aim>,
+    /// Anchors per unit of time, and at t = 0.
+    rate: Real,
+    launch: Double,
+    /// −1 for a mirror image.
+    pub(super) direction: f64,
+    /// The passage through the lowest point; absent where the nome makes its series converge slowly.
+    pub(super) passage: Option<Passage>,
+    pub(super) turning: bool,
+}
+
+/// One output's promise.
+pub(super) struct Aim {
+    pub(super) output: Output,
+    /// The functions of the phase that make it; none on the separatrix.
+    pub(super) curves: Vec<Curve>,
+    /// The power of the nearest poles in the curves, 0 if they are logarithms.
+    pub(super) power: i32,
+    /// The largest magnitude, slope with respect to the phase, and phase times slope.
+    pub(super) largest: f64,
+    slope: f64,
+    moment: f64,
+    /// What a tolerance of 1 means.
+    pub(super) unit: f64,
+    /// For the total error, in the output's own unit, and for truncation alone.
+    pub(super) limit: f64,
+    pub(super) truncation: f64,
+}
+
+/// Above this complementary nome the images of a passage are too many for [`Hyperbolic`].
+const LARGEST_IMAGE: f64 = 0.05;
+
+impl Task {
+    pub(super) fn new(scene: &Scene) -> Self {
+        match &scene.motion.regime {
+            Regime::Swing(swing) => Self::swing(scene, swing),
+            Regime::Rotation(rotation) => Self::rotation(scene, rotation),
+            Regime::Separatrix(separatrix) => Self::separatrix(scene, separatrix),
+        }
+    }
+
+    fn swing(scene: &Scene, swing: &Swing) -> Self {
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        let aims = scene.outputs.iter().map(|&output| {
+            let theta = curves.theta();
+            let (functions, power) = match output {
+                Output::Theta | Output::Wrapped => (vec![theta.clone()], 0),
+                Output::Velocity => (vec![curves.velocity()], 1),
+                Output::Acceleration => (vec![curves.acceleration()], 2),
+                Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
+            };
+            let steepest = if output == Output::Position { theta } else { functions[0].clone() };
+            Aim::new(scene, output, functions, power, &steepest)
+        });
+        let direction = if swing.mirrored { -1.0 } else { 1.0 };
+        Self {
+            aims: aims.collect(),
+            rate: swing_rate(swing),
+            launch: swing.launch.to_double(),
+            direction,
+            passage: passage(&swing.elliptic, 1.0, direction),
+            turning: false,
+        }
+    }
+
+    fn rotation(scene: &Scene, rotation: &Rotation) -> Self {
+        let curves = RotationCurves::new(rotation, &scene.motion.omega);
+        let aims = scene.outputs.iter().map(|&output| {
+            let (functions, power) = match output {
+                Output::Theta | Output::Wrapped => (vec![curves.angle()], 0),
+                Output::Velocity => (vec![curves.velocity()], 1),
+                Output::Acceleration => (vec![curves.acceleration()], 2),
+                Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
+            };
+            let steepest = if output == Output::Position { curves.angle() } else { functions[0].clone() };
+            Aim::new(scene, output, functions, power, &steepest)
+        });
+        let direction = if rotation.mirrored { -1.0 } else { 1.0 };
+        // The turn that passes the lowest point at t = 0 began at the top numbered 0.
+        let half = rotation.launch.context().ratio(1, 2);
+        Self {
+            aims: aims.collect(),
+            rate: rotation_rate(rotation),
+            launch: (&rotation.launch + half).to_double(),
+            direction,
+            passage: passage(&rotation.elliptic, -1.0, direction),
+            turning: true,
+        }
+    }
+
+    fn separatrix(scene: &Scene, separatrix: &Separatrix) -> Self {
+        let omega = scene.motion.omega.to_f64();
+        let aims = scene.outputs.iter().map(|&output| {
+            let (largest, unit) = match output {
+                Output::Theta | Output::Wrapped => (PI, 1.0),
+                Output::Velocity => (2.0 * omega, omega),
+                Output::Acceleration => (omega * omega, omega * omega),
+                Output::Position => (1.0, 1.0),
+            };
+            // |d²θ/dw²| ≤ 1 and |dθ/dw| ≤ 2; w·2 sech w ≤ 1.3255.
+            Aim::with(scene, output, [largest, 2.0 * unit, 1.33 * unit, unit])
+        });
+        let direction = if separatrix.mirrored { -1.0 } else { 1.0 };
+        // log₂ e.
+        let rate = Double { hi: std::f64::consts::LOG2_E, lo: 2.035_527_374_093_103_3e-17 };
+        let passage = Passage {
+            rate,
+            sigma: 0.0,
+            image: Double::ZERO,
+            image_exponent: 0,
+            half: 700.0,
+            alternates: false,
+            direction,
+        };
+        Self {
+            aims: aims.collect(),
+            rate: scene.motion.omega.clone(),
+            launch: separatrix.launch.to_double(),
+            direction,
+            passage: Some(passage),
+            turning: false,
+        }
+    }
+
+    /// The reductions of its phase.
+    pub(super) fn reductions(&self, scene: &Scene) -> Vec<Reduction> {
+        let t_max = scene.t_max.as_ref().map(Real::to_f64);
+        let clock = Clock { rate: &self.rate, launch: self.launch, t_max, float: scene.float };
+        match scene.motion.regime {
+            Regime::Separatrix(_) => vec![clock.linear()],
+            _ => clock.reductions(),
+        }
+    }
+
+    /// Turns within the horizon.
+    pub(super) fn turns(&self, scene: &Scene) -> f64 {
+        let horizon = scene.t_max.as_ref().map_or(f64::INFINITY, |t_max| (t_max * &self.rate).to_f64());
+        horizon.min(2f64.powi(54)) + 2.0
+    }
+
+    /// |θ̇| at the lowest point.
+    pub(super) fn fastest(&self, scene: &Scene) -> Double {
+        let omega = &scene.motion.omega;
+        match &scene.motion.regime {
+            Regime::Swing(swing) => (&swing.elliptic.modulus * omega).scale(1).to_double(),
+            Regime::Rotation(rotation) => rotation.fastest.to_double(),
+            Regime::Separatrix(_) => omega.scale(1).to_double(),
+        }
+    }
+}
+
+/// The passage through the lowest point: w = (πK/K′)·phase, in units of ln 2.
+fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Passage> {
+    let context = elliptic.quarter.context();
+    let span = context.pi() * &elliptic.quarter / &elliptic.quarter_complementary;
+    let ln_2 = context.ln_2();
+    let rate = (&span / &ln_2).to_double();
+    if elliptic.nome_complementary.to_f64() > LARGEST_IMAGE {
+        return None;
+    }
+    let image_exponent = (-rate.hi).floor() as i32;
+    let image = elliptic.nome_complementary.scale(-i64::from(image_exponent)).to_double();
+    Some(Passage { rate, sigma, image, image_exponent, half: 0.5, alternates: sigma > 0.0, direction })
+}
+
+impl Aim {
+    fn new(scene: &Scene, output: Output, curves: Vec<Curve>, power: i32, steepest: &Curve) -> Self {
+        let largest = if output == Output::Position { 1.0 } else { steepest.largest };
+        let aim = Self::with(scene, output, [largest, steepest.slope, steepest.moment, steepest.unit]);
+        Self { curves, power, ..aim }
+    }
+
+    fn with(scene: &Scene, output: Output, [largest, slope, moment, unit]: [f64; 4]) -> Self {
+        let float = scene.float.unit();
+        // Of a position, whose coordinates are products, rounding takes more.
+        let units = if output == Output::Position { 48.0 } else { 16.0 };
+        let (limit, truncation) = match scene.goal {
+            Goal::Tolerance(tol) => (tol * unit, tol * unit),
+            _ => (units * float * largest, float * largest),
+        };
+        Self { output, curves: Vec::new(), power: 0, largest, slope, moment, unit, limit, truncation }
+    }
+
+    /// What the reduction's error of the phase costs.
+    pub(super) fn phase_error(&self, reduction: &Reduction) -> f64 {
+        self.slope * reduction.error + self.moment * reduction.relative_error
+    }
+
+    /// As [`Self::phase_error`] for a [`Hyperbolic`] kernel, which rounds w = phase·rate besides.
+    pub(super) fn passage_error(&self, reduction: &Reduction, passage: &Passage) -> f64 {
+        let span = passage.rate.hi * std::f64::consts::LN_2;
+        // w·2 sech w ≤ 1.3255, and what images add to a rotation.
+        let images = if passage.sigma < 0.0 { 2.0 * span * (-0.5 * span).exp() } else { 0.0 };
+        let moment = (1.326 + images) * self.unit.max(self.largest / PI);
+        self.slope * reduction.error + moment * (reduction.relative_error + Hyperbolic::relative_error())
+    }
+}

@@ -1,0 +1,61 @@
+//! Polynomials for fixed functions on [0, Z]: what a plan uses of exponentials, arctangents and arcsines.
+
+use super::polynomial::estrin;
+use crate::chebyshev::{CosineTable, scale, shift, to_powers};
+use crate::program::{Builder, Id};
+use pendulum_runtime::double::Double;
+
+/// A polynomial and its distance from the function.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Fit {
+    /// Powers of z, lowest first.
+    coefficients: Vec<Double>,
+    truncation: f64,
+}
+
+/// A function analytic and bounded by `bound` inside the ellipse with foci 0 and `end` and parameter `rho`.
+pub(crate) struct Domain {
+    pub(crate) end: f64,
+    pub(crate) rho: f64,
+    pub(crate) bound: f64,
+}
+
+impl Domain {
+    /// The ellipse that reaches to `furthest` < 0 on the left, or to end − `furthest` on the right.
+    pub(crate) fn reaching(end: f64, furthest: f64, bound: f64) -> Self {
+        let x = 1.0 - 2.0 * furthest / end;
+        Self { end, rho: x + (x * x - 1.0).sqrt(), bound }
+    }
+}
+
+impl Fit {
+    /// The Chebyshev interpolant, cut where its error is below `limit`; error of interpolation as in
+    /// [`super::polynomial`].
+    pub(crate) fn new(domain: &Domain, limit: f64, function: impl Fn(Double) -> Double) -> Self {
+        let Domain { end, rho, bound } = *domain;
+        let error = |points: usize| 4.0 * bound * rho.powf(1.0 - points as f64) / (rho - 1.0);
+        let points = (4..200).find(|&points| error(points) < limit / 16.0).unwrap_or(200);
+        let table = CosineTable::new(points);
+        let values: Vec<Double> = table.points().map(|u| function((u + Double::ONE) * (0.5 * end))).collect();
+        let series = table.coefficients(&values, points);
+        let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error(points);
+        let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
+        let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));
+        let coefficients = scale(powers, Double::new(2.0) / Double::new(end));
+        Self { coefficients, truncation: dropped(terms) }
+    }
+
+    /// Emits the polynomial, its truncation charged to the constant term.
+    pub(crate) fn lower(&self, b: &mut Builder, z: Id, names: &[&'static str]) -> Id {
+        let constant = |(index, c): (usize, &Double)| {
+            let slack = if index == 0 { self.truncation } else { 0.0 };
+            b.loose(c.hi, c.lo.abs() + slack)
+        };
+        let coefficients: Vec<Id> = self.coefficients.iter().enumerate().map(constant).collect();
+        estrin(b, z, &coefficients, names)
+    }
+
+    pub(crate) fn terms(&self) -> usize {
+        self.coefficients.len()
+    }
+}

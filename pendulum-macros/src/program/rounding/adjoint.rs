@@ -1,0 +1,124 @@
+//! Roundings weighted by their effect on a result: the reverse sweep of automatic differentiation, in intervals.
+//!
+//! The computed result differs from the exact one by Σ ∂result/∂nodeᵢ·δᵢ, δᵢ being the rounding at the node i and the
+//! derivatives taken somewhere between the computed and the exact values (mean value theorem). Intervals that hold both
+//! make the bound rigorous.
+
+use super::{INFLATION, Known};
+use crate::program::{Id, Op, Program};
+
+/// An interval of derivatives.
+#[derive(Clone, Copy)]
+struct Slope {
+    low: f64,
+    high: f64,
+}
+
+impl Slope {
+    const ZERO: Self = Self { low: 0.0, high: 0.0 };
+
+    fn magnitude(self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self { low: self.low + other.low, high: self.high + other.high }
+    }
+
+    fn times(self, low: f64, high: f64) -> Self {
+        if self.low == 0.0 && self.high == 0.0 {
+            return self;
+        }
+        let corners = [self.low * low, self.low * high, self.high * low, self.high * high];
+        let (low, high) =
+            corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
+        Self { low, high }
+    }
+}
+
+impl Known {
+    /// The interval of computed and exact values.
+    fn both(self) -> (f64, f64) {
+        (self.low - self.error, self.high + self.error)
+    }
+}
+
+impl Program {
+    /// Bounds the error of node `result`; infinite where it isn't differentiable.
+    pub(super) fn adjoint_error(&self, result: Id, known: &[Known], given: &[(Id, Known)]) -> f64 {
+        let mut slopes = vec![Slope::ZERO; self.nodes.len()];
+        slopes[result] = Slope { low: 1.0, high: 1.0 };
+        let mut error = 0.0;
+        for id in (0..=result).rev() {
+            let slope = slopes[id];
+            if slope.magnitude() == 0.0 {
+                continue;
+            }
+            if known[id].local > 0.0 {
+                error += slope.magnitude() * known[id].local;
+            }
+            if given.iter().all(|(given, _)| *given != id) && !pass_back(self.nodes[id].op, slope, known, &mut slopes) {
+                return f64::INFINITY;
+            }
+        }
+        if error.is_nan() { f64::INFINITY } else { error * INFLATION }
+    }
+}
+
+/// Adds the slope of a node to those of its operands; `false` where there is none.
+fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> bool {
+    let mut add = |id: Id, part: Slope| slopes[id] = slopes[id].plus(part);
+    match op {
+        Op::Input | Op::Constant { .. } | Op::PowerOfTwo { .. } => {}
+        Op::Add(a, b) => {
+            add(a, slope);
+            add(b, slope);
+        }
+        Op::Sub(a, b) => {
+            add(a, slope);
+            add(b, slope.times(-1.0, -1.0));
+        }
+        Op::Mul(a, b) => {
+            let ((a_low, a_high), (b_low, b_high)) = (known[a].both(), known[b].both());
+            add(a, slope.times(b_low, b_high));
+            add(b, slope.times(a_low, a_high));
+        }
+        Op::Div(a, b) => {
+            let ((a_low, a_high), (b_low, b_high)) = (known[a].both(), known[b].both());
+            if b_low <= 0.0 && b_high >= 0.0 {
+                return false;
+            }
+            let inverse = slope.times(1.0 / b_high, 1.0 / b_low);
+            add(a, inverse);
+            add(b, inverse.times(1.0 / b_high, 1.0 / b_low).times(-a_high, -a_low));
+        }
+        Op::Sqrt(x) => {
+            let (low, high) = known[x].both();
+            if low <= 0.0 {
+                return false;
+            }
+            add(x, slope.times(0.5 / high.sqrt(), 0.5 / low.sqrt()));
+        }
+        Op::Abs(x) => {
+            let (low, _) = known[x].both();
+            add(x, slope.times(if low >= 0.0 { 1.0 } else { -1.0 }, 1.0));
+        }
+        // Whichever sign it is, everything before it changes by it alike.
+        Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
+        Op::Min { limit, x } | Op::Max { limit, x } => {
+            add(x, slope.times(0.0, 1.0));
+            add(limit, slope.times(0.0, 1.0));
+        }
+        Op::Select { a, b, then, otherwise } => {
+            let (a, b) = (known[a], known[b]);
+            match (a.high < b.low, a.low >= b.high) {
+                (true, _) => add(then, slope),
+                (_, true) => add(otherwise, slope),
+                _ => return false,
+            }
+        }
+        Op::Widen(x) | Op::Narrow(x) => add(x, slope),
+        Op::Head(_) => return false,
+    }
+    true
+}
