@@ -66,6 +66,20 @@ proptest! {
         prop_assert!(p.theta(t).abs() <= theta0);
     }
 
+    /// From 1e-300 to the last `f64` below π: starts at θ0, passes zero at T/4 and −θ0 at T/2, with its whole energy.
+    #[test]
+    fn every_amplitude_keeps_its_landmarks(theta0 in amplitude()) {
+        let p = released(theta0);
+        let (quarter, half) = (p.period() / 4.0, p.period() / 2.0);
+        prop_assert_eq!((p.amplitude(), p.state(0.0)), (theta0, (theta0, 0.0)));
+        prop_assert!(p.theta(half) + theta0 <= UNIT * theta0, "{}", p.theta(half));
+        // T is rounded by up to 2⁻⁵³ of itself, half of which is T/4's share of it at top speed.
+        let speed = 2.0 * (theta0 / 2.0).sin();
+        prop_assert!(p.theta(quarter).abs() <= UNIT * theta0 + speed * quarter * f64::EPSILON);
+        prop_assert!((p.velocity(quarter) + speed).abs() <= UNIT * speed);
+        prop_assert!((p.period() / 4.0 - p.quarter_period()).abs() <= f64::EPSILON * quarter);
+    }
+
     #[test]
     fn mirrored_states_move_mirrored(start in state(), t in -1e6_f64..1e6) {
         let (p, mirrored) = (launched(start), launched((-start.0, -start.1)));

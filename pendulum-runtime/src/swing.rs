@@ -103,7 +103,9 @@ impl Swing {
     pub(crate) fn angle(&self, at: SwingPhase) -> f64 {
         let (n, d) = self.quarter_tangent(at.crossing.abs());
         let angle = four_atan(n, d);
-        let angle = if angle > self.amplitude { self.amplitude } else { angle };
+        // Exactly θ0 at the turning point, never more anywhere.
+        let turning = at.crossing.abs() == 0.25;
+        let angle = if turning || angle > self.amplitude { self.amplitude } else { angle };
         if at.crossing < 0.0 { -angle } else { angle }
     }
 
