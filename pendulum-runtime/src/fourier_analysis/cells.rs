@@ -55,3 +55,33 @@ impl<'a> Cells<'a> {
         bound(most).max(bound(least))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::double::Double;
+    use crate::double_trig::half_angle;
+
+    /// Also just below the limits of overshoot, where the largest argument cuts a cell.
+    #[test]
+    fn the_bound_is_above_the_supremum_and_as_close_as_asked() {
+        for (amplitude, terms) in [
+            (0.5, 1),
+            (0.7, 1),
+            (0.73, 1),
+            (0.88, 2),
+            (0.89, 2),
+            (0.904, 2),
+            (0.90456, 2),
+            (0.875, 4),
+            (0.954, 4),
+            (0.95, 6),
+        ] {
+            let (k, kc) = half_angle(Double::PI * amplitude);
+            let analysis = FourierAnalysis::new(k, kc);
+            let (bound, supremum) = (analysis.certified_bound(terms, 1e-3), analysis.supremum(terms));
+            // 1e-9 more is allowed for rounding.
+            assert!(bound >= supremum && bound <= 1.001_001 * supremum, "{amplitude}π, {terms}: {bound} {supremum}");
+        }
+    }
+}
