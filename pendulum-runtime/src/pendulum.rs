@@ -48,7 +48,7 @@ pub struct Pendulum<F: Scalar> {
 impl<F: Scalar> Pendulum<F> {
     /// Released at rest from `theta0` (rad, |θ0| < π) with small-angle rate `omega` > 0 (rad per unit of t).
     ///
-    /// `theta0` = 0 hangs at rest.
+    /// `theta0` = 0 hangs at rest. θ(0) is `theta0` to the bit.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Amplitude`] if |θ0| exceeds the last `f64` below π; [`Error::Frequency`] if
@@ -123,9 +123,8 @@ impl<F: Scalar> Pendulum<F> {
 
     /// The first t ≥ 0 at which θ(t) = `theta`, turns counted.
     ///
-    /// By Carlson's RF in twice the working precision, so the result is as good as conditioning allows: within a few
-    /// ulp of t, except where θ̇ is small, at a turning point, where half an ulp of the angle moves t by
-    /// √(ulp/|θ̈|).
+    /// By Carlson's RF in twice the working precision: within one ulp of the t at which the motion has the given
+    /// angle. (Near a turning point half an ulp of the *angle* moves that t by √(ulp/|θ̈|).)
     ///
     /// # Errors
     /// [`Error::NeverReached`] if no t ≥ 0 qualifies; [`Error::NotFinite`].
