@@ -2,8 +2,8 @@
 
 #![expect(
     clippy::inline_always,
-    reason = "a point passed in memory is stored by words and loaded by pairs, which no store buffer forwards: inlined, \
-              consecutive evaluations overlap and take half the time"
+    reason = "a point passed in memory is stored by words and loaded by pairs, which store buffers do not forward; \
+              inlined, consecutive evaluations overlap and take half the time"
 )]
 
 use crate::agm::complete;

@@ -148,7 +148,7 @@ impl Series {
     fn rate(&self, at: SwingPhase) -> f64 {
         match self {
             Self::Direct { rate: (n, d), .. } => {
-                // cos w and sin w from a sine each: sin² w as 1 − cos² w would magnify the rounding of the cosine fivefold.
+                // A sine each: sin² w as 1 − cos² w would magnify the rounding of the cosine fivefold.
                 let (cosine, sine) = (sin_turns(at.turning), sin_turns(at.crossing.abs()));
                 let eta = 4.0 * (sine * sine);
                 cosine * horner(n, eta) / horner(d, eta)
