@@ -5,7 +5,7 @@
 use pendula::elliptic::Jacobi;
 use pendula::{Pendulum, Scalar};
 
-const FINGERPRINT: u64 = 0xc0a7_75ae_3e18_5449;
+const FINGERPRINT: u64 = 0xbc2f_a56c_7ca4_1a9c;
 
 /// FNV-1a over the bits.
 struct Fingerprint(u64);
@@ -48,7 +48,7 @@ fn growth(n: i32) -> f64 {
 #[test]
 fn the_bits_are_the_same_everywhere() {
     let mut fingerprint = Fingerprint(0xcbf2_9ce4_8422_2325);
-    for theta0 in [1e-9, 0.3, 1.5, 2.7, 3.0, 3.141, core::f64::consts::PI] {
+    for theta0 in [1e-9, 0.3, 1.5, 2.7, 3.0, 3.13, core::f64::consts::PI] {
         add_motion(&mut fingerprint, &Pendulum::<f64>::new(theta0, 1.3).expect("valid"), times());
     }
     for (theta, velocity) in [(0.4, 1.1), (-2.0, 0.9), (0.0, 2.6), (30.0, -2.03), (0.0, 2.0), (1.0, 40.0)] {

@@ -40,7 +40,7 @@ fn top_speed(p: &Pendulum<f64>) -> f64 {
     (2.0 * p.energy()).sqrt()
 }
 
-/// The same 2000 cases every time; the environment variables PROPTEST_CASES and PROPTEST_RNG_SEED choose others.
+/// The same 2000 cases every time; the environment variables `PROPTEST_CASES` and `PROPTEST_RNG_SEED` choose others.
 fn config() -> ProptestConfig {
     let chosen = ProptestConfig::default();
     let given = |name| std::env::var_os(name).is_some();

@@ -64,6 +64,7 @@ mod tests {
 
     /// Also just below the limits of overshoot, where the largest argument cuts a cell.
     #[test]
+    #[cfg_attr(miri, ignore = "a million samples")]
     fn the_bound_is_above_the_supremum_and_as_close_as_asked() {
         for (amplitude, terms) in [
             (0.5, 1),
