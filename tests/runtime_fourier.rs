@@ -109,8 +109,8 @@ fn the_supremum_is_attained_and_certified() {
     fn check<const N: usize>(fraction: f64) {
         let (p, paper) = (released(fraction), fourier::<N>(fraction));
         let seen = sampled(&p, |t| paper.theta(t), 40_000);
-        // Beside the limit the error peaks within a sample, hence the factor, and the arcsine magnifies rounding (1e-16)
-        // by up to 20 where its argument is 1 − 10⁻³.
+        // Beside the limit the error peaks within a sample, hence the factor, and where the argument of the arcsine is
+        // 1 − 10⁻³ rounding (1e-16) is magnified by 20.
         assert!(seen <= paper.max_error() + 1e-14, "{fraction} {N}: {seen} {}", paper.max_error());
         assert!(seen >= 0.999 * paper.max_error() - 1e-14, "{fraction} {N}: {seen} {}", paper.max_error());
         let bound = analysis(fraction * PI).certified_bound(N, 0.01);

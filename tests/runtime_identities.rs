@@ -40,7 +40,7 @@ fn top_speed(p: &Pendulum<f64>) -> f64 {
     (2.0 * p.energy()).sqrt()
 }
 
-/// The same 2000 cases every time; the environment variables PROPTEST_CASES and PROPTEST_RNG_SEED choose others.
+/// The same 2000 cases every time; the environment variables `PROPTEST_CASES` and `PROPTEST_RNG_SEED` choose others.
 fn config() -> ProptestConfig {
     let chosen = ProptestConfig::default();
     let given = |name| std::env::var_os(name).is_some();
@@ -64,6 +64,20 @@ proptest! {
         prop_assert_eq!(p.velocity(-t), -p.velocity(t));
         prop_assert_eq!(mirrored.velocity(t), -p.velocity(t));
         prop_assert!(p.theta(t).abs() <= theta0);
+    }
+
+    /// From 1e-300 to the last `f64` below π: starts at θ0, passes zero at T/4 and −θ0 at T/2, with its whole energy.
+    #[test]
+    fn every_amplitude_keeps_its_landmarks(theta0 in amplitude()) {
+        let p = released(theta0);
+        let (quarter, half) = (p.period() / 4.0, p.period() / 2.0);
+        prop_assert_eq!((p.amplitude(), p.state(0.0)), (theta0, (theta0, 0.0)));
+        prop_assert!(p.theta(half) + theta0 <= UNIT * theta0, "{}", p.theta(half));
+        // T is rounded by up to 2⁻⁵³ of itself, half of which is T/4's share of it at top speed.
+        let speed = 2.0 * (theta0 / 2.0).sin();
+        prop_assert!(p.theta(quarter).abs() <= UNIT * theta0 + speed * quarter * f64::EPSILON);
+        prop_assert!((p.velocity(quarter) + speed).abs() <= UNIT * speed);
+        prop_assert!((p.period() / 4.0 - p.quarter_period()).abs() <= f64::EPSILON * quarter);
     }
 
     #[test]
@@ -145,7 +159,8 @@ proptest! {
         for i in 0..64 {
             let (a, b) = (found * f64::from(i) / 64.0, found * f64::from(i + 1) / 64.0);
             let (x, y) = (p.theta(a) - theta, p.theta(b) - theta);
-            prop_assert!(i == 63 || x * y > 0.0 || x.abs().min(y.abs()) < 1e-9 * (1.0 + theta.abs()), "passed between {} and {}", a, b);
+            let touches = x.abs().min(y.abs()) < 1e-9 * (1.0 + theta.abs());
+            prop_assert!(i == 63 || x * y > 0.0 || touches, "passed between {} and {}", a, b);
         }
     }
 
@@ -194,15 +209,19 @@ proptest! {
     #[test]
     fn everything_is_finite_for_finite_t(start in state(), bits in any::<u64>()) {
         let (p, t) = (launched(start), f64::from_bits(bits));
-        let all = [p.theta(t), p.velocity(t), p.acceleration(t), p.position(t).0, p.position(t).1, p.wrapped(t), p.small_angle(t)];
-        prop_assert!(all.iter().all(|x| if t.is_finite() { x.is_finite() } else { x.is_nan() }), "{:?} at {:e}", all, t);
+        let ((theta, velocity), (x, y)) = (p.state(t), p.position(t));
+        let all = [theta, velocity, x, y, p.acceleration(t), p.wrapped(t), p.small_angle(t)];
+        let as_it_should = |x: &f64| if t.is_finite() { x.is_finite() } else { x.is_nan() };
+        prop_assert!(all.iter().all(as_it_should), "{:?} at {:e}", all, t);
     }
 
     #[test]
-    fn any_input_gives_a_motion_or_an_error(theta in any::<f64>(), velocity in any::<f64>(), omega in any::<f64>(), t in any::<f64>()) {
+    fn any_input_gives_a_motion_or_an_error(input in any::<[f64; 4]>()) {
+        let [theta, velocity, omega, t] = input;
         if let Ok(p) = Pendulum::from_state(theta, velocity, omega) {
             let (angle, speed) = p.state(t);
-            prop_assert!(angle.is_finite() == t.is_finite() && speed.is_finite() == t.is_finite(), "{} {}", angle, speed);
+            let finite = [angle, speed].map(f64::is_finite);
+            prop_assert_eq!(finite, [t.is_finite(); 2], "{} {}", angle, speed);
             let _ = (p.time_at(angle), p.period(), p.energy(), p.nome(), p.modulus(), p.fourier::<1>());
         }
         if let Ok(p) = Pendulum::<f64>::new(theta, omega) {

@@ -81,6 +81,25 @@ fn every_row_keeps_the_promise() {
     }
 }
 
+/// Where θ falls from θ0 to −θ0 for the first time, `time_at` of the f64 nearest to θ(t) is t, less the time that the
+/// rest takes at θ̇. Turning points are left out: there the rest takes √rest.
+#[test]
+fn time_at_is_within_a_few_ulp() {
+    let mut worst = 0.0_f64;
+    for row in data::reference().filter(|row| row.velocity0 == 0.0 && row.t > 0.0) {
+        let p = pendulum(&row);
+        let top_speed = (2.0 * p.energy()).sqrt();
+        if row.t < p.period() / 2.0 && row.velocity.nearest < -0.01 * top_speed {
+            let found = p.time_at(row.theta.nearest).expect("the motion was there");
+            let delay = -row.theta.rest / row.velocity.nearest;
+            let error = ((found - row.t) - delay).abs() / (row.t * f64::EPSILON);
+            worst = worst.max(error);
+            assert!(error <= 1.0, "{error} ulp: {row:?} {found:e}");
+        }
+    }
+    println!("worst error of time_at: {worst:.2} ulp");
+}
+
 #[test]
 fn beyond_the_horizon_all_is_finite_and_bounded() {
     let extremes = [2f64.powi(60), 1e22, -1e100, 1e300, f64::MAX, f64::MIN];

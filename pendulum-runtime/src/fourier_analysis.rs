@@ -10,6 +10,9 @@
 //! * 1 − x² = dn² + ρ(2y − ρ), the *margin*; the arcsine exists as long as it is not negative;
 //! * sin(½(θ̂ − θ)) = −ρ(x + y)/(x dn + y √margin).
 
+mod cells;
+
+use self::cells::Cells;
 use crate::agm::agm_double;
 use crate::double::Double;
 use crate::kernel::{round, sin_turns};
@@ -25,6 +28,9 @@ const SAMPLES: usize = 12;
 
 /// More terms than any `f64` amplitude needs (the last one below π needs 600).
 const MOST_TERMS: usize = 4096;
+
+/// Halvings of a cell of `certified_bound`, which each make its excess about half as large: more than it ever takes.
+const DEEPEST: u32 = 40;
 
 /// The series of one swing.
 #[derive(Clone, Copy, Debug)]
@@ -144,11 +150,7 @@ impl FourierAnalysis {
     #[must_use]
     pub fn certified_bound(&self, terms: usize, slack: f64) -> f64 {
         let goal = self.supremum(terms) * (1.0 + slack);
-        let curvature = self.tail_moment(terms, 2);
-        let total = self.tail_moment(terms, 0);
-        let least = -self.largest(terms, |sample| -sample.margin());
-        let cell = Cells { analysis: self, terms, goal, curvature, total, least: least.max(0.0) * (1.0 - 1e-9) };
-        cell.bound(0.0, 0.25, 40) * (1.0 + 1e-9)
+        Cells::new(self, terms, goal).bound(0.0, 0.25, DEEPEST) * (1.0 + 1e-9)
     }
 
     /// The largest value over the quarter period.
@@ -244,57 +246,4 @@ fn refine(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
         best = best.max(at_left).max(at_right);
     }
     best
-}
-
-/// The branch and bound of [`FourierAnalysis::certified_bound`].
-struct Cells<'a> {
-    analysis: &'a FourierAnalysis,
-    terms: usize,
-    /// Cells bounded by this are done.
-    goal: f64,
-    /// sup |ρ″| and sup |ρ|, from the sums of the tail's moduli.
-    curvature: f64,
-    total: f64,
-    /// No margin is below this.
-    least: f64,
-}
-
-impl Cells<'_> {
-    /// A bound of the error for low ≤ z ≤ high.
-    fn bound(&self, low: f64, high: f64, depth: u32) -> f64 {
-        let here = self.cell_bound(low, high);
-        if here <= self.goal || depth == 0 {
-            return here;
-        }
-        let middle = 0.5 * (low + high);
-        let left = self.bound(low, middle, depth - 1);
-        left.max(self.bound(middle, high, depth - 1))
-    }
-
-    /// Taylor's theorem bounds ρ on the cell; given ρ, |asin(y − ρ) − asin y| is largest at the cell's end, where y is,
-    /// with two exceptions.
-    fn cell_bound(&self, low: f64, high: f64) -> f64 {
-        let radius = core::f64::consts::PI * (high - low); // half the cell, in w = 2πz
-        let tail = self.analysis.tail(self.terms, 0.5 * (low + high));
-        let spread = radius * tail.slope.abs() + 0.5 * radius * radius * self.curvature;
-        let end = self.analysis.sample(self.terms, high);
-        let bound = |tail: f64| {
-            let margin = end.dn * end.dn + tail * (2.0 * end.y - tail);
-            if end.y < tail {
-                // asin y − asin(y − ρ) grows with y from y = ρ/2 on, and is the same at y = 0 and y = ρ.
-                let y = tail.min(1.0);
-                distance(y, sqrt((1.0 - y) * (1.0 + y)), y, 1.0)
-            } else if margin >= self.least {
-                distance(end.y, end.dn, tail, margin)
-            } else {
-                // asin(y − ρ) − asin y grows with y only until y − ρ is as large as it ever gets.
-                let y = sqrt(1.0 - self.least) + tail;
-                let dn = sqrt(self.least - tail * (2.0 * y - tail));
-                distance(y, dn, tail, self.least)
-            }
-        };
-        let most = (tail.value + spread).min(self.total);
-        let least = (tail.value - spread).max(-self.total);
-        bound(most).max(bound(least))
-    }
 }

@@ -1,5 +1,11 @@
 //! The motion itself, in `f64`: what `Pendulum<f64>` and `Pendulum<f32>` both evaluate.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a point passed in memory is stored by words and loaded by pairs, which store buffers do not forward; \
+              inlined, consecutive evaluations overlap and take half the time"
+)]
+
 use crate::agm::complete;
 use crate::carlson::elapsed;
 use crate::double::{Double, two_prod, two_sum};
@@ -61,7 +67,7 @@ pub(crate) enum Point<'a> {
 
 impl Motion {
     /// The one phase reduction all outputs share.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at(&self, t: f64) -> Point<'_> {
         match &self.shape {
             Shape::Swing(swing, phase) => Point::Swing(swing, SwingPhase::new(phase.reduce(t))),
@@ -81,7 +87,7 @@ impl Motion {
     }
 
     /// θ.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn angle(&self, point: &Point<'_>) -> f64 {
         match point {
             Point::Swing(swing, phase) => self.unwrap(0.0, self.direction * swing.angle(*phase)),
@@ -107,6 +113,7 @@ impl Motion {
     }
 
     /// θ less whole turns, in [−π, π).
+    #[inline(always)]
     pub(crate) fn wrapped(&self, point: &Point<'_>) -> f64 {
         self.direction
             * match point {
@@ -116,7 +123,7 @@ impl Motion {
     }
 
     /// θ̇.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn speed(&self, point: &Point<'_>) -> f64 {
         self.direction
             * self.top_speed
@@ -127,7 +134,7 @@ impl Motion {
     }
 
     /// (sin θ, −cos θ), without an arctangent.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn position(&self, point: &Point<'_>) -> (f64, f64) {
         let (sine, cosine) = match point {
             Point::Swing(swing, phase) => swing.half_angle(*phase),
@@ -137,6 +144,7 @@ impl Motion {
     }
 
     /// θ̈ = −ω² sin θ.
+    #[inline(always)]
     pub(crate) fn acceleration(&self, point: &Point<'_>) -> f64 {
         (-self.omega * (self.omega * self.position(point).0)).clamp(f64::MIN, f64::MAX)
     }

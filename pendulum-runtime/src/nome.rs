@@ -10,9 +10,8 @@ const MAX_STEPS: usize = 14;
 
 /// √q = exp(−πK′/(2K)) for 0 ≤ k < 1, relative error below 2⁻⁹⁷.
 ///
-/// n Landen steps turn q into q^(2ⁿ) = ε(1 + 2ε⁴ + 15ε⁸ + 150ε¹² + …) with ε = c₍ₙ₊₁₎/(4a₍ₙ₊₂₎) in the AGM of 1 and k′ with
-/// c₀ = k (DLMF 19.8, 20.9); then n + 1 square roots lead back. Without the AGM's means, for tiny k,
-/// q = (k²/16)(1 + k²/2 + …).
+/// n Landen steps turn q into q^(2ⁿ) = ε(1 + 2ε⁴ + 15ε⁸ + …) with ε = c₍ₙ₊₁₎/(4a₍ₙ₊₂₎) in the AGM of 1 and k′ from
+/// c₀ = k (DLMF 19.8, 20.9); then n + 1 square roots lead back. For tiny k, q = (k²/16)(1 + k²/2 + …) as it stands.
 pub(crate) fn root_of_nome(k: Double, kc: Double) -> Double {
     if k.hi < 1e-10 {
         return k.scale(0.25) * (Double::ONE + (k * k).scale(0.25));

@@ -24,7 +24,9 @@ use core::marker::PhantomData;
 /// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is
 /// (2/ω) ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in
 /// π − θ0 and of 7.5e-6 in the period, and after n periods θ may differ by anything that 2πn · 7.5e-6 turns of phase
-/// make of it. The same holds for a velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ). What this type
+/// make of it. The same holds for a velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state
+/// beside the separatrix. There, away from the bottom, 1 − k² is a difference of transcendental numbers carried to
+/// 2⁻¹⁰²: θ is then within the promise plus 2⁻⁴⁵ of what an ulp of the initial velocity would change. What this type
 /// computes is the motion of the number it was given, not of the one that was meant; where that is a formula such as
 /// π − 10⁻¹², the macro `pendulum!` takes it exactly.
 ///
@@ -46,7 +48,7 @@ pub struct Pendulum<F: Scalar> {
 impl<F: Scalar> Pendulum<F> {
     /// Released at rest from `theta0` (rad, |θ0| < π) with small-angle rate `omega` > 0 (rad per unit of t).
     ///
-    /// `theta0` = 0 hangs at rest.
+    /// `theta0` = 0 hangs at rest. θ(0) is `theta0` to the bit.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Amplitude`] if |θ0| exceeds the last `f64` below π; [`Error::Frequency`] if
@@ -121,9 +123,8 @@ impl<F: Scalar> Pendulum<F> {
 
     /// The first t ≥ 0 at which θ(t) = `theta`, turns counted.
     ///
-    /// By Carlson's RF in twice the working precision, so the result is as good as conditioning allows: within a few
-    /// ulp of t, except where θ̇ is small, at a turning point, where half an ulp of the angle moves t by
-    /// √(ulp/|θ̈|).
+    /// By Carlson's RF in twice the working precision: within one ulp of the t at which the motion has the given
+    /// angle. (Near a turning point half an ulp of the *angle* moves that t by √(ulp/|θ̈|).)
     ///
     /// # Errors
     /// [`Error::NeverReached`] if no t ≥ 0 qualifies; [`Error::NotFinite`].

@@ -103,7 +103,9 @@ impl Swing {
     pub(crate) fn angle(&self, at: SwingPhase) -> f64 {
         let (n, d) = self.quarter_tangent(at.crossing.abs());
         let angle = four_atan(n, d);
-        let angle = if angle > self.amplitude { self.amplitude } else { angle };
+        // Exactly θ0 at the turning point, never more anywhere.
+        let turning = at.crossing.abs() == 0.25;
+        let angle = if turning || angle > self.amplitude { self.amplitude } else { angle };
         if at.crossing < 0.0 { -angle } else { angle }
     }
 
@@ -146,8 +148,8 @@ impl Series {
     fn rate(&self, at: SwingPhase) -> f64 {
         match self {
             Self::Direct { rate: (n, d), .. } => {
-                // cos w and sin w from a sine each: sin² w as 1 − cos² w would magnify the rounding of the cosine fivefold.
-                let (cosine, sine) = (sin_turns(at.turning), sin_turns(at.crossing));
+                // A sine each: sin² w as 1 − cos² w would magnify the rounding of the cosine fivefold.
+                let (cosine, sine) = (sin_turns(at.turning), sin_turns(at.crossing.abs()));
                 let eta = 4.0 * (sine * sine);
                 cosine * horner(n, eta) / horner(d, eta)
             }

@@ -1,8 +1,8 @@
 //! Theta series as polynomials: ratios such as sin((2j+1)w)/sin w are polynomials in η = 4 sin² w.
 //!
-//! All four families obey P₍ⱼ₊₁₎ = (2 − η)Pⱼ − P₍ⱼ₋₁₎ with P₀ = 1 and differ only in P₁. Hyperbolic arguments w = iX need
-//! nothing new: η = −4 sinh² X. So a theta quotient is one sine (or exponential) and two short polynomials, whatever
-//! the number of harmonics.
+//! All four families obey P₍ⱼ₊₁₎ = (2 − η)Pⱼ − P₍ⱼ₋₁₎ with P₀ = 1 and differ only in P₁. Hyperbolic arguments w = iX
+//! need nothing new: η = −4 sinh² X. So a theta quotient is one sine (or exponential) and two short polynomials,
+//! whatever the number of harmonics.
 
 /// Which harmonics are expanded; each is 1 for j = 0.
 #[derive(Clone, Copy)]

@@ -57,7 +57,7 @@ def states(rng):
 
 def main():
     rng = random.Random(20191)
-    print("# Motions of theta'' + omega^2 sin(theta) = 0 from arbitrary states; written by states.py, which explains the columns.")
+    print("# Motions of theta'' + omega^2 sin(theta) = 0 from arbitrary states; states.py writes and explains it.")
     for theta, velocity, omega in states(rng):
         for decade in (0, 2, 6, 12):
             t = rng.uniform(-8, 8) * 10**decade / max(omega, abs(velocity))
