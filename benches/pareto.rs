@@ -122,13 +122,18 @@ fn write(directory: &Path, outcomes: &[Outcome], drifts: &[Drift]) -> Result<(),
     let markdown = report::markdown(outcomes, &peers::missing(), &peers::versions());
     fs::write(directory.join(format!("pareto-{target}.md")), markdown)?;
     fs::write(directory.join(format!("pareto-{target}.csv")), report::csv(outcomes))?;
-    fs::write(directory.join(format!("drift-{target}.csv")), drift::csv(drifts))?;
+    fs::write(directory.join("drift.csv"), drift::csv(drifts))?;
     for amplitude in Amplitude::ALL {
         for precision in ["f64", "f32"] {
             let figure = figures::pareto(outcomes, amplitude, precision);
-            figure.save(&directory.join(format!("pareto-{target}-{}-{precision}", amplitude.slug)))?;
+            let stem = directory.join(format!("pareto-{target}-{}-{precision}", amplitude.slug));
+            if (amplitude, precision) == (Amplitude::LARGE, "f64") {
+                figure.save(&stem)?;
+            } else {
+                figure.save_svg(&stem)?;
+            }
         }
     }
-    figures::drift(drifts, Amplitude::LARGE).save(&directory.join(format!("drift-{target}")))?;
+    figures::drift(drifts, Amplitude::LARGE).save(&directory.join("drift"))?;
     Ok(())
 }

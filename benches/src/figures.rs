@@ -134,9 +134,7 @@ fn shown(one: &Drift) -> bool {
         Family::Yardstick | Family::Forced => false,
         Family::Paper => ["N = 4", "N = 12"].contains(&one.setting.as_str()),
         Family::Library => one.setting != "f64",
-        Family::Stepper if one.name.starts_with("Dormand") => {
-            one.name.ends_with("T/1000") && one.setting != "tol 1e-6"
-        }
+        Family::Stepper if one.name.starts_with("Dormand") => one.name.ends_with("T/1000") && one.setting != "tol 1e-6",
         Family::Stepper => one.setting == "T/100" || one.name == "RK4",
         Family::Planned => one.name == ANY_TIME,
         Family::Runtime | Family::Table => true,

@@ -15,11 +15,8 @@ pub trait Adaptive: Real {
 
 /// Sampled at T/100 and T/1000; the tolerance, not the sampling, sets its error.
 pub(super) fn contestants<R: Adaptive>(motion: &Motion) -> Vec<Contestant<R>> {
-    let tolerances: &[(f64, &str)] = if R::NAME == "f32" {
-        &[(1e-5, "1e-5")]
-    } else {
-        &[(1e-6, "1e-6"), (1e-9, "1e-9"), (1e-12, "1e-12")]
-    };
+    let tolerances: &[(f64, &str)] =
+        if R::NAME == "f32" { &[(1e-5, "1e-5")] } else { &[(1e-6, "1e-6"), (1e-9, "1e-9"), (1e-12, "1e-12")] };
     let mut all = Vec::new();
     for samples in [100, 1000] {
         for &(tolerance, text) in tolerances {
