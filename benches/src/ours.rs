@@ -22,12 +22,11 @@ pub trait Planned: Real + Scalar {
 pub fn ours<R: Planned>(amplitude: Amplitude) -> Vec<Contestant<R>> {
     let mut all = R::planned(amplitude);
     // The amplitudes of the benchmark are well within the range of both precisions.
-    all.extend(Pendulum::new(R::of(amplitude.theta0()), R::one()).map(run_time));
+    let pendulum = Pendulum::new(R::of(amplitude.theta0()), R::one());
+    all.extend(pendulum.map(|pendulum| {
+        Contestant::function(Family::Runtime, "pendula, Pendulum::theta", "", move |t| pendulum.theta(t))
+    }));
     all
-}
-
-fn run_time<R: Planned>(pendulum: Pendulum<R>) -> Contestant<R> {
-    Contestant::function(Family::Runtime, "pendula, Pendulum::theta", "", move |t| pendulum.theta(t))
 }
 
 fn plan<R: Real>(name: &str, setting: &str, theta: impl Fn(R) -> R + 'static) -> Contestant<R> {
