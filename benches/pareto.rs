@@ -1,14 +1,14 @@
 //! Run time against error, and error against time elapsed; see `docs/BENCHMARKS.md`.
 //!
 //! `cargo bench --bench pareto` measures for some minutes and writes to `target/benchmarks/`; `-- --quick` takes less than
-//! one; `-- --bless` writes to `docs/benchmarks/`.
+//! one; `-- --bless` writes to `docs/benchmarks/` and renews the table of the frontier in `docs/BENCHMARKS.md`.
 
 use std::error::Error;
 use std::fs;
 use std::io::{IsTerminal, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use pendula_benches::amplitude::Amplitude;
 use pendula_benches::contestant::Contestant;
@@ -29,17 +29,21 @@ struct Options {
     effort: Effort,
     steps: usize,
     directory: PathBuf,
+    /// The document whose table of the frontier is renewed.
+    document: Option<PathBuf>,
 }
 
 fn options() -> Result<Options, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut options = Options { effort: Effort::FULL, steps: STEPS, directory: root.join("target/benchmarks") };
-    let (mut quick, mut bless, mut bench) = (false, false, false);
+    let mut options =
+        Options { effort: Effort::FULL, steps: STEPS, directory: root.join("target/benchmarks"), document: None };
+    let (mut quick, mut bless) = (false, false);
     for argument in std::env::args().skip(1) {
         match argument.as_str() {
             "--quick" => quick = true,
             "--bless" => bless = true,
-            "--bench" => bench = true,
+            // What cargo says to every bench.
+            "--bench" => {}
             other => return Err(format!("unknown argument `{other}`; there are --quick and --bless")),
         }
     }
@@ -48,18 +52,20 @@ fn options() -> Result<Options, String> {
     }
     if bless {
         options.directory = root.join("docs/benchmarks");
+        options.document = Some(root.join("docs/BENCHMARKS.md"));
     }
     if quick {
         (options.effort, options.steps) = (Effort::QUICK, QUICK_STEPS);
-    }
-    if !bench {
-        // `cargo test` runs benches to see that they work.
-        (options.effort, options.steps) = (Effort { rounds: 1, batch: Duration::ZERO }, QUICK_STEPS / 50);
     }
     Ok(options)
 }
 
 fn main() -> ExitCode {
+    if !std::env::args().any(|argument| argument == "--bench") {
+        // `cargo test` with all targets: that it builds is what can be tested in a build without optimisation.
+        println!("measures under `cargo bench --bench pareto` only");
+        return ExitCode::SUCCESS;
+    }
     let run = || -> Result<(), Box<dyn Error>> { measure(&options()?) };
     match run() {
         Ok(()) => ExitCode::SUCCESS,
@@ -85,6 +91,11 @@ fn measure(options: &Options) -> Result<(), Box<dyn Error>> {
     progress(start, "done");
     eprintln!();
     write(&options.directory, &outcomes, &drifts)?;
+    if let Some(document) = &options.document {
+        let section = format!("frontier {}", machine::target());
+        let renewed = report::with_section(&fs::read_to_string(document)?, &section, &report::summary(&outcomes));
+        fs::write(document, renewed.ok_or_else(|| format!("{} has no mark `{section}`", document.display()))?)?;
+    }
     print!("{}", report::markdown(&outcomes, &peers::missing(), &peers::versions()));
     println!("written to {} after {:.0} s", options.directory.display(), start.elapsed().as_secs_f64());
     Ok(())
@@ -111,13 +122,18 @@ fn write(directory: &Path, outcomes: &[Outcome], drifts: &[Drift]) -> Result<(),
     let markdown = report::markdown(outcomes, &peers::missing(), &peers::versions());
     fs::write(directory.join(format!("pareto-{target}.md")), markdown)?;
     fs::write(directory.join(format!("pareto-{target}.csv")), report::csv(outcomes))?;
-    fs::write(directory.join(format!("drift-{target}.csv")), drift::csv(drifts))?;
+    fs::write(directory.join("drift.csv"), drift::csv(drifts))?;
     for amplitude in Amplitude::ALL {
         for precision in ["f64", "f32"] {
             let figure = figures::pareto(outcomes, amplitude, precision);
-            figure.save(&directory.join(format!("pareto-{target}-{}-{precision}", amplitude.slug)))?;
+            let stem = directory.join(format!("pareto-{target}-{}-{precision}", amplitude.slug));
+            if (amplitude, precision) == (Amplitude::LARGE, "f64") {
+                figure.save(&stem)?;
+            } else {
+                figure.save_svg(&stem)?;
+            }
         }
     }
-    figures::drift(drifts, Amplitude::LARGE).save(&directory.join(format!("drift-{target}")))?;
+    figures::drift(drifts, Amplitude::LARGE).save(&directory.join("drift"))?;
     Ok(())
 }

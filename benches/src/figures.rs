@@ -18,9 +18,9 @@ struct Look {
 fn look(family: Family, name: &str) -> Look {
     let faint = Some((Stroke::Dotted, 1.2));
     let (colour, marker, line) = match (family, name) {
-        (Family::Planned, ANY_TIME) => (palette::BLUE, Marker::Diamond, None),
+        (Family::Planned, ANY_TIME) => (palette::SKY, Marker::Disc, Some((Stroke::Solid, 2.6))),
         (Family::Planned, _) => (palette::BLUE, Marker::Disc, Some((Stroke::Solid, 2.6))),
-        (Family::Forced, _) => (palette::SKY, Marker::Disc, faint),
+        (Family::Forced, _) => (palette::SKY, Marker::Nabla, faint),
         (Family::Runtime, _) => (palette::BLUE, Marker::Square, None),
         (Family::Paper, _) => (palette::ORANGE, Marker::Square, Some((Stroke::Solid, 1.6))),
         (Family::Library, "GSL") => (palette::PURPLE, Marker::Diamond, None),
@@ -30,89 +30,101 @@ fn look(family: Family, name: &str) -> Look {
         (Family::Stepper, "semi-implicit Euler") => (palette::VERMILION, Marker::Nabla, faint),
         (Family::Stepper, "leapfrog") => (palette::VERMILION, Marker::Triangle, faint),
         (Family::Stepper, "RK4") => (palette::VERMILION, Marker::Diamond, faint),
+        (Family::Stepper, name) if name.ends_with("T/100") => (palette::BLACK, Marker::Cross, faint),
         (Family::Stepper | Family::Yardstick, _) => (palette::GREY, Marker::Cross, faint),
     };
     Look { colour, marker, line }
 }
 
+/// What the entries of one name are called in the legend: with their settings, or from the first to the last.
+fn legend(name: &str, settings: &[&str]) -> String {
+    match settings {
+        [] | [""] => name.into(),
+        [one] => format!("{name}, {one}"),
+        [first, last] => format!("{name}, {first} and {last}"),
+        [first, .., last] => format!("{name}, {first} to {last}"),
+    }
+}
+
 /// Run time in the array loop against error for one amplitude and precision.
 pub fn pareto(outcomes: &[Outcome], amplitude: Amplitude, precision: &str) -> LogLog {
-    let field: Vec<&Outcome> =
-        outcomes.iter().filter(|one| one.amplitude == amplitude && one.precision == precision).collect();
-    let mut series: Vec<Series> = Vec::new();
-    for one in field.iter().filter(|one| !matches!(one.family, Family::Yardstick | Family::Forced)) {
-        let look = look(one.family, &one.name);
-        let note_left = one.name == "semi-implicit Euler";
-        let point = Point { note: note(one), note_left, ..Point::new(one.array.median, one.error) };
-        match series.iter_mut().find(|seen| seen.label == one.name) {
-            Some(seen) => seen.points.push(point),
-            None => series.push(Series {
-                label: one.name.clone(),
-                colour: look.colour,
-                marker: Some(look.marker),
-                line: look.line,
-                points: vec![point],
-            }),
-        }
-    }
+    let field: Vec<&Outcome> = outcomes
+        .iter()
+        .filter(|one| one.amplitude == amplitude && one.precision == precision && one.family != Family::Forced)
+        .collect();
     let range = if precision == "f32" { (1e-8, 20.0) } else { (1e-17, 20.0) };
-    if let Some(unit) = field.iter().find(|one| one.family == Family::Yardstick) {
-        let at = unit.array.median;
-        series.insert(
-            0,
-            Series {
-                label: unit.name.clone(),
-                colour: palette::GREY,
-                marker: None,
-                line: Some((Stroke::Dashed, 1.4)),
-                points: vec![Point::new(at, range.0), Point::new(at, range.1)],
-            },
-        );
-    }
-    // The side that matters lies on top.
-    series.sort_by_key(|one| one.colour == palette::BLUE);
+    let series = names(field.iter().map(|one| one.name.as_str())).into_iter().map(|name| {
+        let entries: Vec<&Outcome> = field.iter().copied().filter(|one| one.name == name).collect();
+        if entries[0].family == Family::Yardstick {
+            return yardstick(entries[0], range);
+        }
+        let look = look(entries[0].family, name);
+        Series {
+            label: legend(name, &entries.iter().map(|one| one.setting.as_str()).collect::<Vec<_>>()),
+            colour: look.colour,
+            marker: Some(look.marker),
+            line: look.line,
+            points: entries.iter().map(|one| Point::new(one.array.median, one.error)).collect(),
+        }
+    });
+    let target = crate::machine::target();
     LogLog {
-        title: format!(
-            "Run time against error: θ₀ = {}, {precision}, array loop, {}",
-            amplitude.name,
-            crate::machine::target()
-        ),
+        title: format!("Run time against error: θ₀ = {}, {precision}, array loop, {target}", amplitude.name),
         x_label: "time per value (ns)".into(),
         y_label: "largest error (rad)".into(),
         y_range: Some(range),
-        series,
+        series: series.collect(),
     }
 }
 
-/// The short text beside a point: the step of a stepper, the size of a table.
-fn note(one: &Outcome) -> String {
-    match one.family {
-        Family::Table => one.setting.trim_end_matches(" points").into(),
-        Family::Stepper if !one.setting.contains("tolerance") => one.setting.clone(),
-        Family::Library if !one.setting.is_empty() => one.setting.clone(),
-        _ => String::new(),
+/// A line at the cost of `sin`.
+fn yardstick(unit: &Outcome, range: (f64, f64)) -> Series {
+    let at = unit.array.median;
+    Series {
+        label: unit.name.clone(),
+        colour: palette::GREY,
+        marker: None,
+        line: Some((Stroke::Dashed, 1.4)),
+        points: vec![Point::new(at, range.0), Point::new(at, range.1)],
     }
 }
 
-/// Error against time elapsed.
-pub fn drift(drifts: &[Drift], amplitude: Amplitude) -> LogLog {
-    let line = |one: &Drift| {
-        let look = look(one.family, &one.name);
-        let width = if one.family.ours() { 2.6 } else { 1.6 };
-        Series {
-            label: if one.setting.is_empty() { one.name.clone() } else { format!("{}, {}", one.name, one.setting) },
-            colour: look.colour,
-            marker: Some(look.marker),
-            line: Some((Stroke::Solid, width)),
-            points: one.points.iter().map(|&(periods, error)| Point::new(periods, error)).collect(),
+/// Every name once, in the order of appearance.
+fn names<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut seen = Vec::new();
+    for name in all {
+        if !seen.contains(&name) {
+            seen.push(name);
         }
-    };
+    }
+    seen
+}
+
+/// Error against time elapsed: a line per entry, and a place in the legend per name.
+pub fn drift(drifts: &[Drift], amplitude: Amplitude) -> LogLog {
+    let shown: Vec<&Drift> = drifts.iter().filter(|one| shown(one)).collect();
+    let mut series = Vec::new();
+    for name in names(shown.iter().map(|one| one.name.as_str())) {
+        let entries: Vec<&Drift> = shown.iter().copied().filter(|one| one.name == name).collect();
+        let settings: Vec<&str> = entries.iter().map(|one| one.setting.as_str()).collect();
+        for (index, one) in entries.into_iter().enumerate() {
+            let look = look(one.family, name);
+            let (colour, width) = if one.family.ours() { (palette::BLUE, 2.6) } else { (look.colour, 1.6) };
+            series.push(Series {
+                label: if index == 0 { legend(name, &settings) } else { String::new() },
+                colour,
+                marker: Some(look.marker),
+                line: Some((Stroke::Solid, width)),
+                points: one.points.iter().map(|&(periods, error)| Point::new(periods, error)).collect(),
+            });
+        }
+    }
     LogLog {
         title: format!("Error against time elapsed: θ₀ = {}, f64", amplitude.name),
         x_label: "periods elapsed".into(),
         y_label: "largest error in one period (rad)".into(),
         y_range: Some((1e-17, 20.0)),
-        series: drifts.iter().filter(|one| shown(one)).map(line).collect(),
+        series,
     }
 }
 
@@ -122,11 +134,9 @@ fn shown(one: &Drift) -> bool {
         Family::Yardstick | Family::Forced => false,
         Family::Paper => ["N = 4", "N = 12"].contains(&one.setting.as_str()),
         Family::Library => one.setting != "f64",
-        Family::Stepper if one.setting.contains("tolerance") => {
-            one.name.contains("T/1000") && !one.setting.contains("10⁻⁶")
-        }
+        Family::Stepper if one.name.starts_with("Dormand") => one.name.ends_with("T/1000") && one.setting != "tol 1e-6",
         Family::Stepper => one.setting == "T/100" || one.name == "RK4",
-        Family::Planned => ["tol 1e-3", "tol 1e-6", "tol 1e-9", "full precision"].contains(&one.setting.as_str()),
+        Family::Planned => one.name == ANY_TIME,
         Family::Runtime | Family::Table => true,
     }
 }

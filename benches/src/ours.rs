@@ -1,6 +1,6 @@
 //! Our own entries: what the macro makes of every decade of tolerance, compiled in.
 
-use pendula::pendulum;
+use pendula::{Pendulum, Scalar, pendulum};
 
 use crate::amplitude::Amplitude;
 use crate::contestant::{Contestant, Family};
@@ -9,35 +9,45 @@ use crate::truth::Given;
 
 /// Name of the plans with a horizon of 100 periods.
 pub const PLANNED: &str = "pendula, 100 periods";
-/// Name of the plans in full precision for any time.
+/// Name of the plans for any time.
 pub const ANY_TIME: &str = "pendula, any time";
 
 /// A precision that the macro serves.
-pub trait Planned: Real {
+pub trait Planned: Real + Scalar {
     /// The planner's choices for one amplitude.
     fn planned(amplitude: Amplitude) -> Vec<Contestant<Self>>;
 }
 
-/// All of ours. The macro gets the exact amplitude.
+/// All of ours. The macro gets the exact amplitude, the run-time crate its nearest number.
 pub fn ours<R: Planned>(amplitude: Amplitude) -> Vec<Contestant<R>> {
-    R::planned(amplitude)
+    let mut all = R::planned(amplitude);
+    // The amplitudes of the benchmark are well within the range of both precisions.
+    let pendulum = Pendulum::new(R::of(amplitude.theta0()), R::one());
+    all.extend(pendulum.map(|pendulum| {
+        Contestant::function(Family::Runtime, "pendula, Pendulum::theta", "", move |t| pendulum.theta(t))
+    }));
+    all
 }
 
 fn plan<R: Real>(name: &str, setting: &str, theta: impl Fn(R) -> R + 'static) -> Contestant<R> {
     Contestant::function(Family::Planned, name, setting, theta).given(Given::Exact)
 }
 
-/// One entry per tolerance, and with `any_time` the one without. `$t_max` is 100 periods, rounded up.
+/// One entry per tolerance with a horizon of `$t_max`, 100 periods rounded up; then, for any time, one per tolerance and
+/// the one in full precision.
 macro_rules! plans {
-    ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*] $(, $any_time:ident)?) => {
+    ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*] $(, $full:ident)?) => {
         vec![
             $(plan(PLANNED, concat!("tol ", stringify!($tol)), pendulum!(
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float
             )),)*
-            $(plan::<$float>(ANY_TIME, plans!(@ $any_time), pendulum!(theta0 = $theta0, float = $float)),)?
+            $(plan(ANY_TIME, concat!("tol ", stringify!($ever)), pendulum!(
+                theta0 = $theta0, tol = $ever, float = $float
+            )),)*
+            $(plan::<$float>(ANY_TIME, plans!(@ $full), pendulum!(theta0 = $theta0, float = $float)),)?
         ]
     };
-    (@ any_time) => { "full precision" };
+    (@ full) => { "full precision" };
 }
 
 impl Planned for f64 {
@@ -45,14 +55,18 @@ impl Planned for f64 {
         match amplitude.slug {
             "pi_3" => plans!(
                 f64, (PI/3), 675,
-                [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14 1e-15], any_time
+                [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14 1e-15],
+                [1e-3 1e-6 1e-9 1e-12], full
             ),
             "7pi_8" => plans!(
                 f64, (7π/8), 1217,
-                [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14], any_time
+                [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
+                [1e-3 1e-6 1e-9 1e-12], full
             ),
             "0.999pi" => plans!(
-                f64, (0.999π), 3137, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14]
+                f64, (0.999π), 3137,
+                [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
+                [1e-3 1e-6 1e-9 1e-12]
             ),
             _ => Vec::new(),
         }
@@ -62,9 +76,9 @@ impl Planned for f64 {
 impl Planned for f32 {
     fn planned(amplitude: Amplitude) -> Vec<Contestant<Self>> {
         match amplitude.slug {
-            "pi_3" => plans!(f32, (PI/3), 675, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], any_time),
-            "7pi_8" => plans!(f32, (7π/8), 1217, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], any_time),
-            "0.999pi" => plans!(f32, (0.999π), 3137, [1e-1 1e-2 1e-3 1e-4 1e-5], any_time),
+            "pi_3" => plans!(f32, (PI/3), 675, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4], full),
+            "7pi_8" => plans!(f32, (7π/8), 1217, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4], full),
+            "0.999pi" => plans!(f32, (0.999π), 3137, [1e-1 1e-2 1e-3 1e-4 1e-5], [1e-2 1e-4]),
             _ => Vec::new(),
         }
     }

@@ -26,6 +26,8 @@ pub struct Job<'a> {
     pub work: Box<dyn FnMut() + 'a>,
     /// Values per call.
     pub values: usize,
+    /// Whether each call comes after other work has used the caches.
+    cold: bool,
     repeats: u32,
     /// Nanoseconds per value, one sample per round.
     pub samples: Vec<f64>,
@@ -34,7 +36,12 @@ pub struct Job<'a> {
 impl<'a> Job<'a> {
     /// A job of which one call gives `values`.
     pub fn new(values: usize, work: impl FnMut() + 'a) -> Self {
-        Self { work: Box::new(work), values, repeats: 1, samples: Vec::new() }
+        Self { work: Box::new(work), values, cold: false, repeats: 1, samples: Vec::new() }
+    }
+
+    /// One whose calls are timed singly, each with nothing of it left in the nearer caches.
+    pub fn cold(values: usize, work: impl FnMut() + 'a) -> Self {
+        Self { cold: true, ..Self::new(values, work) }
     }
 
     fn time(&mut self, repeats: u32) -> Duration {
@@ -48,18 +55,32 @@ impl<'a> Job<'a> {
     /// Finds how many calls fill a batch.
     fn calibrate(&mut self, batch: Duration) {
         (self.work)();
-        while self.time(self.repeats) < batch && self.repeats < 1 << 20 {
+        while !self.cold && self.time(self.repeats) < batch && self.repeats < 1 << 20 {
             self.repeats *= 2;
         }
     }
 
-    /// One sample, after a call that is not timed and warms caches and predictors up.
-    fn sample(&mut self) {
+    /// One sample, after a call that is not timed and warms predictors up, and the caches or with `litter` not.
+    fn sample(&mut self, litter: &mut [u64]) {
         (self.work)();
+        if self.cold {
+            sweep(litter);
+        }
         let elapsed = self.time(self.repeats);
         let values = self.values as f64 * f64::from(self.repeats);
         self.samples.push(elapsed.as_secs_f64() * 1e9 / values);
     }
+}
+
+/// Bytes that the caches are swept with: several times those of a core's own, a part of what cores share.
+const LITTER: usize = 8 << 20;
+
+/// Writes to all of it.
+fn sweep(litter: &mut [u64]) {
+    for word in &mut *litter {
+        *word = word.wrapping_add(1);
+    }
+    std::hint::black_box(litter);
 }
 
 /// Times all jobs, in a new random order each round; `progress` is told how many rounds of how many are done.
@@ -67,12 +88,13 @@ pub fn race(jobs: &mut [Job<'_>], effort: Effort, mut progress: impl FnMut(usize
     for job in &mut *jobs {
         job.calibrate(effort.batch);
     }
+    let mut litter = vec![1; LITTER / size_of::<u64>()];
     let mut random = Random::new(5);
     let mut order: Vec<usize> = (0..jobs.len()).collect();
     for round in 0..effort.rounds {
         random.shuffle(&mut order);
         for &index in &order {
-            jobs[index].sample();
+            jobs[index].sample(&mut litter);
         }
         progress(round + 1, effort.rounds);
     }

@@ -15,8 +15,9 @@ pub trait Real: Float + FloatConst + Debug + Default + Send + Sync + 'static {
     /// Exactly.
     fn wide(self) -> f64;
 
-    /// Without its fraction; within ±2⁶³ for `f64`, ±2³¹ for `f32`.
-    fn whole(self) -> i64;
+    /// The nearest integer, and its low bits, for values of less than 2⁵¹ (`f64`) or 2²² (`f32`). Adding 1.5·2⁵² (1.5·2²³)
+    /// and subtracting it again rounds without the library call that `round` is on the oldest x86-64, and vectorises.
+    fn nearest(self) -> (Self, usize);
 
     /// `self`, but not before `last` is known: its bits enter masked by `nothing`, which is 0 and must be hidden from
     /// the compiler. This makes a chain of calls of which each waits for the one before, at the price of two
@@ -37,8 +38,9 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn whole(self) -> i64 {
-        self as i64
+    fn nearest(self) -> (Self, usize) {
+        let shifted = self + 6_755_399_441_055_744.0;
+        (shifted - 6_755_399_441_055_744.0, shifted.to_bits() as usize)
     }
 
     #[inline]
@@ -59,8 +61,9 @@ impl Real for f32 {
     }
 
     #[inline]
-    fn whole(self) -> i64 {
-        (self as i32).into()
+    fn nearest(self) -> (Self, usize) {
+        let shifted = self + 12_582_912.0;
+        (shifted - 12_582_912.0, shifted.to_bits() as usize)
     }
 
     #[inline]

@@ -17,7 +17,7 @@ pub fn csv(outcomes: &[Outcome]) -> String {
     let mut text = String::from(
         "target,amplitude,precision,family,name,setting,error,\
          array_ns,array_ns_lower,array_ns_upper,array_per_sin,single_ns,single_ns_lower,single_ns_upper,\
-         single_per_sin,random_access_ns\n",
+         single_per_sin,cold_ns,cold_ns_lower,cold_ns_upper,random_access_ns\n",
     );
     for one in outcomes {
         let spread = |s: Spread| format!("{:.4},{:.4},{:.4}", s.median, s.lower, s.upper);
@@ -25,7 +25,7 @@ pub fn csv(outcomes: &[Outcome]) -> String {
         let random_access = one.random_access.map(|ns| format!("{ns:.1}")).unwrap_or_default();
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{error},{},{:.4},{},{:.4},{random_access}",
+            "{},{},{},{},{},{},{error},{},{:.4},{},{:.4},{},{random_access}",
             machine::target(),
             one.amplitude.slug,
             one.precision,
@@ -36,6 +36,7 @@ pub fn csv(outcomes: &[Outcome]) -> String {
             one.array_ratio.median,
             spread(one.single),
             one.single_ratio.median,
+            spread(one.cold),
         );
     }
     text
@@ -67,6 +68,22 @@ pub fn markdown(outcomes: &[Outcome], missing: &[Missing], versions: &[(&str, St
     text
 }
 
+/// The frontier at 7π/8 in double precision, with what it was measured on: for the text around the pictures.
+pub fn summary(outcomes: &[Outcome]) -> String {
+    let field: Vec<&Outcome> =
+        outcomes.iter().filter(|one| one.amplitude == Amplitude::LARGE && one.precision == "f64").collect();
+    let (machine, rustc, table) = (machine::processor(), machine::rustc(), frontier(&field).unwrap_or_default());
+    format!("{}; {rustc}, {machine}.\n\n{table}", machine::target())
+}
+
+/// `document` with what stands between its marks `<!-- name -->` and `<!-- end name -->` replaced; `None` without them.
+pub fn with_section(document: &str, name: &str, text: &str) -> Option<String> {
+    let (open, close) = (format!("<!-- {name} -->"), format!("<!-- end {name} -->"));
+    let start = document.find(&open)? + open.len();
+    let end = start + document[start..].find(&close)?;
+    Some(format!("{}\n{}\n{}", &document[..start], text.trim_end(), &document[end..]))
+}
+
 /// Machine, compiler and peers.
 fn provenance(missing: &[Missing], versions: &[(&str, String)]) -> String {
     let peers: Vec<String> = versions.iter().map(|(name, version)| format!("{name} {version}")).collect();
@@ -75,7 +92,8 @@ fn provenance(missing: &[Missing], versions: &[(&str, String)]) -> String {
     format!(
         "Processor: {}. Compiler: {}, compiled for {}. Peers: {}. Missing peers: {absent}.\n\n\
          Times are medians with the quartiles in brackets. *Array*: ns per value in a loop over {COUNT} random times of \
-         0 to {HORIZON:.0} periods; for steppers ns per step of one of {COUNT} independent pendula. *Single*: ns per call \
+         0 to {HORIZON:.0} periods; for steppers ns per step of one of {COUNT} independent pendula. *Cold*: the same when other work has written 8 MiB \
+         before each pass. *Single*: ns per call \
          when each waits for the one before; for steppers ns per step of one trajectory. *Random access*: what a stepper \
          needs on average for the value at one of those times. *Error*: the largest on the times of the array loop; for \
          steppers the largest over {STEPPED:.0} periods from the release.",
@@ -89,8 +107,8 @@ fn provenance(missing: &[Missing], versions: &[(&str, String)]) -> String {
 /// All outcomes of one amplitude and precision, families together.
 fn table(field: &[&Outcome]) -> String {
     let mut text = String::from(
-        "| | | error (rad) | array (ns) | × `sin` | single (ns) | × `sin` | random access |\n\
-         |---|---|--:|--:|--:|--:|--:|--:|\n",
+        "| | | error (rad) | array (ns) | × `sin` | cold (ns) | single (ns) | × `sin` | random access |\n\
+         |---|---|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     let mut sorted = field.to_vec();
     sorted.sort_by_key(|one| one.family);
@@ -99,11 +117,12 @@ fn table(field: &[&Outcome]) -> String {
         let random_access = one.random_access.map_or_else(|| "–".into(), duration);
         let _ = writeln!(
             text,
-            "| {} | {} | {error} | {} | {} | {} | {} | {random_access} |",
+            "| {} | {} | {error} | {} | {} | {} | {} | {} | {random_access} |",
             one.name,
             one.setting,
             nanoseconds(one.array),
             digits(one.array_ratio.median),
+            digits(one.cold.median),
             nanoseconds(one.single),
             digits(one.single_ratio.median),
         );
@@ -111,29 +130,32 @@ fn table(field: &[&Outcome]) -> String {
     text
 }
 
-/// Per decade of error our cheapest and the cheapest of the peers that are at least as accurate; `None` without ours.
+/// Per decade of error our cheapest, the cheapest of the peers that are at least as accurate, and the cheapest of those
+/// that compute their values instead of looking them up; `None` without ours.
 pub fn frontier(field: &[&Outcome]) -> Option<String> {
     let cheapest = |error: f64, side: fn(Family) -> bool| {
-        let able = field.iter().filter(|one| side(one.family) && one.error <= error);
+        let able = field.iter().copied().filter(|one| side(one.family) && one.error <= error);
         able.min_by(|a, b| a.array.median.total_cmp(&b.array.median))
     };
     field.iter().find(|one| one.family.ours())?;
-    let mut text =
-        String::from("| error at most | `pendula` | ns | cheapest peer | ns | ratio |\n|--:|---|--:|---|--:|--:|\n");
+    let mut text = String::from(
+        "| error at most | `pendula` | ns | cheapest peer | ns | ratio | cheapest without a table | ns | ratio |\n\
+         |--:|---|--:|---|--:|--:|---|--:|--:|\n",
+    );
     for decade in DECADES {
         let error = 10.0_f64.powi(-decade);
-        let (own, peer) = (cheapest(error, Family::ours), cheapest(error, Family::peer));
-        let label = |one: Option<&&Outcome>| one.map_or_else(|| "none".into(), |one| one.label());
-        let time = |one: Option<&&Outcome>| one.map_or_else(|| "–".into(), |one| digits(one.array.median));
-        let ratio = own.zip(peer).map_or_else(|| "–".into(), |(a, b)| digits(b.array.median / a.array.median));
-        let _ = writeln!(
-            text,
-            "| 1e-{decade} | {} | {} | {} | {} | {ratio} |",
-            label(own),
-            time(own),
-            label(peer),
-            time(peer)
-        );
+        let Some(own) = cheapest(error, Family::ours) else { break };
+        let beside = |peer: Option<&Outcome>| match peer {
+            None => "none | – | –".into(),
+            Some(peer) => {
+                let ns = peer.array.median;
+                format!("{} | {} | {}", peer.label(), digits(ns), digits(ns / own.array.median))
+            }
+        };
+        let (any, computing) =
+            (cheapest(error, Family::peer), cheapest(error, |family| family.peer() && family != Family::Table));
+        let (own, time) = (own.label(), digits(own.array.median));
+        let _ = writeln!(text, "| 1e-{decade} | {own} | {time} | {} | {} |", beside(any), beside(computing));
     }
     let left: Vec<String> = undominated(field).map(Outcome::label).collect();
     let left = if left.is_empty() { "none".into() } else { left.join("; ") };
@@ -178,5 +200,17 @@ fn duration(ns: f64) -> String {
         format!("{} µs", digits(ns / 1e3))
     } else {
         format!("{} ms", digits(ns / 1e6))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_section;
+
+    #[test]
+    fn a_section_is_replaced_between_its_marks() {
+        let document = "a\n<!-- x -->\nold\n<!-- end x -->\nb\n";
+        assert_eq!(with_section(document, "x", "new\n").as_deref(), Some("a\n<!-- x -->\nnew\n<!-- end x -->\nb\n"));
+        assert_eq!(with_section(document, "y", "new"), None);
     }
 }

@@ -1,9 +1,10 @@
 //! One run: the field of contestants per amplitude and precision, their errors, and their times.
 
 use std::collections::HashMap;
+use std::hint::black_box;
 
 use crate::amplitude::Amplitude;
-use crate::contestant::{COUNT, Contestant, Family, HORIZON, Kind, STEPPED, State};
+use crate::contestant::{AnyTime, COUNT, Contestant, Family, HORIZON, Kind, STEPPED, State, Stepping};
 use crate::race::{Effort, Job, Spread, race};
 use crate::random::Random;
 use crate::real::Real;
@@ -40,6 +41,8 @@ pub struct Outcome {
     pub array: Spread,
     /// ns per call when each waits for the one before; for a stepper per step of one trajectory.
     pub single: Spread,
+    /// `array` when other work has used the caches before each pass.
+    pub cold: Spread,
     /// `array` in units of `sin` in the same loop of the same round.
     pub array_ratio: Spread,
     /// `single` likewise.
@@ -55,6 +58,15 @@ pub struct Session {
     pub doubles: Vec<Field<f64>>,
     /// In single precision.
     pub singles: Vec<Field<f32>>,
+}
+
+/// The trajectory of one pendulum.
+fn follow<R: Real>(method: &dyn Stepping<R>) -> impl FnMut() {
+    let mut angles = Box::new(Block([R::zero(); COUNT]));
+    move || {
+        method.follow(&mut angles.0);
+        black_box(&angles);
+    }
 }
 
 impl<R: Real> Field<R> {
@@ -102,41 +114,45 @@ impl<R: Real> Field<R> {
         }
     }
 
-    /// Two jobs per contestant: the array loop, and the single call.
+    /// Three jobs per contestant: the array loop, the single call, and the array loop with cold caches.
     pub fn jobs<'a>(&'a self, jobs: &mut Vec<Job<'a>>) {
         for contestant in &self.contestants {
             match &contestant.kind {
                 Kind::AnyTime(function) => {
-                    let mut angles = Box::new(Block([R::zero(); COUNT]));
+                    jobs.push(Job::new(COUNT, self.fill(function.as_ref())));
                     jobs.push(Job::new(COUNT, move || {
-                        function.fill(std::hint::black_box(&self.times.0), &mut angles.0);
-                        std::hint::black_box(&angles);
+                        black_box(function.chain(black_box(&self.times.0)));
                     }));
-                    jobs.push(Job::new(COUNT, move || {
-                        std::hint::black_box(function.chain(std::hint::black_box(&self.times.0)));
-                    }));
+                    jobs.push(Job::cold(COUNT, self.fill(function.as_ref())));
                 }
                 Kind::Stepping(method) => {
-                    let follow = move || {
-                        let mut angles = Box::new(Block([R::zero(); COUNT]));
-                        move || {
-                            method.follow(&mut angles.0);
-                            std::hint::black_box(&angles);
-                        }
-                    };
-                    let mut ensemble = self.ensemble();
-                    if method.advance(&mut ensemble) {
-                        jobs.push(Job::new(COUNT, move || {
-                            method.advance(&mut ensemble);
-                            std::hint::black_box(&ensemble);
-                        }));
-                    } else {
-                        jobs.push(Job::new(COUNT, follow()));
-                    }
-                    jobs.push(Job::new(COUNT, follow()));
+                    jobs.push(Job::new(COUNT, self.step(method.as_ref())));
+                    jobs.push(Job::new(COUNT, follow(method.as_ref())));
+                    jobs.push(Job::cold(COUNT, self.step(method.as_ref())));
                 }
             }
         }
+    }
+
+    /// The array loop over the times.
+    fn fill<'a>(&'a self, function: &'a dyn AnyTime<R>) -> impl FnMut() + 'a {
+        let mut angles = Box::new(Block([R::zero(); COUNT]));
+        move || {
+            function.fill(black_box(&self.times.0), &mut angles.0);
+            black_box(&angles);
+        }
+    }
+
+    /// A step of an ensemble, or where the method has none the trajectory.
+    fn step<'a>(&self, method: &'a dyn Stepping<R>) -> Box<dyn FnMut() + 'a> {
+        let mut ensemble = self.ensemble();
+        if !method.advance(&mut ensemble) {
+            return Box::new(follow(method));
+        }
+        Box::new(move || {
+            method.advance(&mut ensemble);
+            black_box(&ensemble);
+        })
     }
 
     /// Pendula released from angles spread up to the amplitude.
@@ -149,7 +165,8 @@ impl<R: Real> Field<R> {
     /// Takes this field's share of the samples, in the order of `jobs`.
     fn outcomes(&self, errors: &[f64], samples: &mut impl Iterator<Item = Vec<f64>>) -> Vec<Outcome> {
         let mut next = || samples.next().unwrap_or_default();
-        let timed: Vec<Timed> = self.contestants.iter().map(|_| Timed { array: next(), single: next() }).collect();
+        let timed: Vec<Timed> =
+            self.contestants.iter().map(|_| Timed { array: next(), single: next(), cold: next() }).collect();
         let unit = self.contestants.iter().position(|one| one.family == Family::Yardstick).unwrap_or(0);
         let outcome = |(index, contestant)| self.outcome(contestant, errors[index], &timed[index], &timed[unit]);
         self.contestants.iter().enumerate().map(outcome).collect()
@@ -170,6 +187,7 @@ impl<R: Real> Field<R> {
             error,
             array: Spread::of(timed.array.iter().copied()),
             single,
+            cold: Spread::of(timed.cold.iter().copied()),
             array_ratio: Spread::of_ratios(&timed.array, &unit.array),
             single_ratio: Spread::of_ratios(&timed.single, &unit.single),
             random_access,
@@ -181,6 +199,7 @@ impl<R: Real> Field<R> {
 struct Timed {
     array: Vec<f64>,
     single: Vec<f64>,
+    cold: Vec<f64>,
 }
 
 /// Exact values, computed once per release angle and set of times.

@@ -26,22 +26,23 @@ fn entry<R: Real>(name: &str, setting: &str, function: impl Fn(R) -> R + 'static
 impl Precision for f64 {
     fn libraries(motion: &Motion) -> Vec<Contestant<Self>> {
         let parameter = motion.modulus * motion.modulus;
-        let mut all = vec![entry("spec_math (Cephes)", "", angle(motion, move |u| cephes64::ellpj(u, parameter).1))];
+        let all = [entry("spec_math (Cephes)", "", angle(motion, move |u| cephes64::ellpj(u, parameter).1))];
+        let all = all.into_iter();
         #[cfg(gsl)]
-        all.push(entry("GSL", "", angle(motion, move |u| foreign::gsl_cn(u, parameter))));
+        let all = all.chain([entry("GSL", "", angle(motion, move |u| foreign::gsl_cn(u, parameter)))]);
         #[cfg(boost)]
-        all.extend(boost(motion));
-        all
+        let all = all.chain(boost(motion));
+        all.collect()
     }
 }
 
 #[expect(private_interfaces, reason = "see the trait")]
 impl Precision for f32 {
     fn libraries(motion: &Motion) -> Vec<Contestant<Self>> {
-        let mut all = Vec::new();
         #[cfg(boost)]
-        all.extend(boost(motion));
-        let _ = (&mut all, motion);
+        let all = boost(motion).into();
+        #[cfg(not(boost))]
+        let (all, _) = (Vec::new(), motion);
         all
     }
 }

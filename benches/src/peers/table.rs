@@ -6,37 +6,46 @@ use crate::real::Real;
 
 /// Tables of 256 and of 4096 points, filled with the exact values.
 pub(super) fn contestants<R: Real>(motion: &mut Motion) -> Vec<Contestant<R>> {
-    [256, 4096].map(|points| table(motion, points)).into()
+    vec![table::<R, 256>(motion), table::<R, 4096>(motion)]
 }
 
-/// θ at a node, and θ̇ times the distance of the nodes.
+/// A cubic in the place within an interval, 0 to 1.
 #[derive(Clone, Copy)]
-struct Node<R> {
+struct Interval<R> {
     value: R,
     slope: R,
+    square: R,
+    cubic: R,
 }
 
-fn table<R: Real>(motion: &mut Motion, points: usize) -> Contestant<R> {
-    let step = motion.period / points as f64;
-    // One node more than points, so that the last interval has its end.
-    let node = |index: usize| {
+/// The coefficients of the cubic with these values and slopes at 0 and 1.
+fn hermite<R: Real>((value, slope): (R, R), (end, end_slope): (R, R)) -> Interval<R> {
+    let rise = end - value;
+    let cubic = slope + end_slope - rise - rise;
+    Interval { value, slope, square: rise - slope - cubic, cubic }
+}
+
+/// `POINTS`, a power of two, of them over one period. Written for speed: the four coefficients of each interval are stored
+/// ready, the index cannot be out of bounds, and there is no branch and no conversion that would keep the loop scalar.
+fn table<R: Real, const POINTS: usize>(motion: &mut Motion) -> Contestant<R> {
+    let step = motion.period / POINTS as f64;
+    let mut node = |index: usize| {
         let t = step * index as f64;
-        Node { value: R::of(motion.truth.theta(t).high), slope: R::of(motion.truth.velocity(t).high * step) }
+        (R::of(motion.truth.theta(t).high), R::of(motion.truth.velocity(t).high * step))
     };
-    let nodes: Vec<Node<R>> = (0..=points).map(node).collect();
-    let per_step = R::of(1.0 / step);
-    // A power of two, so that a mask takes off whole periods.
-    let mask = points - 1;
-    Contestant::function(Family::Table, "table, cubic Hermite", &format!("{points} points"), move |t: R| {
-        // Times are positive here, so the conversion rounds down; it is cheaper than `floor` without SSE 4.1.
-        let place = t * per_step;
-        let whole = place.whole();
-        let s = place - R::of(whole as f64);
-        let index = whole as usize & mask;
-        let (left, right) = (nodes[index], nodes[index + 1]);
-        let rise = right.value - left.value;
-        let cubic = left.slope + right.slope - rise - rise;
-        let square = rise - left.slope - cubic;
-        left.value + s * (left.slope + s * (square + s * cubic))
+    let intervals: Vec<Interval<R>> =
+        (0..POINTS).map(|index| hermite(node(index), node((index + 1) % POINTS))).collect();
+    let Ok(intervals) = <Box<[Interval<R>; POINTS]>>::try_from(intervals.into_boxed_slice()) else {
+        unreachable!("as many as there are points")
+    };
+    let (frequency, points, half) = (R::of(1.0 / motion.period), R::of(POINTS as f64), R::of(0.5));
+    Contestant::function(Family::Table, "table, cubic Hermite", &format!("{POINTS} points"), move |t: R| {
+        let turns = t * frequency;
+        let place = (turns - turns.nearest().0) * points;
+        // The interval's left end; at an end either of the two intervals serves.
+        let (whole, bits) = (place - half).nearest();
+        let s = place - whole;
+        let Interval { value, slope, square, cubic } = intervals[bits % POINTS];
+        value + s * (slope + s * (square + s * cubic))
     })
 }

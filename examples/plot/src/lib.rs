@@ -63,14 +63,27 @@ pub trait Figure {
     /// # Errors
     /// When a file cannot be written.
     fn save(&self, stem: &Path) -> Result<[PathBuf; 2], Error> {
+        let svg = self.save_svg(stem)?;
+        let (width, height) = self.size();
+        let size = (width * PNG_SCALE, height * PNG_SCALE);
+        let raster = Rc::new(RefCell::new(Raster::new((width * UNITS, height * UNITS), size)?));
+        self.draw(&Sheet::new((&raster).into()))?;
+        let png = with_extension(stem, "png");
+        std::fs::write(&png, raster.borrow().png()?)?;
+        Ok([svg, png])
+    }
+
+    /// Writes `stem.svg` alone.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    fn save_svg(&self, stem: &Path) -> Result<PathBuf, Error> {
         sheet::register_fonts();
         if let Some(directory) = stem.parent() {
             std::fs::create_dir_all(directory)?;
         }
         let (width, height) = self.size();
-        let files = ["svg", "png"].map(|kind| PathBuf::from(format!("{}.{kind}", stem.display())));
         let canvas = (width * UNITS, height * UNITS);
-
         let mut text = String::new();
         self.draw(&Sheet::new(SVGBackend::with_string(&mut text, canvas).into_drawing_area()))?;
         // The drawing has integer coordinates, so it is made large and shown at its nominal size through the view box.
@@ -79,13 +92,15 @@ pub trait Figure {
             &format!("width=\"{width}\" height=\"{height}\""),
             1,
         );
-        std::fs::write(&files[0], shown)?;
-
-        let raster = Rc::new(RefCell::new(Raster::new(canvas, (width * PNG_SCALE, height * PNG_SCALE))?));
-        self.draw(&Sheet::new((&raster).into()))?;
-        std::fs::write(&files[1], raster.borrow().png()?)?;
-        Ok(files)
+        let svg = with_extension(stem, "svg");
+        std::fs::write(&svg, shown)?;
+        Ok(svg)
     }
+}
+
+/// `stem` with `.extension` added, whatever dots it has.
+fn with_extension(stem: &Path, extension: &str) -> PathBuf {
+    PathBuf::from(format!("{}.{extension}", stem.display()))
 }
 
 /// Why a figure could not be written.

@@ -34,17 +34,15 @@ pub struct Point {
     pub x: f64,
     /// Vertical position, positive.
     pub y: f64,
-    /// A short text beside it; empty for none.
+    /// A short text on its right; empty for none.
     pub note: String,
-    /// Whether the note stands on the left.
-    pub note_left: bool,
 }
 
 impl Point {
     /// A point without a note.
     #[must_use]
     pub fn new(x: f64, y: f64) -> Self {
-        Self { x, y, note: String::new(), note_left: false }
+        Self { x, y, note: String::new() }
     }
 }
 
@@ -74,7 +72,7 @@ pub struct LogLog {
     pub y_label: String,
     /// The ends of the vertical axis, where the points do not set them. What lies outside is cut off.
     pub y_range: Option<(f64, f64)>,
-    /// Drawn in this order, later ones on top.
+    /// In the order of the legend; earlier ones lie on top.
     pub series: Vec<Series>,
 }
 
@@ -135,7 +133,7 @@ impl Figure for LogLog {
         let frame = self.frame();
         title(sheet, &self.title, frame.window)?;
         frame.draw(sheet, true)?;
-        for series in &self.series {
+        for series in self.series.iter().rev() {
             series.draw(sheet, &frame)?;
         }
         let left = frame.window.right + MARGIN.right;
@@ -171,9 +169,8 @@ impl Series {
                 marker.draw(sheet, (x, y), self.colour)?;
             }
             if !point.note.is_empty() {
-                let (side, away) = if point.note_left { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
-                let kind = Type::new(TICK_SIZE - 1.0, self.colour, side, VPos::Center);
-                sheet.text(&point.note, (x + away * (RADIUS + 4.0), y), kind)?;
+                let kind = Type::new(TICK_SIZE - 1.0, self.colour, HPos::Left, VPos::Center);
+                sheet.text(&point.note, (x + RADIUS + 4.0, y), kind)?;
             }
         }
         Ok(())
