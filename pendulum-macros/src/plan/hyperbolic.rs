@@ -295,7 +295,8 @@ impl Hyperbolic {
 
     /// The rounding of the results, the phase taken as exact: w binade by binade.
     pub(crate) fn rounding(&self, program: &Program) -> f64 {
-        let most = (self.passage.rate.hi * self.passage.half).min(80.0).ceil() as i32;
+        // From 2⁻²⁴ on, E is nothing beside the roundings of 1.
+        let most = (self.passage.rate.hi * self.passage.half).min(24.0).ceil() as i32;
         let named = |name| program.named(name);
         let bound = |j: i32, low: f64, high: f64| {
             let mut given = Vec::new();
@@ -311,8 +312,8 @@ impl Hyperbolic {
             program.rounding(&given).iter().map(|known| known.error * known.error).sum::<f64>().sqrt()
         };
         let slices = |j: i32| match j {
-            0 => 128,
-            1..4 => 16,
+            0 => 64,
+            1..4 => 8,
             _ => 2,
         };
         let mut worst: f64 = 0.0;

@@ -119,7 +119,8 @@ impl Clock<'_> {
         let overflows = self.float == Float::F64 && self.rate.to_f64() > 0.25;
         let cody_waite = matches!(method, Method::CodyWaite { .. });
         // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
-        let exact = matches!(method, Method::AnyTime { .. }) || (2.0 * self.launch.hi).fract() == 0.0;
+        let exact =
+            matches!(method, Method::AnyTime { .. }) || self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0;
         let launch_error = if exact { 0.0 } else { 2.0 * half_ulp(0.5, self.float) };
         Reduction {
             method,
@@ -148,8 +149,7 @@ impl Clock<'_> {
     /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
     fn cody_waite(&self, count: usize, origin: Origin) -> Option<Reduction> {
         let anchors = (self.horizon() * self.rate.to_f64() + 1.0).max(2.0);
-        let halves = i32::from(origin == Origin::Lowest);
-        let k = anchors.log2().floor() as i32 + 1 + halves;
+        let k = anchors.log2().floor() as i32 + 2;
         let p = self.float.bits();
         if k > 2 * p / 3 {
             return None;
@@ -352,15 +352,27 @@ impl Reduction {
         b.name(capped, "time")
     }
 
-    /// Phase of t = 0 from the origin.
+    /// Phase of t = 0 from the origin nearest to it: where t is small nothing of it is lost.
     fn offset(&self) -> Double {
+        let offset = self.whole_offset();
         if matches!(self.method, Method::Linear { .. }) {
-            return self.launch;
+            offset
+        } else {
+            offset - Double::new(offset.hi.round_ties_even())
         }
-        match self.origin {
-            Origin::Anchor => self.launch,
-            Origin::Lowest => self.launch - Double::new(0.5),
+    }
+
+    /// Phase of t = 0 from the origin numbered 0.
+    fn whole_offset(&self) -> Double {
+        match (&self.method, self.origin) {
+            (Method::Linear { .. }, _) | (_, Origin::Anchor) => self.launch,
+            (_, Origin::Lowest) => self.launch - Double::new(0.5),
         }
+    }
+
+    /// The number of the origin nearest to t = 0.
+    fn first_number(&self) -> f64 {
+        self.whole_offset().hi.round_ties_even()
     }
 
     /// x + offset, if there is any.
@@ -383,13 +395,24 @@ impl Reduction {
         (magic, b.name(n, "n"))
     }
 
+    /// The phase, origins counted from the one numbered 0.
+    fn numbered(&self, b: &mut Builder, remainder: Id, magic: Id, count: Id) -> Phase {
+        let first = self.first_number();
+        if first == 0.0 {
+            return Phase { remainder, magic, count };
+        }
+        let first = b.constant(first);
+        Phase { remainder, magic: b.add(magic, first), count: b.add(count, first) }
+    }
+
     fn direct(&self, b: &mut Builder, t: Id, rate: f64) -> Phase {
         let rate = b.constant(rate);
         let x = b.mul(t, rate);
         b.name(x, "x");
         let (magic, n) = self.round(b, x);
         let rest = b.sub(x, n);
-        Phase { remainder: self.offset_by(b, rest, self.offset()), magic, count: n }
+        let remainder = self.offset_by(b, rest, self.offset());
+        self.numbered(b, remainder, magic, n)
     }
 
     fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {
@@ -397,12 +420,12 @@ impl Reduction {
         let x = b.mul(t, rate);
         let (magic, count) = self.round(b, x);
         let mut n = count;
-        let mut offset = self.offset() / self.unit;
-        if self.origin == Origin::Lowest {
-            // n + ½ anchors, without rounding.
-            let half = b.constant(0.5);
-            n = b.add(n, half);
-            offset = self.launch / self.unit;
+        // Of the offset, halves are added to n without rounding.
+        let halves = (-2.0 * self.offset().hi).round_ties_even() * 0.5;
+        let offset = (self.offset() + Double::new(halves)) / self.unit;
+        if halves != 0.0 {
+            let halves = b.constant(halves);
+            n = b.add(n, halves);
         }
         let mut remainder = t;
         for &word in words.iter().filter(|&&word| word != 0.0) {
@@ -410,7 +433,8 @@ impl Reduction {
             let whole = b.mul(n, word);
             remainder = b.sub(remainder, whole);
         }
-        Phase { remainder: self.offset_by(b, remainder, offset), magic, count }
+        let remainder = self.offset_by(b, remainder, offset);
+        self.numbered(b, remainder, magic, count)
     }
 
     fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
@@ -425,7 +449,8 @@ impl Reduction {
         let rest = b.sub(first, n);
         let rest = self.offset_by(b, rest, self.offset());
         let count = b.add(eights, n);
-        Phase { remainder: b.add(rest, low), magic, count }
+        let remainder = b.add(rest, low);
+        self.numbered(b, remainder, magic, count)
     }
 
     /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the sum of
@@ -457,7 +482,8 @@ impl Reduction {
         let remainder = b.add(remainder, third);
         let eights = b.add(many, some);
         let count = b.add(eights, n);
-        Phase { remainder: b.add(remainder, fourth), magic, count }
+        let remainder = b.add(remainder, fourth);
+        self.numbered(b, remainder, magic, count)
     }
 
     /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
@@ -488,7 +514,7 @@ impl Reduction {
     /// matters: the sum is that of two multiples of 2⁻⁵⁴, or relatively as accurate as any.
     fn launched(&self, b: &mut Builder, rest: Id, fourth: Id) -> (Id, Id) {
         let offset = self.offset();
-        if self.launch == Double::ZERO {
+        if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
             return (self.offset_by(b, rest, offset), fourth);
         }
         let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
