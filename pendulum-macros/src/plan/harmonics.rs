@@ -103,7 +103,7 @@ impl Harmonics {
     /// The errors of the cosine and the sine.
     pub(super) fn errors(&self, reduction: &Reduction) -> [f64; 2] {
         let error = |polynomial: &Polynomial| {
-            Kernel::Polynomial(polynomial.clone()).rounding(reduction)
+            Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY)
                 + polynomial.truncation
                 + 2.0 * reduction.float.unit()
         };

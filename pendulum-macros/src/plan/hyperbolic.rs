@@ -17,6 +17,7 @@
 //! E = 2^(−j)·2^(−f) with j the integer nearest to |w|/ln 2: 2^(±f) = C(f²) ± f·S(f²), by polynomials, serve E and G.
 
 use super::fit::{Domain, Fit};
+use super::kernel::{largest, norm};
 use super::variables::Variables;
 use crate::parse::{Float, Output};
 use crate::program::rounding::Known;
@@ -60,6 +61,9 @@ pub(crate) struct Hyperbolic {
     /// What leaving out terms changes.
     pub(crate) truncation: f64,
 }
+
+/// E below 2 to minus this is nothing beside the roundings of 1.
+const NEGLIGIBLE_BINADE: i32 = 24;
 
 /// The phase beyond which E is nothing beside 1 whatever is asked.
 const FURTHEST: f64 = 900.0;
@@ -293,41 +297,40 @@ impl Hyperbolic {
         [x, b.sub(squares[0], squares[1])]
     }
 
-    /// The rounding of the results, the phase taken as exact: w binade by binade.
-    pub(crate) fn rounding(&self, program: &Program) -> f64 {
-        // From 2⁻²⁴ on, E is nothing beside the roundings of 1.
-        let most = (self.passage.rate.hi * self.passage.half).min(24.0).ceil() as i32;
-        let named = |name| program.named(name);
-        let bound = |j: i32, low: f64, high: f64| {
-            let mut given = Vec::new();
-            let mut give = |name, low: f64, high: f64| {
-                if let Some(id) = named(name) {
-                    given.push((id, Known::between(low, high)));
-                }
+    /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
+    pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
+        let binades = (self.passage.rate.hi * self.passage.half).ceil() as i32;
+        let most = binades.min(NEGLIGIBLE_BINADE);
+        let slices = |j: i32| {
+            let count = match j {
+                0 => 64,
+                1..4 => 8,
+                _ => 2,
             };
-            give("f", low, high);
-            give("power", if j == most { 0.0 } else { 2f64.powi(-j) }, 2f64.powi(-j));
-            let power = 2f64.powi((j + self.passage.image_exponent).max(-1022));
-            give("image_power", if j == most { 0.0 } else { power }, power.min(1.0));
-            program.rounding(&given).iter().map(|known| known.error * known.error).sum::<f64>().sqrt()
-        };
-        let slices = |j: i32| match j {
-            0 => 64,
-            1..4 => 8,
-            _ => 2,
-        };
-        let mut worst: f64 = 0.0;
-        for j in 0..=most {
-            let count = slices(j);
-            for slice in 0..count {
+            // w ≥ 0: the first binade has no left half.
+            let first = if j == 0 { count / 2 } else { 0 };
+            (first..count).map(move |slice| {
                 let at = |index: i32| f64::from(index) / f64::from(count) - 0.5;
-                if j == 0 && at(slice + 1) <= 0.0 {
-                    continue;
-                }
-                worst = worst.max(bound(j, at(slice), at(slice + 1)));
-            }
-        }
-        worst
+                (j, at(slice), at(slice + 1))
+            })
+        };
+        let bound = |(j, low, high): (i32, f64, f64)| {
+            let power = |exponent: i32| 2f64.powi(exponent.max(-1022));
+            let image = |j: i32| power(j + self.passage.image_exponent);
+            // The last one stands for all that follow.
+            let (powers, images) = if j == most && most < binades {
+                ((0.0, power(-j)), (0.0, image(binades)))
+            } else {
+                ((power(-j), power(-j)), (image(j), image(j)))
+            };
+            let known = [("f", (low, high)), ("power", powers), ("image_power", images)];
+            let given: Vec<(Id, Known)> = known
+                .into_iter()
+                .filter_map(|(name, (low, high))| Some((program.named(name)?, Known::between(low, high))))
+                .collect();
+            norm(program.rounding(&given).iter().map(|known| known.error))
+        };
+        largest((0..=most).flat_map(slices).map(bound), cap)
     }
 
     /// What the rounding of w adds, relative to w: the rate's, and the product's.

@@ -3,7 +3,7 @@
 use super::harmonics::Harmonics;
 use super::hyperbolic::Hyperbolic;
 use super::polynomial::Polynomial;
-use super::reduction::Reduction;
+use super::reduction::{Origin, Reduction};
 use super::turning::Turning;
 use super::variables::Variables;
 use super::{Function, Part};
@@ -83,14 +83,15 @@ impl Kernel {
         }
     }
 
-    /// The norm of the rounding of its results over the whole range of the phase, taken as exact.
-    pub(crate) fn rounding(&self, reduction: &Reduction) -> f64 {
+    /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above `cap`
+    /// as soon as it is known to be.
+    pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
         let program = function(reduction, &[self]);
         if let Self::Hyperbolic(hyperbolic) = self {
-            return hyperbolic.rounding(&program);
+            return hyperbolic.rounding(&program, cap);
         }
         if let Self::Turning(turning) = self {
-            return turning.rounding(reduction);
+            return turning.rounding(reduction, cap);
         }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
         let half = reduction.half();
@@ -104,8 +105,22 @@ impl Kernel {
             }
             norm(program.rounding(&known).iter().map(|known| known.error))
         };
-        (0..SLICES).map(slice).fold(0.0, f64::max)
+        // The motion is fastest, and the rounding worst, at the lowest point.
+        let from_lowest = |index: usize| if reduction.origin == Origin::Anchor { SLICES - 1 - index } else { index };
+        largest((0..SLICES).map(from_lowest).map(slice), cap)
     }
+}
+
+/// The largest of the errors, or the first that is above `cap`.
+pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
+    let mut largest: f64 = 0.0;
+    for error in errors {
+        largest = largest.max(error);
+        if largest > cap {
+            break;
+        }
+    }
+    largest
 }
 
 /// Subintervals of the phase on which the rounding is analysed separately.

@@ -207,7 +207,7 @@ impl Sum {
             arcsine,
         };
         let kernel = Kernel::Harmonics(Box::new(harmonics));
-        let evaluation = kernel.rounding(reduction);
+        let evaluation = kernel.rounding(reduction, f64::INFINITY);
         let bias = if derivative { self.velocity_bias(scene, swing) } else { self.bias };
         let bound = Bound { truncation: bias, phase: curve.phase_error(reduction), evaluation };
         let (description, unit, largest) = (kernel.describe(), curve.unit, curve.largest);

@@ -172,7 +172,7 @@ impl Aim {
             }
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
             let kernel = self.kernel(scene, task, polynomials);
-            evaluation = kernel.rounding(reduction);
+            evaluation = kernel.rounding(reduction, self.limit + allowance(scene, &kernel, reduction));
             let bound = Bound { truncation, phase, evaluation };
             reached = reached.min(bound.total() / self.unit);
             if bound.total() <= self.limit + allowance(scene, &kernel, reduction) {
@@ -221,7 +221,8 @@ impl Aim {
             let kernel = Hyperbolic::new(self.output, scaled.clone(), factor, limit);
             let truncation = kernel.truncation * factor.hi;
             let kernel = self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), false);
-            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction) };
+            let cap = self.limit + allowance(scene, &kernel, reduction);
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, cap) };
             reached = reached.min(bound.total() / self.unit);
             if bound.total() <= self.limit + allowance(scene, &kernel, reduction) {
                 return Ok(self.finished(kernel, bound));
@@ -263,22 +264,4 @@ impl Candidate<'_> {
             rejected: Vec::new(),
         })
     }
-}
-#[cfg(test)]
-pub(super) fn trial(scene: &Scene, task: &Task, reduction: &Reduction) -> Option<(f64, Bound)> {
-    let passage = task.passage.as_ref()?;
-    let aim = &task.aims[0];
-    let factor = match aim.output {
-        Output::Velocity => task.fastest(scene),
-        Output::Acceleration => scene.motion.omega.square().to_double(),
-        _ => pendulum_runtime::double::Double::ONE,
-    };
-    let scaled = Passage { rate: passage.rate * reduction.unit, half: reduction.half(), ..passage.clone() };
-    let kernel = Hyperbolic::new(aim.output, scaled, factor, aim.limit.min(aim.truncation) / factor.hi);
-    let truncation = kernel.truncation * factor.hi;
-    let kernel = aim.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), false);
-    Some((
-        aim.limit,
-        Bound { truncation, phase: aim.passage_error(reduction, passage), evaluation: kernel.rounding(reduction) },
-    ))
 }

@@ -67,8 +67,8 @@ impl Turning {
         b.convert(sum, float)
     }
 
-    pub(super) fn rounding(&self, reduction: &Reduction) -> f64 {
-        self.angle.rounding(reduction) + self.own_rounding(reduction)
+    pub(super) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
+        self.angle.rounding(reduction, cap) + self.own_rounding(reduction)
     }
 
     /// The rounding of the sums: half an ulp of the largest values.
