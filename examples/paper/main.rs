@@ -5,6 +5,9 @@
 //! `cargo run --release --example paper` prints them and writes the figures to `target/paper/`; with `-- --bless` they
 //! go to `docs/images/`, where the documentation takes them from.
 
+// The angles are written as in the paper, with a Greek letter that a Latin identifier could be mistaken for.
+#![allow(mixed_script_confusables)]
+
 mod approximation;
 mod constants;
 mod figures;

@@ -58,10 +58,13 @@ fn limit<const N: usize>() -> Result<f64, Error> {
 
 /// The period is off by θ0²/16; the angle by that, times the phase that has passed.
 fn small_angle() -> Result<(), Error> {
-    // 20 s: the ten periods below.
+    // The horizon: a little more than the ten periods below.
     let motion = approximation!((10deg), method = small_angle, t_max = 64);
-    let period = 1.0 - 2.0 * PI / motion.period;
-    println!("  3. “Small angle, better than 0.5 % below 10°.” True of the period ({:.3} %), not of θ(t):", 100.0 * period);
+    let period = motion.period / (2.0 * PI) - 1.0;
+    println!(
+        "  3. “Small angle, better than 0.5 % below 10°.” True of the period ({:.3} %), not of θ(t):",
+        100.0 * period
+    );
     println!(
         "     at 10° off by {:.3} % of θ0 within one period, by {:.1} % within ten.\n",
         100.0 * motion.supremum(1)?.relative,

@@ -30,22 +30,25 @@ pub(crate) fn print() -> Result<(), Error> {
     let coefficients = taylor(20);
     // The finest stepping takes seconds: the two run beside each other.
     let [coarse, fine] = std::thread::scope(|scope| {
-        [100, 1000].map(|steps| scope.spawn(move || stepping(exact, steps))).map(|run| run.join().unwrap_or([f64::NAN; 3]))
+        [100, 1000]
+            .map(|steps| scope.spawn(move || stepping(exact, steps)))
+            .map(|run| run.join().unwrap_or([f64::NAN; 3]))
     });
     for (name, errors) in [
         ("Taylor polynomial of degree 20", errors(exact, |t| horner(&coefficients, t))),
         ("RK4, 100 steps per period", coarse),
         ("RK4, 1000 steps per period", fine),
-        ("θ̂ with N = 4 (Eq. 22), generated", errors(exact, Paper::theta)),
+        ("Eq. 22 with N = 4, generated", errors(exact, Paper::theta)),
         ("full precision, generated", errors(exact, Planned::theta)),
     ] {
         print!("  {name:<34}");
         errors.iter().for_each(|error| print!("{error:>14.1e}"));
         println!();
     }
-    println!("\n  The Taylor series about the release converges for ωt < √(K² + K′²), here {:.2} T, whatever the degree:", {
-        Paper::K.hypot(Paper::K_PRIME) / Paper::PERIOD
-    });
+    println!(
+        "\n  The Taylor series about the release converges for ωt < √(K² + K′²), here {:.2} T, whatever the degree:",
+        { Paper::K.hypot(Paper::K_PRIME) / Paper::PERIOD }
+    );
     println!("  the complex singularity nearest to the release is there.\n");
     Ok(())
 }

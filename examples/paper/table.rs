@@ -15,15 +15,15 @@ fn rows() -> [Row; 11] {
     let harmonic = |approximation, claim| Row { formula: "Eq. 17", approximation, claim };
     let fourier = |approximation, claim| Row { formula: "Eq. 22", approximation, claim };
     [
-        harmonic(approximation!((π/3), method = harmonic), Some(("< 1", 1.0))),
-        fourier(approximation!((π/3), n = 1), Some(("2", 2.0))),
-        fourier(approximation!((π/3), n = 2), Some(("0.04", 0.04))),
-        harmonic(approximation!((π/2), method = harmonic), Some(("2.3", 2.3))),
-        fourier(approximation!((π/2), n = 2), Some(("0.2", 0.2))),
-        harmonic(approximation!((4π/5), method = harmonic), None),
-        fourier(approximation!((4π/5), n = 3), Some(("0.6", 0.6))),
-        harmonic(approximation!((7π/8), method = harmonic), None),
-        fourier(approximation!((7π/8), n = 4), Some(("0.4", 0.4))),
+        harmonic(approximation!((π / 3), method = harmonic), Some(("< 1", 1.0))),
+        fourier(approximation!((π / 3), n = 1), Some(("2", 2.0))),
+        fourier(approximation!((π / 3), n = 2), Some(("0.04", 0.04))),
+        harmonic(approximation!((π / 2), method = harmonic), Some(("2.3", 2.3))),
+        fourier(approximation!((π / 2), n = 2), Some(("0.2", 0.2))),
+        harmonic(approximation!((4π / 5), method = harmonic), None),
+        fourier(approximation!((4π / 5), n = 3), Some(("0.6", 0.6))),
+        harmonic(approximation!((7π / 8), method = harmonic), None),
+        fourier(approximation!((7π / 8), n = 4), Some(("0.4", 0.4))),
         harmonic(approximation!((0.95π), method = harmonic), None),
         fourier(approximation!((0.95π), n = 6), Some(("0.3", 0.3))),
     ]
