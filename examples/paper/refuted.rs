@@ -26,7 +26,7 @@ fn largest_error_at_release() -> Result<(), Error> {
     Ok(())
 }
 
-/// For every N there is an amplitude from which k sn_N exceeds 1, so that the arcsine is NaN near a turning point.
+/// For every N there is an amplitude from which k snᴺ exceeds 1, so that the arcsine is NaN near a turning point.
 fn any_number_of_terms() -> Result<(), Error> {
     println!("  2. “For any N ≥ 1 and 0 < θ0 < π.” The argument of the arcsine exceeds 1, and θ̂ is NaN, from");
     print!("    ");

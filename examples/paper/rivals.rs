@@ -25,7 +25,9 @@ pub(crate) fn print() -> Result<(), Error> {
     let exact = &exact;
     println!("Largest error in rad over the last of so many periods, θ0 = {THETA0} rad:\n");
     print!("  {:<34}", "");
-    ELAPSED.iter().for_each(|elapsed| print!("{elapsed:>12} T"));
+    for elapsed in ELAPSED {
+        print!("{elapsed:>12} T");
+    }
     println!();
     let coefficients = taylor(20);
     // The finest stepping takes seconds: the two run beside each other.
@@ -42,7 +44,9 @@ pub(crate) fn print() -> Result<(), Error> {
         ("full precision, generated", errors(exact, Planned::theta)),
     ] {
         print!("  {name:<34}");
-        errors.iter().for_each(|error| print!("{error:>14.1e}"));
+        for error in errors {
+            print!("{error:>14.1e}");
+        }
         println!();
     }
     println!(
