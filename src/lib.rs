@@ -95,7 +95,7 @@ struct Readme;
 ///
 /// | parameter | meaning | range | default |
 /// |---|---|---|---|
-/// | `theta0`, `θ0` | release angle | \|θ0\| < π at rest; not 0 at rest | 0 if `velocity0` is given |
+/// | `theta0`, `θ0` | angle at t = 0 | 0 < \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
 /// | `velocity0` | θ̇ at t = 0, rad per unit of t | any | 0, released at rest |
 /// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0 | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
@@ -113,14 +113,16 @@ struct Readme;
 /// # What the item has
 /// | | |
 /// |---|---|
-/// | `THETA0`, `OMEGA`, `AMPLITUDE` | θ(0), ω, the largest \|θ\| |
-/// | `MODULUS`, `K`, `K_PRIME`, `NOME` | k = sin(amplitude/2), K(k), K(k′), q = exp(−πK′/K) |
-/// | `PERIOD` | T = 4K/ω |
+/// | `THETA0`, `OMEGA` | θ(0), ω |
+/// | `AMPLITUDE` | of a swing, the largest \|θ\| |
+/// | `MODULUS`, `K`, `K_PRIME`, `NOME` | k = sin(amplitude/2) of a swing, 2ω/\|θ̇\| at the lowest point of a rotation; K(k), K(k′), q = exp(−πK′/K) |
+/// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation |
 /// | `METHOD`, `TERMS`, `OPERATIONS` | the plan: its method, the terms of its first output, operations in one call of its first function |
 /// | `COEFFICIENTS` | b₁, b₃, … of a plan by Eq. 22 |
-/// | `MAX_ERROR`, `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR`, `MAX_POSITION_ERROR` | proven bounds, in the units of `tol` |
+/// | `MAX_ERROR`, `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR`, `MAX_POSITION_ERROR`, `MAX_WRAPPED_ERROR` | proven bounds, in the units of `tol` |
 /// | `theta(t)`, `velocity(t)`, `acceleration(t)` | θ, θ̇, θ̈ = −ω² sin θ |
 /// | `position(t) -> (x, y)` | (sin θ, −cos θ) in units of the length, y upwards |
+/// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
 /// Functions are `const` unless the plan needs a square root, as Eq. 22 does for its arcsine. NaN and ±∞ in t give NaN;
