@@ -126,7 +126,7 @@ struct Readme;
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
 /// Functions are `const` unless the plan needs a square root, as Eq. 22 does for its arcsine. NaN and ±∞ in t give NaN;
-/// beyond the horizon the result stays within ±(|θ0| + `MAX_ERROR`).
+/// beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`).
 ///
 /// ```
 /// pendula::pendulum! { struct Load; theta0 = 0.3, velocity0 = 0.8, tol = 1e-12, outputs = [theta, velocity, position] }
@@ -135,6 +135,17 @@ struct Readme;
 /// let (x, y) = Load::position(1.0);
 /// assert!((x * x + y * y - 1.0).abs() < 1e-11);
 /// assert!(Load::AMPLITUDE > 0.3); // launched in mid-swing: it goes higher than it started
+/// ```
+///
+/// Swing, rotation or separatrix is decided by the exact parameters. The angle of a rotation counts its turns; `wrapped`
+/// keeps its digits however many they are.
+///
+/// ```
+/// use pendula::pendulum;
+/// pendulum! { struct Loop; velocity0 = 2.5, tol = 1e-9, t_max = 1e6, outputs = [theta, wrapped] }
+/// assert!((Loop::theta(10.0 * Loop::PERIOD) - 20.0 * core::f64::consts::PI).abs() < 1e-8);
+/// let to_the_top = pendulum!(velocity0 = 2); // the separatrix, since ω = 1
+/// assert!((to_the_top(50.0) - core::f64::consts::PI).abs() < 1e-14);
 /// ```
 ///
 /// # Errors

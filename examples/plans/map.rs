@@ -28,7 +28,7 @@ pub(crate) fn map(rows: &[Row]) -> Map {
         x_label: "tol (rad)".into(),
         y_label: "release angle θ₀ (rad)".into(),
         columns: rows.first().map_or(Vec::new(), |row| row.plans.iter().map(column).collect()),
-        rows: rows.iter().map(|row| row.amplitude.clone()).collect(),
+        rows: rows.iter().map(|row| row.amplitude.into()).collect(),
         categories: methods
             .iter()
             .zip(COLOURS)

@@ -2,7 +2,7 @@
 
 use pendula::{Error, Pendulum};
 
-/// The promise of every plan here holds for |t| up to this, 60 to 160 periods.
+/// The promise of every plan here holds for |t| up to this, 10 to 160 periods.
 pub(crate) const HORIZON: f64 = 1000.0;
 
 /// What the macro says of one plan, and its θ.
