@@ -1,5 +1,46 @@
+//! The exact motion of a pendulum, θ̈ + ω² sin θ = 0, as code generated at compile time.
+//!
+//! State what a scene needs, an amplitude, an error, a duration, which quantities; [`pendulum!`] works the mathematics
+//! out in high precision, plans the cheapest evaluation that provably keeps the promise, and emits straight-line Rust
+//! with folded constants. The result can be asked at any time directly, is `const` and `no_std`, has the same bits on
+//! every platform, and in a loop over an array usually costs less than one call of `sin`. For an amplitude known only when
+//! the program runs there is [`Pendulum`].
+//!
+//! The idea of a periodic approximation that stays accurate for ever is that of F. M. S. Lima, *Simple but accurate
+//! periodic solutions for the nonlinear pendulum equation* (Rev. Bras. Ens. Fís., 2019); equation numbers are the
+//! paper's.
+//!
+//! ```
+//! use pendula::pendulum;
+//!
+//! pendulum! {
+//!     /// The clock on the wall.
+//!     pub struct Clock;
+//!     theta0 = 6deg, g = 9.81, length = 0.994, tol = 1e-9, t_max = 86_400, outputs = [theta, velocity]
+//! }
+//!
+//! let (theta, velocity) = Clock::state(3600.0); // an hour after release, asked directly
+//! assert!(theta.abs() <= Clock::THETA0);
+//! assert!(Clock::MAX_ERROR <= 1e-9); // proven, for all |t| ≤ 86,400 s
+//! const NOON: f64 = Clock::theta(43_200.0); // by the compiler
+//! # assert!(NOON.is_finite() && velocity.is_finite());
+//! ```
+//!
+//! | you have | use |
+//! |---|---|
+//! | an amplitude (or a state) known when you write the program | [`pendulum!`] |
+//! | an amplitude (or a state) known when the program runs | [`Pendulum::new`], [`Pendulum::from_state`] |
+//! | the paper's approximation with N terms | `pendulum!(theta0 = …, n = 4)`, [`Pendulum::fourier`] |
+//! | an elliptic integral or function near k = 1 | [`elliptic`] |
+//!
+//! # Scope
+//! One rigid pendulum without friction or drive. Any amplitude, any launch, any time; angles in radians, time in any unit,
+//! ω in radians per that unit.
+//!
+//! # `no_std`, determinism
+//! Neither the generated code nor the run-time part allocates, panics, or calls a mathematical library: only
+//! + − × ÷, √ and comparisons in a fixed order, never a fused multiply-add.
 #![no_std]
-//! wip
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
 
@@ -9,7 +50,124 @@ pub mod __private {
     pub use pendulum_runtime::support;
 }
 
-/// The motion of a pendulum, generated at compile time.
+/// The README's examples are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+/// The motion of a pendulum, planned and generated at compile time.
+///
+/// # Two forms
+/// An **expression**: a zero-sized fn item that coerces to `fn(f64) -> f64`.
+///
+/// ```
+/// use pendula::pendulum;
+/// let theta = pendulum!(theta0 = 7π/8, n = 4); // the paper's θ̂ with N = 4 (Eq. 22)
+/// assert_eq!(core::mem::size_of_val(&theta), 0);
+/// assert!((theta(0.0) - 2.7489).abs() < 0.011);
+/// ```
+///
+/// An **item**: a unit struct whose associated constants and functions are the motion. Attributes, doc comments and
+/// visibility are kept; the plan is written into its documentation.
+///
+/// ```
+/// pendula::pendulum! {
+///     /// A lantern on a chain, for a game.
+///     #[derive(Clone, Copy, Debug)]
+///     pub struct Lantern;
+///     theta0 = 50deg, g = 9.81, length = 1.5, float = f32, tol = 1e-4, t_max = 3600
+/// }
+///
+/// const SWING: [f32; 64] = {
+///     let mut swing = [0.0; 64];
+///     let mut i = 0;
+///     while i < 64 {
+///         swing[i] = Lantern::theta(i as f32 / 64.0 * Lantern::PERIOD);
+///         i += 1;
+///     }
+///     swing
+/// };
+/// assert!((SWING[0] - Lantern::THETA0).abs() <= Lantern::MAX_ERROR);
+/// ```
+///
+/// # Parameters
+/// In any order, separated by commas.
+///
+/// | parameter | meaning | range | default |
+/// |---|---|---|---|
+/// | `theta0`, `θ0` | angle at t = 0 | 0 < \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
+/// | `velocity0` | θ̇ at t = 0, rad per unit of t | any | 0, released at rest |
+/// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0 | 1 |
+/// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
+/// | `n` | the paper's θ̂ with N = n terms (Eq. 22) | from 1 to what `float` can use | |
+/// | `tol` | largest error allowed, rounding included: rad for θ, rad·ω for θ̇, rad·ω² for θ̈, unit length for the position | > 0, within reach of `float` | full precision: 2⁻⁴⁹·\|θ0\|, for `f32` 2⁻²⁰·\|θ0\| |
+/// | `t_max` | the promise holds for \|t\| ≤ `t_max`; a shorter horizon is a cheaper reduction of the phase | up to 2⁵³ periods | 2⁵³ periods |
+/// | `method` | `small_angle` (Eq. 3), `harmonic` (Eq. 17), `fourier` (Eq. 22; with `n` or `tol`), `series` (the Fourier series of θ itself), `polynomial` | must serve the motion | the cheapest; `fourier` with `n` |
+/// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
+/// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
+///
+/// **Numbers** are decimal literals of any length (every digit counts) with `+ - * /`, parentheses, unary minus, `π`, `PI`,
+/// `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`, `157.5deg`, `3*PI/4 - 0.01`. Nothing is
+/// rounded to `f64` on the way, so every constant is the correctly rounded one of the exact value.
+///
+/// # What the item has
+/// | | |
+/// |---|---|
+/// | `THETA0`, `OMEGA` | θ(0), ω |
+/// | `AMPLITUDE` | of a swing, the largest \|θ\| |
+/// | `MODULUS`, `K`, `K_PRIME`, `NOME` | k = sin(amplitude/2) of a swing, 2ω/\|θ̇\| at the lowest point of a rotation; K(k), K(k′), q = exp(−πK′/K) |
+/// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation |
+/// | `METHOD`, `TERMS`, `OPERATIONS` | the plan: its method, the terms of its first output, operations in one call of its first function |
+/// | `COEFFICIENTS` | b₁, b₃, … of a plan by Eq. 22 |
+/// | `MAX_ERROR`, `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR`, `MAX_POSITION_ERROR`, `MAX_WRAPPED_ERROR` | proven bounds, in the units of `tol` |
+/// | `theta(t)`, `velocity(t)`, `acceleration(t)` | θ, θ̇, θ̈ = −ω² sin θ |
+/// | `position(t) -> (x, y)` | (sin θ, −cos θ) in units of the length, y upwards |
+/// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
+/// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
+///
+/// Functions are `const` unless the plan needs a square root, as Eq. 22 does for its arcsine. NaN and ±∞ in t give NaN;
+/// beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`).
+///
+/// ```
+/// pendula::pendulum! { struct Load; theta0 = 0.3, velocity0 = 0.8, tol = 1e-12, outputs = [theta, velocity, position] }
+/// let (theta, velocity) = Load::state(0.0);
+/// assert!((theta - 0.3).abs() <= 1e-12 && (velocity - 0.8).abs() <= 1e-12);
+/// let (x, y) = Load::position(1.0);
+/// assert!((x * x + y * y - 1.0).abs() < 1e-11);
+/// assert!(Load::AMPLITUDE > 0.3); // launched in mid-swing: it goes higher than it started
+/// ```
+///
+/// Swing, rotation or separatrix is decided by the exact parameters. The angle of a rotation counts its turns; `wrapped`
+/// keeps its digits however many they are.
+///
+/// ```
+/// use pendula::pendulum;
+/// pendulum! { struct Loop; velocity0 = 2.5, tol = 1e-9, t_max = 1e6, outputs = [theta, wrapped] }
+/// assert!((Loop::theta(10.0 * Loop::PERIOD) - 20.0 * core::f64::consts::PI).abs() < 1e-8);
+/// let to_the_top = pendulum!(velocity0 = 2); // the separatrix, since ω = 1
+/// assert!((to_the_top(50.0) - core::f64::consts::PI).abs() < 1e-14);
+/// ```
+///
+/// # Errors
+/// Every mistake is a compile error at the token to blame, which names the parameter, the value and a remedy; several
+/// mistakes are reported together. One is mathematics rather than syntax: with few terms the argument of the arcsine in
+/// Eq. 22 exceeds 1 at large amplitudes (from 0.7308π for N = 1, 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂
+/// would be NaN.
+///
+/// ```compile_fail
+/// // the smallest number of terms that works is `n = 4`
+/// let theta = pendula::pendulum!(theta0 = 0.95π, n = 2);
+/// ```
+///
+/// # What is promised
+/// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the horizon:
+/// truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation are bounded at
+/// compile time, not sampled. With `n` the function is the paper's θ̂, and `MAX_ERROR` bounds its distance from the exact
+/// motion over all t, wherever it is attained.
+///
+/// # Greek letters
+/// Under `#![deny(warnings)]` the compiler's lint `mixed_script_confusables` objects to identifiers such as `θ0`, `ω` or
+/// a lone `π` in a crate that has no other Greek; `theta0`, `omega`, `PI` and suffixes (`7π/8`, `1π`) don't trigger it.
 #[macro_export]
 macro_rules! pendulum {
     ($($input:tt)*) => { $crate::__private::pendulum! { [$crate] $($input)* } };

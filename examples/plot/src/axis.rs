@@ -63,14 +63,17 @@ impl Axis {
 
     fn linear_ticks(&self, most: f64) -> Vec<Tick> {
         let (low, high) = (*self.range.start(), *self.range.end());
-        let step = round_step((high - low) / most);
+        // A thousandth of a step of tolerance keeps the end ticks when the range was itself made of steps.
+        let within = |step: f64| ((low / step - 1e-3).ceil() as i64, (high / step + 1e-3).floor() as i64);
+        let coarse = round_step((high - low) / most);
+        // Fewer than three ticks can't be read as a scale; the next finer step is two or two and a half times as fine.
+        let step = if within(coarse).1 - within(coarse).0 < 2 { round_step(0.3 * coarse) } else { coarse };
         let digits = (-step.log10().floor()).max(0.0) as usize;
         let tick = |index: i64| {
             let value = index as f64 * step;
             Tick { at: self.place(value), text: Some(number(value, digits, step)) }
         };
-        // A thousandth of a step of tolerance keeps the end ticks when the range was itself made of steps.
-        let (first, last) = ((low / step - 1e-3).ceil() as i64, (high / step + 1e-3).floor() as i64);
+        let (first, last) = within(step);
         (first..=last).map(tick).collect()
     }
 
@@ -164,6 +167,12 @@ mod tests {
         assert_eq!(axis.range, -4.0..=4.0);
         let texts: Vec<_> = axis.ticks(5.0).into_iter().filter_map(|tick| tick.text).collect();
         assert_eq!(texts, ["−4", "−2", "0", "2", "4"]);
+    }
+
+    #[test]
+    fn a_low_axis_keeps_three_ticks() {
+        let texts = Axis::linear("", -0.44..=0.44).ticks(3.5).into_iter().filter_map(|tick| tick.text);
+        assert_eq!(texts.collect::<Vec<_>>(), ["−0.4", "−0.2", "0", "0.2", "0.4"]);
     }
 
     #[test]
