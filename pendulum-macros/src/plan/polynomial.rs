@@ -25,7 +25,7 @@ use pendulum_runtime::double::Double;
 pub(crate) struct Approximation {
     parity: Parity,
     pole: Option<Pole>,
-    series: Vec<Double>,
+    pub(super) series: Vec<Double>,
     /// Error of the whole series.
     remainder: f64,
 }

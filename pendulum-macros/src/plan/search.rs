@@ -134,7 +134,7 @@ impl Aim {
         let left = self.share(self.limit - self.phase_error(reduction));
         let one = |(curve, approximation): (&Curve, &Approximation)| {
             let terms = approximation.terms_for(left, reduction.overshoot)? as f64;
-            let quotient = if divided && self.power > 0 { 8.0 } else { 0.0 };
+            let quotient = if divided && self.power > 0 { 4.0 } else { 0.0 };
             let signs = if curve.alternates && reduction.origin == Origin::Lowest { 2.0 } else { 0.0 };
             Some(2.0 * terms + terms.log2().floor() + quotient + signs)
         };

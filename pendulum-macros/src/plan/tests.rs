@@ -64,43 +64,9 @@ fn observed(scene: &Scene, plan: &Plan, samples: usize) -> Vec<f64> {
 #[test]
 fn look() {
     for (theta, rest) in [
-        ("7π/8", "tol = 1e-6, t_max = 938"),
-        ("7π/8", "tol = 1e-9, t_max = 938"),
-        ("7π/8", "tol = 1e-12, t_max = 938"),
-        ("7π/8", ""),
-        ("7π/8", "float = f32, tol = 1e-4, t_max = 938"),
-        ("7π/8", "float = f32"),
-        ("7π/8", "n = 4, outputs = [theta, velocity]"),
-        ("π/3", "n = 1"),
-        ("π/3", "n = 2"),
-        ("0.89π", "n = 2"),
-        ("0.95π", "n = 6"),
-        ("7π/8", "n = 12"),
-        ("7π/8", "n = 4, float = f32"),
-        ("π/3", "method = harmonic, outputs=[theta,velocity]"),
-        ("π/3", "method = small_angle, t_max = 10"),
-        ("7π/8", "method = series, tol = 1e-6"),
-        ("7π/8", "method = fourier, tol = 1e-6"),
-        ("7π/8", "method = series"),
-        ("0.999π", "method = series, tol = 1e-3"),
-        ("7π/8", "outputs = [theta, velocity, acceleration, position]"),
-        ("7π/8", "outputs = [velocity]"),
-        ("7π/8", "outputs = [acceleration]"),
-        ("7π/8", "outputs = [position]"),
-        ("0.99π", "outputs = [velocity]"),
-        ("0.99π", "outputs = [acceleration]"),
-        ("0.99π", "outputs = [position]"),
-        ("π/3", ""),
-        ("0.1", ""),
-        ("1e-9", ""),
-        ("0.99π", ""),
-        ("0.999π", ""),
-        ("0.9999π", ""),
-        ("π-1e-9", ""),
-        ("π-1e-9", "tol = 1e-6"),
-        ("π/3", "tol=1e-3"),
-        ("0.1", "tol=1e-9"),
-        ("1", "velocity0 = 1, tol = 1e-9, t_max = 1e6"),
+        ("7π/8", "tol = 1e-6, t_max = 938, outputs = [theta, velocity]"),
+        ("7π/8", "tol = 1e-9, t_max = 938, outputs = [theta, velocity]"),
+        ("7π/8", "tol = 1e-12, t_max = 938, outputs = [theta, velocity]"),
     ] {
         let clock = std::time::Instant::now();
         let scene = scene(&format!("struct A; theta0 = {theta}, {rest}"));
@@ -202,5 +168,16 @@ fn reference() {
             worst,
             plan.parts.iter().map(|p| p.bound.total() / p.largest * 2f64.powi(49)).collect::<Vec<_>>()
         );
+    }
+}
+
+#[test]
+fn terms() {
+    for text in ["theta0 = 7π/8", "theta0 = π/3", "theta0 = 0.95π"] {
+        let scene = scene(&format!("struct A; {text}"));
+        let task = aim::Task::new(&scene);
+        let a = polynomial::Approximation::new(&task.aims[0].curves[0], 0, 1e-17).unwrap();
+        println!("{text} {:?}", (2..20).map(|n| (n, format!("{:.3e}", a.truncation(n, 0.0)))).collect::<Vec<_>>());
+        println!("   {:?}", a.series[..20].iter().map(|x| format!("{:.3e}", x.hi)).collect::<Vec<_>>());
     }
 }
