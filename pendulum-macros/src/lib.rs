@@ -14,6 +14,8 @@ mod program;
 mod report;
 mod scene;
 mod series;
+#[cfg(test)]
+mod snapshots;
 
 use parse::Float;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
