@@ -56,5 +56,5 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
 
 /// Every mistake as a `compile_error!`.
 fn errors(report: Report) -> TokenStream {
-    report.finish().err().map(|error| error.into_compile_error()).unwrap_or_default()
+    report.finish().err().as_ref().map(syn::Error::to_compile_error).unwrap_or_default()
 }

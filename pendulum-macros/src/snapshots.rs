@@ -12,8 +12,8 @@ fn formatted(invocation: &str) -> String {
     let is_item = invocation.contains("struct");
     let tokens = if is_item { tokens } else { quote!(fn expression() -> impl Copy #tokens) };
     let code = prettyplease::unparse(&syn::parse2(tokens).unwrap());
-    let invocation: String = invocation.lines().map(|line| format!("//     {}\n", line.trim())).collect();
-    format!("// What this expands to; written by src/snapshots.rs.\n//\n{invocation}\n{code}")
+    let invocation: Vec<String> = invocation.lines().map(|line| format!("//     {}", line.trim())).collect();
+    format!("// What this expands to; written by src/snapshots.rs.\n//\n{}\n\n{code}", invocation.join("\n"))
 }
 
 fn compare(name: &str, invocation: &str) {

@@ -15,8 +15,8 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: Cody and Waite's, with the half period in 2 words, wrong by at most 2.9e-17
-/// * theta: polynomial of 14 terms in s²; proven error ≤ 2.728e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 2.3e-15 of rounding); 39 operations
-/// * velocity: polynomial of 9 terms in s² over one of 3; proven error ≤ 4.981e-10 rad·ω (5.0e-10 of truncation, 1.7e-16 of phase, 1.8e-15 of rounding); 37 operations
+/// * theta: polynomial of 14 terms in s²; proven error ≤ 2.728e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 1.6e-15 of rounding); 39 operations
+/// * velocity: polynomial of 9 terms in s² over one of 3; proven error ≤ 4.981e-10 rad·ω (5.0e-10 of truncation, 1.7e-16 of phase, 1.7e-15 of rounding); 37 operations
 pub struct Clock;
 #[allow(
     dead_code,
@@ -57,9 +57,9 @@ impl Clock {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 39;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 2.7282941832037107e-10;
+    pub const MAX_ERROR: f64 = 2.728287902545589e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.981117953871523e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.981116675481807e-10;
     /// θ(t), rad; NaN if t is not finite. 39 operations.
     #[inline]
     #[must_use]
