@@ -1,4 +1,6 @@
 //! The associated constants are the correctly rounded values of the exact reals: to the bit, in both precisions.
+// Greek names and no other Greek, on purpose.
+#![allow(mixed_script_confusables)]
 
 macro_rules! check {
     ($float:ident; $($theta0:tt $($n:literal)?),*) => {$({
