@@ -42,22 +42,39 @@ fn f64_at_any_time() {
         [(1π/2) 0 1] [(100deg) 0 1] [(-2) 0 1] [(4π/5) 0 1] [(7π/8) 0 1] [(7π/8) 0 3] [(0.95π) 0 1] [(0.97π) 0 1]
     ] [
         {; f64; theta; }
-        {; f64; theta velocity; }
-    ]);
-    judge(&large, wrong(&F64));
-    let steep = findings!(600; [[(1π/2) 0 1] [(100deg) 0 1] [(-2) 0 1] [(7π/8) 0 1] [(7π/8) 0 3] [(0.95π) 0 1]] [
         {; f64; theta velocity acceleration position; }
     ]);
-    judge(&steep, wrong(&F64));
+    judge(&large, wrong(&F64));
+}
+
+#[test]
+fn f64_near_the_top() {
+    let near = findings!(600; [
+        [(0.98π) 0 1] [(0.99π) 0 1] [(0.999π) 0 1] [(0.9999π) 0 1] [(1π-1e-6) 0 1] [(1π-1e-9) 0 1]
+    ] [
+        {; f64; theta; }
+        {; f64; theta velocity position; }
+    ]);
+    judge(&near, wrong(&F64));
 }
 
 #[test]
 fn f64_launched_in_mid_swing() {
     let launched = findings!(600; [
-        [1 1 1] [(-1) 1 1] [1 (-1) 1] [0 1 1] [0 (-1.9) 1] [0.3 2 1.25] [(-2.5) (-0.25) 0.5]
+        [1 1 1] [(-1) 1 1] [1 (-1) 1] [0 1 1] [0 (-1.9) 1] [(-2.5) (-0.25) 0.5]
     ] [
-        {; f64; theta velocity; }
+        {; f64; theta velocity acceleration position; }
         {1000; f64; theta; }
+    ]);
+    judge(&launched, wrong(&F64));
+}
+
+/// Beyond 2⁵⁴ in t the reduction's third partial product is about 1, and its rounding is not in the proven bound.
+#[test]
+#[ignore = "the proven bound is exceeded at |t| > 2⁵⁴, within 2⁵³ periods"]
+fn f64_launched_and_far_out() {
+    let launched = findings!(600; [[0.3 2 1.25] [2.9 0.1 2]] [
+        {; f64; theta velocity acceleration position; }
     ]);
     judge(&launched, wrong(&F64));
 }
@@ -75,7 +92,7 @@ fn f64_within_a_horizon() {
 #[test]
 fn f32_at_any_time() {
     let findings = findings!(1000; [
-        [1e-9 0 1] [0.01 0 1] [1 0 1] [(1π/2) 0 1] [(100deg) 0 1] [(7π/8) 0 1] [(-7π/8) 0 1] [(0.97π) 0 1] [1 1 1] [0.3 2 1.25]
+        [1e-9 0 1] [0.01 0 1] [1 0 1] [(1π/2) 0 1] [(100deg) 0 1] [(7π/8) 0 1] [(-7π/8) 0 1] [(0.97π) 0 1] [1 1 1] [0.3 2 1.25] [(0.999π) 0 1]
     ] [
         {; f32; theta; }
         {; f32; theta velocity acceleration; }

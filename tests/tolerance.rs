@@ -81,6 +81,18 @@ fn a_trillionth() {
 }
 
 #[test]
+fn near_the_top() {
+    kept!(1e-6; [[(0.99π) 0 1] [(0.9999π) 0 1] [(1π-1e-6) 0 1] [(1π-1e-9) 0 1]] [
+        {1000; f64; theta; tol = 1e-6}
+        {; f64; theta velocity acceleration position; tol = 1e-6}
+    ]);
+    kept!(1e-3; [[(0.99π) 0 1] [(0.9999π) 0 1]] [
+        {100; f32; theta velocity; tol = 1e-3}
+        {; f32; theta position; tol = 1e-3}
+    ]);
+}
+
+#[test]
 fn each_method_when_forced() {
     kept!(0.5; [[0.1 0 1] [1 0 1] [(7π/8) 0 1] [1 1 1]] [
         {10; f64; theta; tol = 0.5, method = harmonic}
