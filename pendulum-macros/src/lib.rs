@@ -14,8 +14,10 @@ mod program;
 mod report;
 mod scene;
 mod series;
+#[cfg(test)]
+mod snapshots;
 
-use parse::{Float, Form};
+use parse::Float;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use report::Report;
 
@@ -40,6 +42,7 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     let request = parse::parse(parameters, &mut report);
     let form = request.as_ref().map(|request| request.form.clone());
     let float = request.as_ref().and_then(|request| request.float.as_ref()).map_or(Float::F64, |float| float.value);
+    let output = request.as_ref().and_then(|request| request.outputs.as_ref()?.value.first().copied());
     let scene = request.and_then(|request| check::check(request, &mut report));
     let planned = scene.and_then(|scene| {
         let plan = plan::plan(&scene).map_err(|refusal| report.add(refusal.explain(&scene))).ok()?;
@@ -47,13 +50,11 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     });
     match planned {
         Some((scene, plan)) => emit::emit(&scene, &plan, root),
-        None => emit::stub(form.as_ref(), float, &errors(report, form.as_ref())),
+        None => emit::stub(form.as_ref(), float, output, &errors(report)),
     }
 }
 
-/// Every mistake as a `compile_error!`, statements of a block where an expression is wanted.
-fn errors(report: Report, form: Option<&Form>) -> TokenStream {
-    let errors = report.finish().err().map(|error| error.into_compile_error()).unwrap_or_default();
-    let _ = form;
-    errors
+/// Every mistake as a `compile_error!`.
+fn errors(report: Report) -> TokenStream {
+    report.finish().err().as_ref().map(syn::Error::to_compile_error).unwrap_or_default()
 }

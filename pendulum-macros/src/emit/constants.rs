@@ -51,12 +51,14 @@ impl Writer {
     fn number(&mut self, name: &str, value: f64, doc: &str) {
         let (name, float) = (format_ident!("{name}"), format_ident!("{}", self.float.word()));
         let value = literal::float(value, self.float);
+        let doc = format!(" {doc}");
         self.tokens.extend(quote!(#[doc = #doc] pub const #name: #float = #value;));
     }
 
     fn count(&mut self, name: &str, value: usize, doc: &str) {
         let name = format_ident!("{name}");
         let value = proc_macro2::Literal::usize_unsuffixed(value);
+        let doc = format!(" {doc}");
         self.tokens.extend(quote!(#[doc = #doc] pub const #name: usize = #value;));
     }
 
@@ -70,7 +72,7 @@ impl Writer {
     fn plan(&mut self, plan: &Plan) {
         let method = plan.method.word();
         self.tokens
-            .extend(quote!(#[doc = "How the motion is approximated."] pub const METHOD: &'static str = #method;));
+            .extend(quote!(#[doc = " How the motion is approximated."] pub const METHOD: &'static str = #method;));
         self.count("TERMS", plan.terms(), "The number of terms of the approximation.");
         self.count("OPERATIONS", plan.operations(), "Operations that one call of the first function executes.");
         if !plan.coefficients.is_empty() {
@@ -103,7 +105,7 @@ impl Writer {
             literal::float(rounded, float)
         });
         let count = proc_macro2::Literal::usize_unsuffixed(coefficients.len());
-        let doc = "b₂ₙ₋₁ = (2π/(kK)) q^(n−½)/(1 − q²ⁿ⁻¹), n = 1, 2, …: the coefficients of sn (Eq. 20).";
+        let doc = " b₂ₙ₋₁ = (2π/(kK)) q^(n−½)/(1 − q²ⁿ⁻¹), n = 1, 2, …: the coefficients of sn (Eq. 20).";
         self.tokens.extend(quote!(#[doc = #doc] pub const COEFFICIENTS: [#kind; #count] = [#(#values),*];));
     }
 }

@@ -70,7 +70,7 @@ fn elliptic(elliptic: &Elliptic, modulus: &str) -> Vec<String> {
 fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     let goal = match scene.goal {
         Goal::Terms(n) => format!("the paper's θ̂ with {n} terms (Eq. 22)"),
-        Goal::Tolerance(tol) => format!("an error of at most {tol:?}"),
+        Goal::Tolerance(_) => "an error of at most `tol`".to_owned(),
         Goal::Full => format!("the full precision of `{}`", scene.float.word()),
     };
     let horizon = scene.t_max.as_ref().map_or_else(|| "2⁵³ periods".to_owned(), |t| format!("|t| ≤ {}", shown(t)));

@@ -13,7 +13,7 @@ pub(super) fn float(x: f64, float: Float) -> TokenStream {
         };
     }
     let text = digits(x.abs(), float);
-    let literal = text.parse::<Literal>().map_or_else(|_| Literal::f64_unsuffixed(x.abs()), |literal| literal);
+    let literal = text.parse::<Literal>().unwrap_or_else(|_| Literal::f64_unsuffixed(x.abs()));
     if x.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
 }
 

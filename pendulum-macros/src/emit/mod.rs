@@ -13,6 +13,7 @@ use crate::plan::{Function, Plan};
 use crate::scene::Scene;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
+use syn::Attribute;
 
 /// The expansion: an expression that is a fn item, or a unit struct with its constants and functions. `root` is the path
 /// of the crate `pendula`, as its user knows it.
@@ -65,11 +66,13 @@ fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> Tok
     });
     let doc_lines = plan.functions.iter().map(|function| docs::function(function, plan));
     let allowed = allowed();
+    let conditions = conditions(attributes);
     quote! {
         #(#attributes)*
         #(#[doc = #docs])*
         #visibility struct #name;
 
+        #(#conditions)*
         #allowed
         impl #name {
             #constants
@@ -81,6 +84,11 @@ fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> Tok
             )*
         }
     }
+}
+
+/// The `#[cfg(…)]` of the struct, which its `impl` has to share.
+fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
+    attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"))
 }
 
 /// `const fn name(t: f64) -> f64 { … }`

@@ -12,9 +12,10 @@ pub(super) fn body(program: &Program, support: &TokenStream) -> TokenStream {
     let mut writer = Writer { program, support, bound: names(program) };
     let statements: Vec<TokenStream> = (0..program.nodes.len()).filter_map(|id| writer.statement(id)).collect();
     let results: Vec<TokenStream> = program.results.iter().map(|&id| writer.value(id)).collect();
-    match results.as_slice() {
-        [result] => quote!(#(#statements)* #result),
-        _ => quote!(#(#statements)* (#(#results),*)),
+    if let [result] = results.as_slice() {
+        quote!(#(#statements)* #result)
+    } else {
+        quote!(#(#statements)* (#(#results),*))
     }
 }
 
@@ -56,6 +57,7 @@ struct Writer<'a> {
 enum Binding {
     Sum,
     Product,
+    Cast,
     Atom,
 }
 
@@ -88,7 +90,7 @@ impl Writer<'_> {
     }
 
     fn expression(&self, node: &Node) -> (TokenStream, Binding) {
-        use Binding::{Atom, Product, Sum};
+        use Binding::{Atom, Cast, Product, Sum};
         let infix = |a, b, operator: TokenStream, binding, right| {
             let (a, b) = (self.operand(a, binding), self.operand(b, right));
             (quote!(#a #operator #b), binding)
@@ -98,8 +100,9 @@ impl Writer<'_> {
             Op::Constant { value, .. } => (literal::float(value, node.float), Atom),
             Op::Add(a, b) => infix(a, b, quote!(+), Sum, Product),
             Op::Sub(a, b) => infix(a, b, quote!(-), Sum, Product),
-            Op::Mul(a, b) => infix(a, b, quote!(*), Product, Atom),
-            Op::Div(a, b) => infix(a, b, quote!(/), Product, Atom),
+            Op::Mul(a, b) => infix(a, b, quote!(*), Product, Cast),
+            Op::Div(a, b) => infix(a, b, quote!(/), Product, Cast),
+            Op::Widen(_) | Op::Narrow(_) => (self.call(node), Cast),
             _ => (self.call(node), Atom),
         }
     }
@@ -118,15 +121,17 @@ impl Writer<'_> {
                 quote!(#x.abs())
             }
             Op::Min { limit, x } => {
-                let (limit, x) = (self.value(limit), self.value(x));
+                // A cast before `<` would read as the start of a generic type.
+                let (limit, x) = (self.atom(limit), self.value(x));
                 quote!(if #limit < #x { #limit } else { #x })
             }
             Op::Max { limit, x } => {
-                let (limit, x) = (self.value(limit), self.value(x));
+                let (limit, x) = (self.value(limit), self.atom(x));
                 quote!(if #x < #limit { #limit } else { #x })
             }
             Op::Select { a, b, then, otherwise } => {
-                let [a, b, then, otherwise] = [a, b, then, otherwise].map(|id| self.value(id));
+                let a = self.atom(a);
+                let [b, then, otherwise] = [b, then, otherwise].map(|id| self.value(id));
                 quote!(if #a < #b { #then } else { #otherwise })
             }
             Op::Head(x) => {

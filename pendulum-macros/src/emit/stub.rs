@@ -1,25 +1,33 @@
 //! What a refused request still expands to, so that one mistake is one error.
 
-use super::allowed;
+use super::{allowed, conditions};
 use crate::parse::{Float, Form, Item, Output};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The errors, and an item of the shape that was asked for.
-pub(crate) fn stub(form: Option<&Form>, float: Float, errors: &TokenStream) -> TokenStream {
+pub(crate) fn stub(form: Option<&Form>, float: Float, output: Option<Output>, errors: &TokenStream) -> TokenStream {
     match form {
         Some(Form::Item(item)) => structure(item, float, errors),
-        _ => {
-            let float = format_ident!("{}", float.word());
-            let allowed = allowed();
-            quote!({
-                #errors
-                #allowed
-                const fn theta(_t: #float) -> #float { 0.0 }
-                theta
-            })
-        }
+        Some(Form::Expression) => expression(float, output, errors),
+        // Where the form couldn't be told there is one error, which is an item as well as an expression.
+        None => errors.clone(),
     }
+}
+
+fn expression(float: Float, output: Option<Output>, errors: &TokenStream) -> TokenStream {
+    let float = format_ident!("{}", float.word());
+    let allowed = allowed();
+    let (result, zero) = match output {
+        Some(Output::Position) => (quote!((#float, #float)), quote!((0.0, 0.0))),
+        _ => (quote!(#float), quote!(0.0)),
+    };
+    quote!({
+        #errors
+        #allowed
+        const fn theta(_t: #float) -> #result { #zero }
+        theta
+    })
 }
 
 fn structure(item: &Item, float: Float, errors: &TokenStream) -> TokenStream {
@@ -43,12 +51,14 @@ fn structure(item: &Item, float: Float, errors: &TokenStream) -> TokenStream {
     .map(|name| format_ident!("{name}"));
     let functions = Output::WORDS.iter().filter(|word| **word != "position").map(|word| format_ident!("{word}"));
     let allowed = allowed();
+    let conditions = conditions(attributes);
     quote! {
         #errors
         #(#attributes)*
         #[doc = ""]
         #visibility struct #name;
 
+        #(#conditions)*
         #allowed
         #[allow(missing_docs)]
         impl #name {

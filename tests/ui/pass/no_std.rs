@@ -5,6 +5,9 @@
 #![deny(clippy::all, clippy::pedantic)]
 #![forbid(unsafe_code)]
 
+// For the runtime of `main` alone: nothing of it is in scope.
+extern crate std as _;
+
 pendula::pendulum! {
     /// A pendulum in a controller.
     pub struct Controlled;

@@ -2,7 +2,7 @@
 
 #![deny(warnings)]
 
-use pendula as other;
+use ::pendula as other;
 
 mod pendula {
     //! Shadows the crate's name, on purpose.

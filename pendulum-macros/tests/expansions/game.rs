@@ -1,0 +1,97 @@
+// What this expands to; written by src/snapshots.rs.
+//
+//     pub(crate) struct Lamp;
+//     theta0 = 2, float = f32, tol = 1e-4, t_max = 1000, outputs = [theta, position]
+
+/// The motion of a pendulum, θ̈ + ω² sin θ = 0, for `theta0 = 2, float = f32, tol = 1e-4, t_max = 1000, outputs = [theta, position]`.
+///
+/// * θ(0) = 2.0 rad, θ̇(0) = 0.0, ω = 1.0
+/// * a swing between ±2.0 rad with the period T = 8.349752926918494
+/// * k = 0.8414709848078965, K = 2.0874382317296236, K′ = 1.7091975942731685, q = 0.07635659780391943
+///
+/// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
+///
+/// * phase: one product with the rate, wrong by at most 8.2e-6
+/// * theta: polynomial of 6 terms in s²; proven error ≤ 6.831e-5 rad (1.0e-5 of truncation, 5.8e-5 of phase, 3.3e-7 of rounding); 19 operations
+/// * position: sin(θ/2) by a polynomial of 6 terms in s², cos(θ/2) by a polynomial of 7 terms in s², squared; proven error ≤ 7.053e-5 lengths (1.2e-5 of truncation, 5.8e-5 of phase, 9.0e-7 of rounding); 36 operations
+pub(crate) struct Lamp;
+#[allow(
+    dead_code,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::arithmetic_side_effects,
+    clippy::as_conversions,
+    clippy::float_arithmetic,
+    clippy::float_cmp,
+    clippy::min_ident_chars,
+    clippy::missing_inline_in_public_items,
+    clippy::missing_docs_in_private_items,
+    clippy::single_call_fn
+)]
+impl Lamp {
+    /// θ at t = 0, rad.
+    pub const THETA0: f32 = 2.0;
+    /// ω, the rate of small oscillations, rad per unit of t.
+    pub const OMEGA: f32 = 1.0;
+    /// The largest |θ|, rad.
+    pub const AMPLITUDE: f32 = 2.0;
+    /// k = sin(amplitude/2), the modulus.
+    pub const MODULUS: f32 = 0.84147096;
+    /// K(k), the complete elliptic integral of the first kind.
+    pub const K: f32 = 2.0874383;
+    /// K′ = K(k′), k′² = 1 − k².
+    pub const K_PRIME: f32 = 1.7091976;
+    /// q = exp(−πK′/K).
+    pub const NOME: f32 = 0.0763566;
+    /// T = 4K/ω, the time of one swing to and fro.
+    pub const PERIOD: f32 = 8.349753;
+    /// How the motion is approximated.
+    pub const METHOD: &'static str = "polynomial";
+    /// The number of terms of the approximation.
+    pub const TERMS: usize = 6;
+    /// Operations that one call of the first function executes.
+    pub const OPERATIONS: usize = 19;
+    /// Proven bound of |θ(t) − exact| over the horizon, rad.
+    pub const MAX_ERROR: f32 = 6.83063e-5;
+    /// Proven bound of the position's distance from the exact one, in lengths.
+    pub const MAX_POSITION_ERROR: f32 = 7.05268e-5;
+    /// θ(t), rad; NaN if t is not finite. 19 operations.
+    #[inline]
+    #[must_use]
+    pub const fn theta(t: f32) -> f32 {
+        let x = t * 0.23952805;
+        let magic = x + 12582912.0;
+        let n = magic - 12582912.0;
+        let s = x - n;
+        let v = s * s;
+        let p = if 0.25 < v { 0.25 } else { v };
+        let p2 = p * p;
+        let p4 = p2 * p2;
+        let result = 1.9999936 + -7.9226475 * p + (-4.8570848 + 16.267666 * p) * p2
+            + (21.038925 + -53.390053 * p) * p4;
+        f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
+    }
+    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 36 operations.
+    #[inline]
+    #[must_use]
+    pub const fn position(t: f32) -> (f32, f32) {
+        let x = t * 0.23952805;
+        let magic = x + 12582912.0;
+        let n = magic - 12582912.0;
+        let s = x - n;
+        let v = s * s;
+        let p = if 0.25 < v { 0.25 } else { v };
+        let p2 = p * p;
+        let p4 = p2 * p2;
+        let half_sine = 0.8414755 + -2.1425302 * p + (-7.7870884 + -0.8430019 * p) * p2
+            + (76.8612 + -108.77086 * p) * p4;
+        let half_cosine = 0.5403021 + 3.3342159 * p + (-2.243186 + -19.701836 * p) * p2
+            + (-16.064404 + 205.16774 * p + -259.7864 * p2) * p4;
+        let v_2 = half_sine * half_cosine;
+        let x_2 = v_2 + v_2;
+        let y = half_sine * half_sine - half_cosine * half_cosine;
+        (f32::from_bits(x_2.to_bits() ^ (magic.to_bits() << 31)), y)
+    }
+}

@@ -1,0 +1,118 @@
+//! The same bits at every optimisation level, on every target and with every instruction set: hashes of 10⁵ results of
+//! each kind of plan against `tests/bits/hashes.txt`. `.ci/run` runs this test at opt-levels 0 and 3, for the baseline
+//! and for the machine's own instructions.
+//!
+//! A change of the planner changes bits, and may: `PENDULA_BLESS=1 cargo test --test bits` writes the file anew.
+
+use pendula::{Pendulum, pendulum};
+use std::fmt::Write as _;
+
+const EVALUATIONS: u64 = 100_000;
+
+/// FNV-1a over 64-bit words.
+struct Hash(u64);
+
+impl Hash {
+    fn add(&mut self, bits: u64) {
+        self.0 = (self.0 ^ bits).wrapping_mul(0x0100_0000_01b3);
+    }
+}
+
+trait Bits {
+    fn hash(self, hash: &mut Hash);
+}
+
+impl Bits for f64 {
+    fn hash(self, hash: &mut Hash) {
+        // NaN has many bit patterns, of which IEEE 754 leaves the choice open.
+        hash.add(if self.is_nan() { u64::MAX } else { self.to_bits() });
+    }
+}
+
+impl Bits for f32 {
+    fn hash(self, hash: &mut Hash) {
+        hash.add(if self.is_nan() { u64::MAX } else { self.to_bits().into() });
+    }
+}
+
+impl<T: Bits> Bits for (T, T) {
+    fn hash(self, hash: &mut Hash) {
+        self.0.hash(hash);
+        self.1.hash(hash);
+    }
+}
+
+/// Times without any function of a library: bits of a linear congruence, half of them in ±64, half of any magnitude.
+fn times() -> impl Iterator<Item = f64> {
+    let mut state = 1_u64;
+    (0..EVALUATIONS).map(move |i| {
+        state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        let mixed = state ^ (state >> 32);
+        if i % 2 == 0 { (mixed >> 11) as f64 / (1_u64 << 46) as f64 - 64.0 } else { f64::from_bits(mixed) }
+    })
+}
+
+fn hash<T: Bits>(f: impl Fn(f64) -> T) -> u64 {
+    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
+    times().for_each(|t| f(t).hash(&mut hash));
+    hash.0
+}
+
+macro_rules! hashes {
+    ($($float:ident $output:ident { $($parameters:tt)* })*) => {{
+        let mut lines = String::new();
+        $({
+            let f = pendulum!(float = $float, outputs = [$output], $($parameters)*);
+            let asked = stringify!($float $output: $($parameters)*);
+            let _ = writeln!(lines, "{:016x} {asked}", hash(|t| f(t as $float)));
+        })*
+        lines
+    }};
+}
+
+fn generated() -> String {
+    hashes! {
+        f64 theta { theta0 = 7π/8 }
+        f64 velocity { theta0 = 7π/8 }
+        f64 acceleration { theta0 = 100deg }
+        f64 position { theta0 = 2 }
+        f64 theta { theta0 = 1, velocity0 = 1, omega = 2.5 }
+        f64 theta { theta0 = 7π/8, tol = 1e-6, t_max = 1000 }
+        f64 velocity { theta0 = 1e-6, tol = 1e-12, t_max = 100000 }
+        f64 theta { theta0 = 7π/8, n = 4 }
+        f64 velocity { theta0 = 7π/8, n = 4 }
+        f64 theta { theta0 = 0.95π, tol = 1e-3, method = series }
+        f64 theta { theta0 = 1, tol = 0.5, method = harmonic }
+        f32 theta { theta0 = 7π/8 }
+        f32 velocity { theta0 = 7π/8, tol = 1e-4, t_max = 100 }
+        f32 position { theta0 = 2, tol = 1e-4 }
+        f32 theta { theta0 = 7π/8, n = 4 }
+    }
+}
+
+/// The runtime, whose arithmetic follows the same rules.
+fn runtime() -> String {
+    let mut lines = String::new();
+    for (theta, velocity, omega) in
+        [(2.75, 0.0, 1.0), (1e-3, 0.0, 1.0), (1.0, 1.0, 2.5), (0.0, 2.0, 1.0), (0.5, 3.0, 1.0)]
+    {
+        let p = Pendulum::<f64>::from_state(theta, velocity, omega).expect("a valid state");
+        let _ = writeln!(lines, "{:016x} Pendulum({theta}, {velocity}, {omega}).state", hash(|t| p.state(t)));
+        let _ = writeln!(lines, "{:016x} Pendulum({theta}, {velocity}, {omega}).position", hash(|t| p.position(t)));
+    }
+    lines
+}
+
+#[test]
+fn bits_are_the_same_everywhere() {
+    let computed = format!("{}{}", generated(), runtime());
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bits/hashes.txt");
+    if std::env::var_os("PENDULA_BLESS").is_some() {
+        std::fs::write(path, &computed).expect("the file can be written");
+    }
+    let expected = std::fs::read_to_string(path).unwrap_or_default();
+    for (computed, expected) in computed.lines().zip(expected.lines().chain(std::iter::repeat("nothing"))) {
+        assert_eq!(computed, expected, "if bits were meant to change, bless them: see the head of tests/bits.rs");
+    }
+    assert_eq!(computed.lines().count(), expected.lines().count());
+}
