@@ -130,7 +130,6 @@ fn the_separatrix() {
 }
 
 #[test]
-#[ignore = "near t = 0 full-precision rotations are off by up to 118 units: their plan only aims at the ulp of 2⁵³ turns"]
 fn rotations() {
     check(&compiled! { rotation "launch" velocity0:
         (2+1e-12) (2+1e-9) (2+1e-6) (2001/1000) (201/100) (21/10) (5/2) 3 4 10 100 1e6

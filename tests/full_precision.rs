@@ -71,7 +71,6 @@ fn f64_launched_in_mid_swing() {
 
 /// Beyond 2⁵⁴ in t the reduction's third partial product is about 1, and its rounding is not in the proven bound.
 #[test]
-#[ignore = "the proven bound is exceeded at |t| > 2⁵⁴, within 2⁵³ periods"]
 fn f64_launched_and_far_out() {
     let launched = findings!(600; [[0.3 2 1.25] [2.9 0.1 2]] [
         {; f64; theta velocity acceleration position; }

@@ -104,8 +104,8 @@ impl Checker<'_> {
                 let message = format!(
                     "`method = {word}` can't serve {}: {}",
                     kind(regime),
-                    if serves(Method::Series, regime) {
-                        "use `series` or `polynomial`, or leave `method` out"
+                    if serves(Method::Polynomial, regime) {
+                        "use `polynomial`, or leave `method` out"
                     } else {
                         "leave `method` out"
                     }
@@ -156,12 +156,12 @@ impl Checker<'_> {
 }
 
 /// Which motions a method describes. Eqs. 3, 17 and 22 are written for release from rest; a swing launched in
-/// mid-motion is the same swing, shifted in phase. The separatrix has no period, and so no series.
+/// mid-motion is the same swing, shifted in phase. The separatrix has no period: one way of computing it is left.
 fn serves(method: Method, regime: &Regime) -> bool {
     match regime {
         Regime::Swing(_) => true,
-        Regime::Rotation(_) => matches!(method, Method::Series | Method::Polynomial),
-        Regime::Separatrix(_) => method == Method::Polynomial,
+        Regime::Rotation(_) => method == Method::Polynomial,
+        Regime::Separatrix(_) => false,
     }
 }
 

@@ -128,9 +128,9 @@ fn refuses_methods_that_cannot_serve() {
     refused("theta0 = 1, method = fourier", &["`n = 4`", "`tol = 1e-3`"]);
     refused("theta0 = 1, method = series, n = 4", &["`method = series` takes no `n`", "`n = 4`", "`tol`"]);
     refused("theta0 = 1, method = harmonic, n = 4", &["`method = harmonic` takes no `n`"]);
-    refused("velocity0 = 3, method = harmonic", &["`method = harmonic`", "rotation", "`series`"]);
+    refused("velocity0 = 3, method = harmonic", &["`method = harmonic`", "rotation", "`polynomial`"]);
     refused("velocity0 = 2, method = series", &["`method = series`", "separatrix"]);
-    assert_eq!(scene("velocity0 = 3, method = series").method, Some(Method::Series));
+    assert_eq!(scene("velocity0 = 3, method = polynomial").method, Some(Method::Polynomial));
     assert_eq!(scene("theta0 = 1, velocity0 = 1, method = fourier, tol = 1e-3").method, Some(Method::Fourier));
     assert_eq!(scene("theta0 = 1, velocity0 = 1, n = 4").goal, Goal::Terms(4));
 }

@@ -70,7 +70,7 @@ impl Writer {
     }
 
     fn plan(&mut self, plan: &Plan) {
-        let method = plan.method.word();
+        let method = plan.method;
         self.tokens
             .extend(quote!(#[doc = " How the motion is approximated."] pub const METHOD: &'static str = #method;));
         self.count("TERMS", plan.terms(), "The number of terms of the approximation.");

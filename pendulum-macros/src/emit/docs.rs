@@ -3,7 +3,6 @@
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime};
 use crate::parse::{Form, Output};
-use crate::plan::reduction::{Method as Reducing, Reduction};
 use crate::plan::{Function, Part, Plan};
 use crate::scene::{Goal, Scene};
 
@@ -75,7 +74,12 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     };
     let horizon = scene.t_max.as_ref().map_or_else(|| "2⁵³ periods".to_owned(), |t| format!("|t| ≤ {}", shown(t)));
     let mut lines = vec![format!("Planned for {goal}, over {horizon}:"), String::new()];
-    lines.push(format!("* phase: {}", reduction(&plan.reduction)));
+    let reduction = &plan.reduction;
+    lines.push(format!(
+        "* phase: {}, wrong by at most {:.1e} anchors",
+        reduction.describe(),
+        reduction.error + 0.5 * reduction.relative_error
+    ));
     lines.extend(plan.parts.iter().map(|part| self::part(part, plan)));
     if !plan.coefficients.is_empty() {
         let all: Vec<String> =
@@ -108,18 +112,6 @@ fn part(part: &Part, plan: &Plan) -> String {
         bound.phase / part.unit,
         bound.evaluation / part.unit,
     )
-}
-
-fn reduction(reduction: &Reduction) -> String {
-    let how = match &reduction.method {
-        Reducing::OneWord { .. } => "one product with the rate".to_owned(),
-        Reducing::CodyWaite { words, .. } => format!("Cody and Waite's, with the half period in {} words", words.len()),
-        Reducing::Wide { .. } => "one product with the rate, in `f64`".to_owned(),
-        Reducing::WideAnyTime { .. } => "exact products with the rate in three `f64` words".to_owned(),
-        Reducing::Linear { .. } => "the time itself, for all t".to_owned(),
-        Reducing::AnyTime { .. } => "exact products with the rate in four words".to_owned(),
-    };
-    format!("{how}, wrong by at most {:.1e}", reduction.error)
 }
 
 /// One line for a function.

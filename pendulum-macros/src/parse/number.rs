@@ -2,6 +2,7 @@
 
 use crate::exact::{Context, Real};
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
 
@@ -12,7 +13,6 @@ const LARGEST_EXPONENT: u64 = 1000;
 /// An expression as written: literals keep their text, nothing is rounded.
 #[derive(Clone, Debug)]
 pub(crate) struct Number {
-    pub(crate) tokens: TokenStream,
     tree: Tree,
 }
 
@@ -44,8 +44,8 @@ enum Operator {
 impl Number {
     /// Parses a whole token stream, the value of one parameter.
     pub(crate) fn parse_all(tokens: TokenStream) -> Result<Self> {
-        let tree = syn::parse2::<Whole>(parenthesise_captures(tokens.clone()))?.0;
-        Ok(Self { tokens, tree })
+        let tree = syn::parse2::<Whole>(parenthesise_captures(tokens))?.0;
+        Ok(Self { tree })
     }
 
     /// The number of decimal digits that may cancel: those of the longest literal, and in a sum those that its exponent
@@ -194,6 +194,10 @@ fn literal(literal: &Lit) -> Result<Tree> {
         other => return Err(Error::new(other.span(), "expected a number, such as `7π/8` or `157.5deg`")),
     };
     let span = literal.span();
+    let text = literal.to_token_stream().to_string();
+    if text.starts_with("0x") || text.starts_with("0o") || text.starts_with("0b") {
+        return Err(Error::new(span, format!("`{text}` is not a decimal number: write its value in decimal digits")));
+    }
     let unit = match suffix {
         "" => Unit::None,
         "π" => Unit::Pi,

@@ -15,8 +15,8 @@ use std::f64::consts::PI;
 pub(super) struct Task {
     pub(super) aims: Vec<Aim>,
     /// Anchors per unit of time, and at t = 0.
-    rate: Real,
-    launch: Double,
+    pub(super) rate: Real,
+    pub(super) launch: Real,
     /// −1 for a mirror image.
     pub(super) direction: f64,
     /// The passage through the lowest point; absent where the nome makes its series converge slowly.
@@ -71,7 +71,7 @@ impl Task {
         Self {
             aims: aims.collect(),
             rate: swing_rate(swing),
-            launch: swing.launch.to_double(),
+            launch: swing.launch.clone(),
             direction,
             passage: passage(&swing.elliptic, 1.0, direction),
             turning: false,
@@ -96,7 +96,7 @@ impl Task {
         Self {
             aims: aims.collect(),
             rate: rotation_rate(rotation),
-            launch: (&rotation.launch + half).to_double(),
+            launch: &rotation.launch + half,
             direction,
             passage: passage(&rotation.elliptic, -1.0, direction),
             turning: true,
@@ -130,7 +130,7 @@ impl Task {
         Self {
             aims: aims.collect(),
             rate: scene.motion.omega.clone(),
-            launch: separatrix.launch.to_double(),
+            launch: separatrix.launch.clone(),
             direction,
             passage: Some(passage),
             turning: false,
@@ -140,7 +140,7 @@ impl Task {
     /// The reductions of its phase.
     pub(super) fn reductions(&self, scene: &Scene) -> Vec<Reduction> {
         let t_max = scene.t_max.as_ref().map(Real::to_f64);
-        let clock = Clock { rate: &self.rate, launch: self.launch, t_max, float: scene.float };
+        let clock = Clock { rate: &self.rate, launch: self.launch.to_double(), t_max, float: scene.float };
         match scene.motion.regime {
             Regime::Separatrix(_) => vec![clock.linear()],
             _ => clock.reductions(),
@@ -154,7 +154,7 @@ impl Task {
     }
 
     /// |θ̇| at the lowest point.
-    pub(super) fn fastest(&self, scene: &Scene) -> Double {
+    pub(super) fn fastest(scene: &Scene) -> Double {
         let omega = &scene.motion.omega;
         match &scene.motion.regime {
             Regime::Swing(swing) => (&swing.elliptic.modulus * omega).scale(1).to_double(),
@@ -190,7 +190,7 @@ impl Aim {
         // Of a position, whose coordinates are products, rounding takes more.
         let units = if output == Output::Position { 48.0 } else { 16.0 };
         let (limit, truncation) = match scene.goal {
-            Goal::Tolerance(tol) => (tol * unit, tol * unit),
+            Goal::Tolerance(tol) => (tol * unit, (tol * unit).max(float * largest / 8.0)),
             _ => (units * float * largest, float * largest),
         };
         Self { output, curves: Vec::new(), power: 0, largest, slope, moment, unit, limit, truncation }
@@ -204,9 +204,14 @@ impl Aim {
     /// As [`Self::phase_error`] for a [`Hyperbolic`] kernel, which rounds w = phase·rate besides.
     pub(super) fn passage_error(&self, reduction: &Reduction, passage: &Passage) -> f64 {
         let span = passage.rate.hi * std::f64::consts::LN_2;
-        // w·2 sech w ≤ 1.3255, and what images add to a rotation.
+        // w times the derivative of 2 gd w, of 2 sech w and of sin(2 gd w), and what images add to a rotation.
         let images = if passage.sigma < 0.0 { 2.0 * span * (-0.5 * span).exp() } else { 0.0 };
-        let moment = (1.326 + images) * self.unit.max(self.largest / PI);
+        let largest = match self.output {
+            Output::Theta | Output::Wrapped | Output::Position => 1.326,
+            Output::Velocity => 1.16,
+            Output::Acceleration => 0.93,
+        };
+        let moment = (largest + images) * self.unit;
         self.slope * reduction.error + moment * (reduction.relative_error + Hyperbolic::relative_error())
     }
 }

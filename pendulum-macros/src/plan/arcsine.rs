@@ -31,13 +31,14 @@ impl Arcsine {
         Self { ratio, split: !direct }
     }
 
-    /// Emits 2·arcsin y.
-    pub(crate) fn lower(&self, b: &mut Builder, y: Id) -> Id {
+    /// Emits 2·sign·arcsin y.
+    pub(crate) fn lower(&self, b: &mut Builder, y: Id, sign: f64) -> Id {
+        let two = b.constant(2.0 * sign);
         if !self.split {
             let square = b.mul(y, y);
             let ratio = self.ratio(b, square);
             let single = b.mul(y, ratio);
-            return b.add(single, single);
+            return b.mul(single, two);
         }
         let half = b.constant(0.5);
         let one = b.constant(1.0);
@@ -51,10 +52,10 @@ impl Arcsine {
         b.name(x, "x_arcsine");
         let ratio = self.ratio(b, z);
         let single = b.mul(x, ratio);
-        let double = b.add(single, single);
+        let double = b.mul(single, two);
         b.name(double, "double");
         let quadruple = b.add(double, double);
-        let pi = b.exact(Double::PI.hi, Double::PI.lo);
+        let pi = b.exact(sign * Double::PI.hi, sign * Double::PI.lo);
         let complement = b.sub(pi, quadruple);
         b.push(Op::Select { a: y, b: half, then: double, otherwise: complement })
     }
@@ -90,7 +91,7 @@ mod tests {
             let arcsine = Arcsine::new(most, 1e-17);
             let mut b = Builder::new(Float::F64);
             let y = b.input();
-            let result = arcsine.lower(&mut b, y);
+            let result = arcsine.lower(&mut b, y, 1.0);
             let program = b.finish(vec![result]);
             for i in 0..=1000 {
                 let y = most * f64::from(i) / 1000.0;

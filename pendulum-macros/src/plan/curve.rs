@@ -9,7 +9,6 @@ use pendulum_runtime::double::Double;
 /// A function of the phase s (in anchors) between two anchors.
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
-    pub(crate) name: &'static str,
     wave: Wave,
     /// Set where the sign changes from anchor to anchor.
     pub(crate) alternates: bool,
@@ -60,22 +59,13 @@ impl Curve {
     /// sin πs.
     pub(crate) fn sine() -> Self {
         let largest = std::f64::consts::PI;
-        Self {
-            wave: Wave::sine(),
-            name: "sin",
-            alternates: true,
-            largest: 1.0,
-            slope: largest,
-            moment: largest,
-            unit: 1.0,
-        }
+        Self { wave: Wave::sine(), alternates: true, largest: 1.0, slope: largest, moment: largest, unit: 1.0 }
     }
 
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
     pub(crate) fn cosine(amplitude: &Real) -> Self {
         let largest = amplitude.to_f64();
         Self {
-            name: "theta",
             wave: Wave::cosine(amplitude.to_double()),
             alternates: true,
             largest,
@@ -112,11 +102,11 @@ impl<'a> SwingCurves<'a> {
         if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { amplitude.sin() }
     }
 
-    fn wave(&self, name: &'static str, order: i32, scale: Double, largest: f64, slope: f64, unit: f64) -> Curve {
+    fn wave(&self, order: i32, scale: Double, largest: f64, slope: f64, unit: f64) -> Curve {
         let wave = Wave::swing(self.swing, order, scale);
         let slack = 1.0 + 1e-12;
         let (slope, moment) = (slope * slack, slope * 0.5);
-        Curve { name, wave, alternates: true, largest, slope, moment, unit }
+        Curve { wave, alternates: true, largest, slope, moment, unit }
     }
 
     /// The largest |z·dθ/dz|, z being the phase from the lowest point. |θ̇| falls from there to the turning point, so that
@@ -132,14 +122,14 @@ impl<'a> SwingCurves<'a> {
     /// θ; |θ̇| ≤ 2kω.
     pub(crate) fn theta(&self) -> Curve {
         let slope = 2.0 * self.modulus() / self.rate().hi;
-        Curve { moment: self.moment(), ..self.wave("theta", 0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0) }
+        Curve { moment: self.moment(), ..self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0) }
     }
 
     /// θ̇.
     pub(crate) fn velocity(&self) -> Curve {
         let omega = self.omega.to_double();
         let slope = omega.hi * self.largest_sine() / self.rate().hi;
-        self.wave("velocity", 1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slope, omega.hi)
+        self.wave(1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slope, omega.hi)
     }
 
     /// θ̈ = −ω² sin θ; its derivative is largest at the lowest point.
@@ -147,23 +137,19 @@ impl<'a> SwingCurves<'a> {
         let rate = self.rate() * self.omega.to_double();
         let square = self.omega.square().to_f64();
         let slope = square * 2.0 * self.modulus() / self.rate().hi;
-        let curve = self.wave("acceleration", 2, rate * rate, square * self.largest_sine(), slope, square);
+        let curve = self.wave(2, rate * rate, square * self.largest_sine(), slope, square);
         Curve { moment: square * self.moment(), ..curve }
     }
 
     /// sin(θ/2) = k sn, of half the slope.
     pub(crate) fn half_sine(&self) -> Curve {
         let (largest, unit) = (self.modulus(), 1.0);
-        Curve { wave: Wave::half_sine(self.swing), ..self.wave("sin(θ/2)", 0, Double::ONE, largest, 0.0, unit) }
+        Curve { wave: Wave::half_sine(self.swing), ..self.wave(0, Double::ONE, largest, 0.0, unit) }
     }
 
     /// cos(θ/2) = dn.
     pub(crate) fn half_cosine(&self) -> Curve {
-        Curve {
-            wave: Wave::half_cosine(self.swing),
-            alternates: false,
-            ..self.wave("cos(θ/2)", 0, Double::ONE, 1.0, 0.0, 1.0)
-        }
+        Curve { wave: Wave::half_cosine(self.swing), alternates: false, ..self.wave(0, Double::ONE, 1.0, 0.0, 1.0) }
     }
 }
 
@@ -183,38 +169,38 @@ impl<'a> RotationCurves<'a> {
         rotation_rate(self.rotation).to_double()
     }
 
-    fn wave(&self, name: &'static str, wave: Wave, largest: f64, slope: f64, unit: f64) -> Curve {
+    fn wave(&self, wave: Wave, largest: f64, slope: f64, unit: f64) -> Curve {
         let slope = slope / self.rate().hi * (1.0 + 1e-12);
-        Curve { name, wave, alternates: false, largest, slope, moment: 0.5 * slope, unit }
+        Curve { wave, alternates: false, largest, slope, moment: 0.5 * slope, unit }
     }
 
     /// The angle from the top.
     pub(crate) fn angle(&self) -> Curve {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE);
-        self.wave("theta", wave, std::f64::consts::PI, self.rotation.fastest.to_f64(), 1.0)
+        self.wave(wave, std::f64::consts::PI, self.rotation.fastest.to_f64(), 1.0)
     }
 
     /// |θ̇|; its derivative is at most ω².
     pub(crate) fn velocity(&self) -> Curve {
         let omega = self.omega.to_f64();
         let wave = Wave::rotation(self.rotation, 1, self.rate());
-        self.wave("velocity", wave, self.rotation.fastest.to_f64(), omega * omega, omega)
+        self.wave(wave, self.rotation.fastest.to_f64(), omega * omega, omega)
     }
 
     /// θ̈.
     pub(crate) fn acceleration(&self) -> Curve {
         let square = self.omega.square().to_f64();
         let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
-        self.wave("acceleration", wave, square, square * self.rotation.fastest.to_f64(), square)
+        self.wave(wave, square, square * self.rotation.fastest.to_f64(), square)
     }
 
     /// cos of half the angle from the top.
     pub(crate) fn half_sine(&self) -> Curve {
-        self.wave("cos", Wave::from_top(self.rotation, Parity::Even), 1.0, 0.0, 1.0)
+        self.wave(Wave::from_top(self.rotation, Parity::Even), 1.0, 0.0, 1.0)
     }
 
     /// −sin of half the angle from the top.
     pub(crate) fn half_cosine(&self) -> Curve {
-        self.wave("sin", Wave::from_top(self.rotation, Parity::Odd), 1.0, 0.0, 1.0)
+        self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, 0.0, 1.0)
     }
 }

@@ -29,6 +29,8 @@ pub(crate) struct Harmonics {
     pub(crate) sines: Vec<Double>,
     /// Of the sum of cosines, in the paper's formula.
     pub(crate) arcsine: Option<Arcsine>,
+    /// −1 for a mirror image; the weights of cosines under an arcsine are never mirrored.
+    pub(crate) direction: f64,
 }
 
 impl Harmonics {
@@ -72,7 +74,7 @@ impl Harmonics {
 
     fn value(&self, b: &mut Builder, cosine: Id) -> Id {
         let sum = self.sum_of_cosines(b, cosine);
-        self.arcsine.as_ref().map_or(sum, |arcsine| arcsine.lower(b, sum))
+        self.arcsine.as_ref().map_or(sum, |arcsine| arcsine.lower(b, sum, self.direction))
     }
 
     /// The sum of sines; of an arcsine, 2y′/√((1 − y)(1 + y)).

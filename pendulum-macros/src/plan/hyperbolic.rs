@@ -14,7 +14,8 @@
 //!
 //! F being such that the velocity at the lowest point, E = 1, is the exact one.
 //!
-//! E = 2^(−j)·2^(−f) with j the integer nearest to |w|/ln 2: 2^(±f) = C(f²) ± f·S(f²), by polynomials, serve E and G.
+//! E = 2^(−j)·2^(−f) with j the integer nearest to |w|/ln 2: 2^(±f) = 1 + (f²·C(f²) ± f·S(f²)), by polynomials, serve E
+//! and G.
 
 use super::fit::{Domain, Fit};
 use super::kernel::{largest, norm};
@@ -82,7 +83,7 @@ impl Hyperbolic {
         // |f² ln²2| < 1 on the ellipse that reaches as far left as 4·¼.
         let domain = Domain::reaching(0.25, -2.0, half_ln.cosh() * 2.0);
         let fraction = limit / 16.0;
-        let even = Fit::new(&domain, fraction, |v| series(v, 0));
+        let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
         // On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of whose inverse the arctangent is a mean.
         let angle = matches!(output, Output::Theta | Output::Wrapped);
@@ -130,11 +131,16 @@ impl Hyperbolic {
                     value
                 }]
             }
-            Output::Acceleration | Output::Position => {
-                let [x, y] = self.position(b, &quotient, direction);
+            Output::Acceleration => {
+                let value = self.acceleration(b, &quotient, direction);
+                let value = b.convert(value, float);
+                b.name(value, name);
+                vec![self.sign(b, variables, value)]
+            }
+            Output::Position => {
+                let [x, y] = Self::position(b, &quotient, direction);
                 let [x, y] = [x, y].map(|value| b.convert(value, float));
-                let x = self.sign(b, variables, x);
-                if self.output == Output::Acceleration { vec![x] } else { vec![x, y] }
+                vec![self.sign(b, variables, x), y]
             }
         }
     }
@@ -161,14 +167,18 @@ impl Hyperbolic {
         b.name(f, "f");
         let square = b.mul(f, f);
         b.name(square, "v");
+        // cosh − 1, small beside the 1 that is added last.
         let even = self.even.lower(b, square, &["v", "v2", "v4", "v8"]);
+        let even = b.mul(square, even);
         b.name(even, "even");
+        let one = b.constant(1.0);
         let odd = self.odd.lower(b, square, &["v", "v2", "v4", "v8"]);
         let odd = b.mul(f, odd);
         b.name(odd, "odd");
         let power = b.push(Op::PowerOfTwo { magic: integer });
         b.name(power, "power");
         let falling = b.sub(even, odd);
+        let falling = b.add(one, falling);
         let direct = b.mul(power, falling);
         b.name(direct, "direct");
         if !self.images {
@@ -185,6 +195,7 @@ impl Hyperbolic {
         b.name(power, "image_power");
         let mantissa = b.exact(self.passage.image.hi, self.passage.image.lo);
         let rising = b.add(even, odd);
+        let rising = b.add(one, rising);
         let scaled = b.mul(mantissa, rising);
         let image = b.mul(power, scaled);
         b.name(image, "image");
@@ -239,7 +250,7 @@ impl Hyperbolic {
             }
             top = b.mul(top, series);
         }
-        let bottom = self.norm(b, quotient);
+        let bottom = quotient.parts(b).norm;
         let sign = self.passage.direction * if self.passage.alternates { -1.0 } else { 1.0 };
         let factor = self.factor * self.lowest() * sign;
         let factor = b.exact(factor.hi, factor.lo);
@@ -265,32 +276,29 @@ impl Hyperbolic {
         (p * p + numerator * numerator) / ((Double::ONE - sigma * q) * series)
     }
 
-    /// P² + Q².
-    fn norm(&self, b: &mut Builder, quotient: &Quotient) -> Id {
-        let one = b.constant(1.0);
-        let square = b.mul(quotient.numerator, quotient.numerator);
-        let base = quotient.denominator.map_or(one, |denominator| b.mul(denominator, denominator));
-        b.add(base, square)
+    /// −sign·ω² sin |θ| = −4ω²·QP(P² − Q²)/N².
+    fn acceleration(&self, b: &mut Builder, quotient: &Quotient, sign: f64) -> Id {
+        let Parts { norm, difference, product } = quotient.parts(b);
+        let factor = self.factor * (-4.0 * sign);
+        let factor = b.exact(factor.hi, factor.lo);
+        let top = b.mul(product, difference);
+        let bottom = b.mul(norm, norm);
+        let ratio = b.div(top, bottom);
+        b.mul(ratio, factor)
     }
 
-    /// (sign·factor·sin |θ|, −cos θ) from cos(θ/2) = 2QP/N and sin(θ/2) = (P² − Q²)/N.
-    fn position(&self, b: &mut Builder, quotient: &Quotient, sign: f64) -> [Id; 2] {
+    /// (sign·sin |θ|, −cos θ) from cos(θ/2) = 2QP/N and sin(θ/2) = (P² − Q²)/N.
+    fn position(b: &mut Builder, quotient: &Quotient, sign: f64) -> [Id; 2] {
+        let Parts { norm, difference, product } = quotient.parts(b);
         let one = b.constant(1.0);
-        let numerator = quotient.numerator;
-        let square = b.mul(numerator, numerator);
-        let base = quotient.denominator.map_or(one, |denominator| b.mul(denominator, denominator));
-        let product = quotient.denominator.map_or(numerator, |denominator| b.mul(numerator, denominator));
-        let (sum, difference) = (self.norm(b, quotient), b.sub(base, square));
-        let inverse = b.div(one, sum);
+        let inverse = b.div(one, norm);
         b.name(inverse, "inverse");
         let sine = b.mul(difference, inverse);
         b.name(sine, "half_sine");
         let double = b.add(product, product);
         let cosine = b.mul(double, inverse);
         b.name(cosine, "half_cosine");
-        let acceleration = self.output == Output::Acceleration;
-        let factor = if acceleration { self.factor * (-2.0 * sign) } else { Double::new(2.0 * sign) };
-        let factor = b.exact(factor.hi, factor.lo);
+        let factor = b.constant(2.0 * sign);
         let x = b.mul(sine, cosine);
         let x = b.mul(x, factor);
         let squares = [b.mul(sine, sine), b.mul(cosine, cosine)];
@@ -304,7 +312,7 @@ impl Hyperbolic {
         let slices = |j: i32| {
             let count = match j {
                 0 => 64,
-                1..4 => 8,
+                1..4 => 16,
                 _ => 2,
             };
             // w ≥ 0: the first binade has no left half.
@@ -350,6 +358,25 @@ struct Quotient {
     denominator: Option<Id>,
 }
 
+/// N = P² + Q², P² − Q² and QP.
+struct Parts {
+    norm: Id,
+    difference: Id,
+    product: Id,
+}
+
+impl Quotient {
+    fn parts(&self, b: &mut Builder) -> Parts {
+        let one = b.constant(1.0);
+        let square = b.mul(self.numerator, self.numerator);
+        let base = self.denominator.map_or(one, |denominator| b.mul(denominator, denominator));
+        let (norm, difference) = (b.add(base, square), b.sub(base, square));
+        b.name(norm, "norm");
+        let product = self.denominator.map_or(self.numerator, |denominator| b.mul(self.numerator, denominator));
+        Parts { norm, difference, product }
+    }
+}
+
 /// constant + slope·x.
 fn linear(b: &mut Builder, constant: f64, slope: f64, x: Id) -> Id {
     let (constant, slope) = (b.constant(constant), b.constant(slope));
@@ -357,12 +384,12 @@ fn linear(b: &mut Builder, constant: f64, slope: f64, x: Id) -> Id {
     b.add(constant, product)
 }
 
-/// Σ (ln 2)^(2i + k) vⁱ/(2i + k)!: cosh(f ln 2) for k = 0, sinh(f ln 2)/f for k = 1, v = f².
+/// Σ (ln 2)^(2i + k) vⁱ/(2i + k)!, v = f²: sinh(f ln 2)/f for k = 1, (cosh(f ln 2) − 1)/v for k = 2.
 fn series(v: Double, k: u32) -> Double {
     // ln 2 in two words.
     let ln = Double { hi: LN_2, lo: 2.319_046_813_846_299_6e-17 };
     let square = ln * ln * v;
-    let mut term = if k == 0 { Double::ONE } else { ln };
+    let mut term = if k == 2 { ln * ln * 0.5 } else { ln };
     let (mut sum, mut n) = (term, f64::from(k));
     while term.hi > 1e-34 {
         term = term * square / Double::new((n + 1.0) * (n + 2.0));

@@ -83,6 +83,11 @@ impl Kernel {
         }
     }
 
+    /// What [`Self::rounding`] leaves out: the turns of a rotation's angle.
+    pub(crate) fn rounding_of_turns(&self, reduction: &Reduction) -> f64 {
+        if let Self::Turning(turning) = self { turning.own_rounding(reduction) } else { 0.0 }
+    }
+
     /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above `cap`
     /// as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
@@ -91,7 +96,7 @@ impl Kernel {
             return hyperbolic.rounding(&program, cap);
         }
         if let Self::Turning(turning) = self {
-            return turning.rounding(reduction, cap);
+            return turning.angle.rounding(reduction, cap);
         }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
         let half = reduction.half();

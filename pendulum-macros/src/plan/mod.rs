@@ -1,6 +1,7 @@
 //! [`Scene`] → [`Plan`]: the cheapest program found that provably keeps the promise.
 
 mod aim;
+mod alternatives;
 mod arcsine;
 pub(crate) mod curve;
 mod fit;
@@ -14,6 +15,7 @@ mod search;
 mod turning;
 pub(crate) mod variables;
 mod velocity_bias;
+mod verify;
 
 use crate::exact::Real;
 use crate::motion::Regime;
@@ -26,7 +28,8 @@ use reduction::Reduction;
 /// What is emitted, and what it promises.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    pub(crate) method: Method,
+    /// The name of the way it is computed.
+    pub(crate) method: &'static str,
     pub(crate) reduction: Reduction,
     pub(crate) parts: Vec<Part>,
     pub(crate) functions: Vec<Function>,
@@ -81,6 +84,8 @@ pub(crate) enum Refusal {
     Unreachable { best: f64 },
     /// The argument of the paper's arcsine exceeds 1 by this.
     Overshoot { terms: usize, overshoot: f64, smallest: usize },
+    /// The planner saw its own promise broken.
+    Broken { output: Output },
     /// The method doesn't give this output.
     Output { method: Method, output: Output },
 }
@@ -89,20 +94,35 @@ impl Refusal {
     /// The error at the token to blame.
     pub(crate) fn explain(&self, scene: &Scene) -> syn::Error {
         let blame = &scene.blame;
+        let float = scene.float.word();
         match self {
-            Self::Unreachable { best } => syn::Error::new_spanned(
-                &blame.goal,
+            Self::Unreachable { best } => {
+                let asked = match scene.goal {
+                    Goal::Tolerance(_) => format!("`tol = {}` is", blame.goal),
+                    _ => format!("the full precision of `{float}` is"),
+                };
+                let remedy = match scene.goal {
+                    Goal::Tolerance(_) => "ask for that, or leave `tol` out for full precision",
+                    _ => "state it, or more, as `tol`",
+                };
+                let message = format!("{asked} more than can be promised here: the best is {best:.2e}; {remedy}");
+                syn::Error::new_spanned(&blame.goal, message)
+            }
+            Self::Overshoot { terms, overshoot, smallest } => {
+                let asked =
+                    if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
+                let message = format!(
+                    "{asked}: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
+                     where θ̂ would be NaN; the smallest number of terms that works is `n = {smallest}`"
+                );
+                syn::Error::new_spanned(&blame.goal, message)
+            }
+            Self::Broken { output } => syn::Error::new_spanned(
+                &blame.start,
                 format!(
-                    "this error can't be promised with `{}` here: the best is {best:.2e}; ask for that, or leave `tol` out",
-                    scene.float.word()
-                ),
-            ),
-            Self::Overshoot { terms, overshoot, smallest } => syn::Error::new_spanned(
-                &blame.goal,
-                format!(
-                    "with {terms} term{} the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
-                     where θ̂ would be NaN: the smallest number of terms that works is `n = {smallest}`",
-                    if *terms == 1 { "" } else { "s" }
+                    "the plan for `{}` misses its own error bound here: this is a bug of pendula; please report the invocation, \
+                     and try another `tol` until it is mended",
+                    output.word()
                 ),
             ),
             Self::Output { method, output } => syn::Error::new_spanned(
@@ -127,11 +147,6 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
 }
 
 impl Plan {
-    /// The cost of all functions; `state` stands for the two that it joins.
-    pub(crate) fn cost(&self) -> f64 {
-        self.functions.iter().map(|function| function.program.cost()).sum()
-    }
-
     /// Operations of the first function.
     pub(crate) fn operations(&self) -> usize {
         self.functions.first().map_or(0, |function| function.program.operations())

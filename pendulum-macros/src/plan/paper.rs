@@ -23,9 +23,24 @@ const SLACK: f64 = 1e-3;
 
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
-    let sum = Sum::choose(scene, swing, method)?;
-    sum.plan(scene, swing)
+    let mut refusal = None;
+    // The terms are chosen for θ; its derivatives may need some more.
+    for more in 0..MOST_MORE {
+        match Sum::choose(scene, swing, method, more)?.plan(scene, swing) {
+            Err(Refusal::Unreachable { best }) if matches!(method, Method::Fourier | Method::Series) => {
+                refusal = Some(Refusal::Unreachable { best });
+            }
+            other => return other,
+        }
+        if matches!(scene.goal, Goal::Terms(_)) {
+            break;
+        }
+    }
+    Err(refusal.unwrap_or(Refusal::Unreachable { best: f64::INFINITY }))
 }
+
+/// How many terms more than θ needs are tried.
+const MOST_MORE: usize = 12;
 
 /// The weights that a method gives to the harmonics of the phase.
 struct Sum {
@@ -41,12 +56,12 @@ struct Sum {
 }
 
 impl Sum {
-    fn choose(scene: &Scene, swing: &Swing, method: Method) -> Result<Self, Refusal> {
+    fn choose(scene: &Scene, swing: &Swing, method: Method, more: usize) -> Result<Self, Refusal> {
         let rate = swing_rate(swing);
         let amplitude = || vec![swing.amplitude.to_double()];
         match method {
-            Method::Fourier => Self::fourier(scene, swing, rate),
-            Method::Series => Ok(Self::series(scene, swing, rate)),
+            Method::Fourier => Self::fourier(scene, swing, rate, more),
+            Method::Series => Ok(Self::series(scene, swing, rate, more)),
             Method::SmallAngle => {
                 let small = &scene.motion.omega / scene.motion.omega.context().pi();
                 let drift = (&small - &rate).abs().to_f64() * std::f64::consts::PI * horizon(scene, &rate);
@@ -64,13 +79,15 @@ impl Sum {
         }
     }
 
-    /// k b₂ₙ₋₁ with alternating signs: k sn_N(u + K) (Eq. 22).
-    fn fourier(scene: &Scene, swing: &Swing, rate: Real) -> Result<Self, Refusal> {
+    /// k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
+    fn fourier(scene: &Scene, swing: &Swing, rate: Real, more: usize) -> Result<Self, Refusal> {
         let elliptic = &swing.elliptic;
         let analysis = FourierAnalysis::new(elliptic.modulus.to_double(), elliptic.complementary.to_double());
         let n = match scene.goal {
             Goal::Terms(n) => n,
-            Goal::Tolerance(tol) => first(|n| analysis.overshoot(n).is_none() && analysis.supremum(n) < tol * 0.99),
+            Goal::Tolerance(tol) => {
+                more + first(|n| analysis.overshoot(n).is_none() && analysis.supremum(n) < tol * 0.99)
+            }
             Goal::Full => first(|n| {
                 analysis.overshoot(n).is_none() && analysis.supremum(n) < scene.float.unit() * swing.amplitude.to_f64()
             }),
@@ -88,7 +105,7 @@ impl Sum {
     }
 
     /// The series of θ; its tail's supremum is bounded by samples finer than its fastest harmonic.
-    fn series(scene: &Scene, swing: &Swing, rate: Real) -> Self {
+    fn series(scene: &Scene, swing: &Swing, rate: Real, more: usize) -> Self {
         let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
         let terms = theta.terms();
         let aim = match scene.goal {
@@ -100,8 +117,9 @@ impl Sum {
         let sup =
             |kept: usize| if kept + 40 < terms.len() { simple(kept) } else { tail(&terms[kept..]) + theta.omitted() };
         let kept = (fewest..=terms.len()).find(|&kept| sup(kept) <= aim).unwrap_or(terms.len());
-        let weights = terms[..kept.min(MOST_HARMONICS)].iter().map(|&(_, a)| a).collect();
-        Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias: sup(kept.min(MOST_HARMONICS)) }
+        let kept = (kept + more).min(MOST_HARMONICS).min(terms.len());
+        let weights = terms[..kept].iter().map(|&(_, a)| a).collect();
+        Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias: sup(kept) }
     }
 }
 
@@ -139,7 +157,7 @@ impl Sum {
     /// The cheapest reduction with which the promise is kept, or, if nothing is promised, whose error is beside the
     /// rounding of the rest.
     fn plan(&self, scene: &Scene, swing: &Swing) -> Result<Plan, Refusal> {
-        if let Some(&output) = scene.outputs.iter().find(|&&output| !self.serves(output)) {
+        if let Some(&output) = scene.outputs.iter().find(|output| !matches!(output, Output::Theta | Output::Velocity)) {
             return Err(Refusal::Output { method: self.method, output });
         }
         let clock = Clock {
@@ -149,7 +167,7 @@ impl Sum {
             float: scene.float,
         };
         let mut reductions = clock.reductions();
-        reductions.sort_by_key(|reduction| kernel::function(reduction, &[]).operations());
+        reductions.sort_by_key(Reduction::operations);
         let mut closest = f64::INFINITY;
         for reduction in &reductions {
             let parts: Vec<Part> =
@@ -161,7 +179,7 @@ impl Sum {
             };
             if kept {
                 return Ok(Plan {
-                    method: self.method,
+                    method: self.method.word(),
                     reduction: reduction.clone(),
                     functions: kernel::functions(reduction, &parts),
                     parts,
@@ -172,11 +190,6 @@ impl Sum {
             closest = closest.min(worst);
         }
         Err(Refusal::Unreachable { best: closest })
-    }
-
-    /// Which outputs follow from the sum and its derivative.
-    fn serves(&self, output: Output) -> bool {
-        matches!(output, Output::Theta | Output::Velocity)
     }
 
     fn part(&self, scene: &Scene, swing: &Swing, output: Output, reduction: &Reduction) -> Part {
@@ -193,19 +206,14 @@ impl Sum {
         let cosine = base(&Curve::cosine(&one));
         let sine = derivative.then(|| base(&Curve::sine()));
         let arcsine = (!self.coefficients.is_empty()).then(|| self.arcsine(scene));
-        let mirror = if swing.mirrored { -1.0 } else { 1.0 };
-        let needs_value = !derivative || arcsine.is_some();
-        let harmonics = Harmonics {
-            cosine,
-            sine,
-            cosines: if needs_value {
-                self.weights.iter().map(|&w| w * if derivative { 1.0 } else { mirror }).collect()
-            } else {
-                Vec::new()
-            },
-            sines: if derivative { self.slopes(mirror) } else { Vec::new() },
-            arcsine,
+        let direction = if swing.mirrored { -1.0 } else { 1.0 };
+        let cosines = match (derivative, &arcsine) {
+            (_, Some(_)) => self.weights.clone(),
+            (false, None) => self.weights.iter().map(|&weight| weight * direction).collect(),
+            (true, None) => Vec::new(),
         };
+        let sines = if derivative { self.slopes(direction) } else { Vec::new() };
+        let harmonics = Harmonics { cosine, sine, cosines, sines, arcsine, direction };
         let kernel = Kernel::Harmonics(Box::new(harmonics));
         let evaluation = kernel.rounding(reduction, f64::INFINITY);
         let bias = if derivative { self.velocity_bias(scene, swing) } else { self.bias };
@@ -215,8 +223,8 @@ impl Sum {
     }
 
     /// Weights of the derivative: −wₙ(2n − 1)π·rate.
-    fn slopes(&self, mirror: f64) -> Vec<Double> {
-        let rate = self.rate.to_double() * Double::PI * -mirror;
+    fn slopes(&self, direction: f64) -> Vec<Double> {
+        let rate = self.rate.to_double() * Double::PI * -direction;
         self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
     }
 

@@ -15,7 +15,7 @@ use crate::chebyshev::{CosineTable, scale, shift, to_powers};
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Reduction;
 use crate::plan::variables::Variables;
-use crate::program::{Builder, Id, Op};
+use crate::program::{Builder, Id};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 
@@ -25,7 +25,7 @@ use pendulum_runtime::double::Double;
 pub(crate) struct Approximation {
     parity: Parity,
     pole: Option<Pole>,
-    pub(super) series: Vec<Double>,
+    series: Vec<Double>,
     /// Error of the whole series.
     remainder: f64,
 }
@@ -184,7 +184,9 @@ impl Approximation {
             Form::Plain => scale(shift(&powers, Double::new(-1.0)), unit * unit * 8.0),
         };
         if self.parity == Parity::Odd {
-            coefficients.iter_mut().for_each(|c| *c = *c * unit);
+            for coefficient in &mut coefficients {
+                *coefficient = *coefficient * unit;
+            }
         }
         let truncation = self.truncation(terms, reduction.overshoot);
         Polynomial { form, pole: self.pole, parity: self.parity, alternates, coefficients, truncation }

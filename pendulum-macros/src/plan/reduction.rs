@@ -304,6 +304,28 @@ impl Reduction {
         self.error < 0.5 && self.half().is_finite()
     }
 
+    /// The number of its operations.
+    pub(crate) fn operations(&self) -> usize {
+        let mut b = Builder::new(self.float);
+        let t = b.input();
+        let Phase { remainder, magic, .. } = self.lower(&mut b, t);
+        b.finish(vec![remainder, magic]).operations()
+    }
+
+    /// For the reader.
+    pub(crate) fn describe(&self) -> String {
+        let from = if self.origin == Origin::Lowest { " from the lowest point" } else { "" };
+        let how = match &self.method {
+            Method::OneWord { .. } => "one product with the rate".to_owned(),
+            Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
+            Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
+            Method::WideAnyTime { .. } => "exact products with the rate in three words of `f64`".to_owned(),
+            Method::AnyTime { .. } => "exact products with the rate in four words".to_owned(),
+            Method::Linear { .. } => "the time itself".to_owned(),
+        };
+        format!("{how}{from}")
+    }
+
     /// The largest |s|, in units of the reduced variable, rounded up to a number of its type.
     pub(crate) fn half(&self) -> f64 {
         if matches!(self.method, Method::Linear { .. }) {
@@ -375,18 +397,9 @@ impl Reduction {
         self.whole_offset().hi.round_ties_even()
     }
 
-    /// x + offset, if there is any.
-    fn offset_by(&self, b: &mut Builder, x: Id, offset: Double) -> Id {
-        if offset == Double::ZERO {
-            return x;
-        }
-        let offset = b.exact(offset.hi, offset.lo);
-        b.add(x, offset)
-    }
-
     /// The magic sum of x + offset, and the nearest integer.
     fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
-        let x = self.offset_by(b, x, self.offset());
+        let x = offset_by(b, x, self.offset());
         let constant = b.float().magic();
         let constant = b.constant(constant);
         let magic = b.add(x, constant);
@@ -411,7 +424,7 @@ impl Reduction {
         b.name(x, "x");
         let (magic, n) = self.round(b, x);
         let rest = b.sub(x, n);
-        let remainder = self.offset_by(b, rest, self.offset());
+        let remainder = offset_by(b, rest, self.offset());
         self.numbered(b, remainder, magic, n)
     }
 
@@ -433,7 +446,7 @@ impl Reduction {
             let whole = b.mul(n, word);
             remainder = b.sub(remainder, whole);
         }
-        let remainder = self.offset_by(b, remainder, offset);
+        let remainder = offset_by(b, remainder, offset);
         self.numbered(b, remainder, magic, count)
     }
 
@@ -447,7 +460,7 @@ impl Reduction {
         let sum = b.add(first, low);
         let (magic, n) = self.round(b, sum);
         let rest = b.sub(first, n);
-        let rest = self.offset_by(b, rest, self.offset());
+        let rest = offset_by(b, rest, self.offset());
         let count = b.add(eights, n);
         let remainder = b.add(rest, low);
         self.numbered(b, remainder, magic, count)
@@ -477,13 +490,29 @@ impl Reduction {
         let sum = b.add(leading, third);
         let (magic, n) = self.round(b, sum);
         let rest = b.sub(first, n);
-        let (rest, fourth) = self.launched(b, rest, fourth);
-        let remainder = b.add(rest, second);
-        let remainder = b.add(remainder, third);
         let eights = b.add(many, some);
         let count = b.add(eights, n);
-        let remainder = b.add(remainder, fourth);
+        let remainder = self.sum_of_parts(b, [rest, second, third, fourth]);
         self.numbered(b, remainder, magic, count)
+    }
+
+    /// The four parts and the offset. Without a launch the offset is nought or a half: as long as the third part isn't
+    /// small, all sums but the last are exact. With one they are done in two words.
+    fn sum_of_parts(&self, b: &mut Builder, [rest, second, third, fourth]: [Id; 4]) -> Id {
+        let offset = self.offset();
+        if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
+            let rest = offset_by(b, rest, offset);
+            let sum = b.add(rest, second);
+            let sum = b.add(sum, third);
+            return b.add(sum, fourth);
+        }
+        let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
+        let (mut sum, mut lost) = (rest, b.add(fourth, low));
+        for part in [second, third, head] {
+            let (next, error) = b.two_sum(sum, part);
+            (sum, lost) = (next, b.add(lost, error));
+        }
+        b.add(sum, lost)
     }
 
     /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
@@ -509,19 +538,15 @@ impl Reduction {
         let low = b.add(low, third);
         Phase { remainder: b.add(sum, low), magic: t, count: t }
     }
+}
 
-    /// Adds the offset to `rest`, what its rounding leaves to `fourth`. Half an anchor is added without rounding that
-    /// matters: the sum is that of two multiples of 2⁻⁵⁴, or relatively as accurate as any.
-    fn launched(&self, b: &mut Builder, rest: Id, fourth: Id) -> (Id, Id) {
-        let offset = self.offset();
-        if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
-            return (self.offset_by(b, rest, offset), fourth);
-        }
-        let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
-        let (sum, lost) = b.two_sum(rest, head);
-        let lost = b.add(lost, low);
-        (sum, b.add(fourth, lost))
+/// x + offset, if there is any.
+fn offset_by(b: &mut Builder, x: Id, offset: Double) -> Id {
+    if offset == Double::ZERO {
+        return x;
     }
+    let offset = b.exact(offset.hi, offset.lo);
+    b.add(x, offset)
 }
 
 /// a·b + c·d.

@@ -9,8 +9,8 @@ use super::polynomial::{Approximation, Form, Polynomial};
 use super::reduction::{Origin, Reduction};
 use super::turning::Turning;
 use super::variables::Variables;
-use super::{Bound, Part, Plan, Refusal};
-use crate::parse::{Method, Output};
+use super::{Bound, Part, Plan, Refusal, alternatives, verify};
+use crate::parse::Output;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
@@ -54,23 +54,55 @@ impl Approximations {
     }
 }
 
-/// The cheapest plan.
+/// The cheapest plan. Full precision is 2⁻⁴⁹ of the largest value; where rounding takes more, as it does of some
+/// accelerations near the top, the best is what is less than twice that.
 pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
-    let task = Task::new(scene);
+    let mut task = Task::new(scene);
+    match cheapest(scene, &task) {
+        Err(Refusal::Unreachable { .. }) if scene.goal == Goal::Full => {
+            task.aims.iter_mut().for_each(|aim| aim.limit *= 2.0);
+            cheapest(scene, &task)
+        }
+        result => result,
+    }
+}
+
+fn cheapest(scene: &Scene, task: &Task) -> Result<Plan, Refusal> {
     let approximations: Vec<Approximations> = task.aims.iter().map(Approximations::new).collect();
     let reductions = task.reductions(scene);
     let mut closest = f64::INFINITY;
-    for candidate in candidates(&reductions, &task, &approximations) {
-        match candidate.plan(scene, &task, &approximations) {
-            Ok(plan) => return Ok(plan),
-            Err(reached) => closest = closest.min(reached),
+    let mut rejected = Vec::new();
+    let candidates = candidates(scene, &reductions, task, &approximations);
+    for (index, candidate) in candidates.iter().enumerate() {
+        match candidate.plan(scene, task, &approximations) {
+            Ok(plan) => {
+                if let Some(output) = verify::broken(scene, task, &plan) {
+                    return Err(Refusal::Broken { output });
+                }
+                let next =
+                    candidates.get(index + 1..).and_then(|rest| rest.iter().find(|next| next.way != candidate.way));
+                rejected.extend(
+                    next.map(|next| format!("{}: it costs about {:.0} operations", next.describe(), next.cost)),
+                );
+                rejected.extend(alternatives::costs(scene, candidate.reduction));
+                return Ok(Plan { rejected, ..plan });
+            }
+            Err(reached) => {
+                closest = closest.min(reached);
+                rejected.push(format!("{}: it can promise only {reached:.1e}", candidate.describe()));
+            }
         }
     }
     Err(Refusal::Unreachable { best: closest })
 }
 
 /// Every combination that might serve, cheapest first.
-fn candidates<'a>(reductions: &'a [Reduction], task: &Task, approximations: &[Approximations]) -> Vec<Candidate<'a>> {
+fn candidates<'a>(
+    scene: &Scene,
+    reductions: &'a [Reduction],
+    task: &Task,
+    approximations: &[Approximations],
+) -> Vec<Candidate<'a>> {
     let mut candidates = Vec::new();
     for reduction in reductions.iter().filter(|reduction| !task.turning || reduction.origin == Origin::Anchor) {
         let base = skeleton(reduction, Form::Plain, &task.aims).cost();
@@ -84,7 +116,7 @@ fn candidates<'a>(reductions: &'a [Reduction], task: &Task, approximations: &[Ap
             }
         }
     }
-    if task.passage.is_some() {
+    if task.passage.is_some() && scene.method.is_none() {
         for reduction in reductions.iter().filter(|reduction| reduction.origin == Origin::Lowest) {
             let base = skeleton(reduction, Form::Plain, &task.aims).cost();
             let kernels: f64 = task.aims.iter().map(Aim::passage_estimate).sum();
@@ -172,11 +204,11 @@ impl Aim {
             }
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
             let kernel = self.kernel(scene, task, polynomials);
-            evaluation = kernel.rounding(reduction, self.limit + allowance(scene, &kernel, reduction));
+            evaluation = kernel.rounding(reduction, self.limit);
             let bound = Bound { truncation, phase, evaluation };
-            reached = reached.min(bound.total() / self.unit);
-            if bound.total() <= self.limit + allowance(scene, &kernel, reduction) {
-                return Ok(self.finished(kernel, bound));
+            match self.accept(scene, kernel, bound, reduction) {
+                Ok(part) => return Ok(part),
+                Err(total) => reached = reached.min(total),
             }
         }
         Err(reached)
@@ -210,7 +242,7 @@ impl Aim {
     fn passage_part(&self, scene: &Scene, task: &Task, reduction: &Reduction, passage: &Passage) -> Result<Part, f64> {
         let phase = self.passage_error(reduction, passage);
         let factor = match self.output {
-            Output::Velocity => task.fastest(scene),
+            Output::Velocity => Task::fastest(scene),
             Output::Acceleration => scene.motion.omega.square().to_double(),
             _ => pendulum_runtime::double::Double::ONE,
         };
@@ -221,32 +253,51 @@ impl Aim {
             let kernel = Hyperbolic::new(self.output, scaled.clone(), factor, limit);
             let truncation = kernel.truncation * factor.hi;
             let kernel = self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), false);
-            let cap = self.limit + allowance(scene, &kernel, reduction);
-            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, cap) };
-            reached = reached.min(bound.total() / self.unit);
-            if bound.total() <= self.limit + allowance(scene, &kernel, reduction) {
-                return Ok(self.finished(kernel, bound));
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
+            match self.accept(scene, kernel, bound, reduction) {
+                Ok(part) => return Ok(part),
+                Err(total) => reached = reached.min(total),
             }
             limit *= 0.125;
         }
         Err(reached)
     }
 
-    fn finished(&self, kernel: Kernel, bound: Bound) -> Part {
+    /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns of
+    /// an angle that grows without bound cost what they cost: the promise is about the rest.
+    fn accept(&self, scene: &Scene, kernel: Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
+        let turns = kernel.rounding_of_turns(reduction);
+        let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
+        let judged = if scene.goal == Goal::Full { bound } else { whole };
+        if judged.total() > self.limit {
+            return Err(judged.total() / self.unit);
+        }
         let (output, unit, largest) = (self.output, self.unit, self.largest);
-        Part { output, description: kernel.describe(), kernel, bound, unit, largest }
+        Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest })
     }
 }
 
-/// At full precision, what the turns of an angle that grows without bound cost.
-fn allowance(scene: &Scene, kernel: &Kernel, reduction: &Reduction) -> f64 {
-    match (kernel, scene.goal) {
-        (Kernel::Turning(turning), Goal::Full) => turning.own_rounding(reduction) * (1.0 + 1e-11),
-        _ => 0.0,
+impl Way {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Polynomial { .. } => "polynomial",
+            Self::Passage => "passage",
+        }
     }
 }
 
 impl Candidate<'_> {
+    /// For the reader of the docs.
+    fn describe(&self) -> String {
+        match self.way {
+            Way::Polynomial { form, divided } => {
+                let poles = if divided { " over the nearest poles" } else { "" };
+                format!("a polynomial in {}{poles}, phase by {}", form.variable(), self.reduction.describe())
+            }
+            Way::Passage => format!("the passage through the lowest point, phase by {}", self.reduction.describe()),
+        }
+    }
+
     fn plan(&self, scene: &Scene, task: &Task, approximations: &[Approximations]) -> Result<Plan, f64> {
         let part = |(aim, all): (&Aim, &Approximations)| match (self.way, &task.passage) {
             (Way::Polynomial { form, divided }, _) => aim.part(scene, task, all.choose(divided), self.reduction, form),
@@ -256,7 +307,7 @@ impl Candidate<'_> {
         let parts = task.aims.iter().zip(approximations).map(part).collect::<Result<Vec<Part>, f64>>()?;
         let functions = kernel::functions(self.reduction, &parts);
         Ok(Plan {
-            method: Method::Polynomial,
+            method: self.way.word(),
             reduction: self.reduction.clone(),
             parts,
             functions,

@@ -1,12 +1,9 @@
-//! Interpreted plans against the exact motion.
+//! What the planner chooses, and what it refuses. That plans keep their bounds is tested in `random_tests`.
 
 use super::*;
 use crate::check::check;
-use crate::exact::Real;
-use crate::motion::Regime;
 use crate::parse::parse;
 use crate::report::Report;
-use pendulum_runtime::double::Double;
 
 pub(crate) fn scene(text: &str) -> Scene {
     let mut report = Report::default();
@@ -16,168 +13,147 @@ pub(crate) fn scene(text: &str) -> Scene {
     scene.unwrap()
 }
 
-/// The phase of time t: (remainder, parity of the anchor).
-fn phase(rate: &Real, launch: &Real, t: f64) -> (Double, bool) {
-    let x = rate * &rate.context().float(t).unwrap() + launch;
-    let n = x.round();
-    let odd = (&n.scale(-1) - &n.scale(-1).round()).abs().to_f64() > 0.25;
-    ((x - n).to_double(), odd)
+fn planned(text: &str) -> Plan {
+    plan(&scene(&format!("struct Motion; {text}"))).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"))
 }
 
-fn observed(scene: &Scene, plan: &Plan, samples: usize) -> Vec<f64> {
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!() };
-    let rate = crate::series::swing_rate(swing);
-    let horizon = scene.t_max.as_ref().map_or(9e15 / rate.to_f64() * 2.0, Real::to_f64);
-    let mut seed = 0x9e37_79b9_7f4a_7c15u64;
-    let mut random = || {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        (seed >> 11) as f64 / (1u64 << 53) as f64
-    };
-    let mut worst = vec![];
-    for (aim, function) in aim::Task::new(scene).aims.iter().zip(&plan.functions) {
-        let mut most: f64 = 0.0;
-        for i in 0..samples {
-            let t = if i % 2 == 0 {
-                horizon * (2.0 * random() - 1.0)
-            } else {
-                (2.0 * random() - 1.0) * 2.0 / rate.to_f64()
-            };
-            let t = scene.float.round(t);
-            let (s, odd) = phase(&rate, &swing.launch, t);
-            let values = function.program.run(t);
-            let mut sum: f64 = 0.0;
-            for (value, curve) in values.iter().zip(&aim.curves) {
-                let truth = curve.at(s);
-                let flip = curve.alternates && (odd ^ swing.mirrored);
-                let truth = if flip { -truth } else { truth };
-                sum += (Double::new(*value) - truth).hi.powi(2);
-            }
-            most = most.max(sum.sqrt());
-        }
-        worst.push(most);
-    }
-    worst
+fn refused(text: &str) -> Refusal {
+    plan(&scene(&format!("struct Motion; {text}"))).err().unwrap_or_else(|| panic!("{text} was planned"))
 }
+
+/// 100 periods at 7π/8.
+const HUNDRED: &str = "t_max = 1216";
 
 #[test]
-fn look() {
-    for (theta, rest) in [
-        ("7π/8", "tol = 1e-6, t_max = 938, outputs = [theta, velocity]"),
-        ("7π/8", "tol = 1e-9, t_max = 938, outputs = [theta, velocity]"),
-        ("7π/8", "tol = 1e-12, t_max = 938, outputs = [theta, velocity]"),
+fn the_headline_plans_cost_no_more_than_they_did() {
+    for (text, most) in [
+        (format!("theta0 = 7π/8, tol = 1e-6, {HUNDRED}"), 26),
+        (format!("theta0 = 7π/8, tol = 1e-9, {HUNDRED}"), 36),
+        (format!("theta0 = 7π/8, tol = 1e-12, {HUNDRED}"), 45),
+        ("theta0 = 7π/8".to_owned(), 79),
+        (format!("theta0 = 7π/8, float = f32, tol = 1e-4, {HUNDRED}"), 24),
+        ("theta0 = 7π/8, n = 4".to_owned(), 105),
+        ("theta0 = pi - 1e-9".to_owned(), 140),
     ] {
-        let clock = std::time::Instant::now();
-        let scene = scene(&format!("struct A; theta0 = {theta}, {rest}"));
-        let solved = clock.elapsed();
-        match plan(&scene) {
-            Ok(plan) => {
-                let time = clock.elapsed();
-                let worst = observed(&scene, &plan, 2000);
-                println!(
-                    "{theta} {rest}: {:?} solve {solved:?} total {time:?} cost {}",
-                    plan.reduction.method,
-                    plan.cost()
-                );
-                for (part, worst) in plan.parts.iter().zip(worst) {
-                    println!(
-                        "   {:?} {:?} terms {:?} bound {:.2e} {:?} ratio {:.2} rel {:.2}u",
-                        part.output,
-                        part.description,
-                        part.kernel.terms(),
-                        part.bound.total(),
-                        part.bound,
-                        part.bound.total() / worst,
-                        worst / scene.float.unit() / 2.7
-                    );
-                }
-            }
-            Err(e) => println!("{theta} {rest}: {e:?} {:?}", clock.elapsed()),
-        }
+        let operations = planned(&text).operations();
+        assert!(operations <= most, "{text}: {operations} operations, {most} before");
     }
-}
-
-fn written(parameter: &str) -> String {
-    // 999*pi/1000, pi-10^-9, 2+10^-6
-    let mut out = parameter.to_owned();
-    for n in [2, 3, 4, 6, 9, 12] {
-        out = out.replace(&format!("10^-{n}"), &format!("1e-{n}"));
-    }
-    out.replace("10^6", "1e6")
 }
 
 #[test]
-fn reference() {
-    let Ok(path) = std::env::var("REFERENCE") else { return };
-    let text = std::fs::read_to_string(path).unwrap();
-    let mut groups: Vec<(String, Vec<Vec<String>>)> = Vec::new();
-    for line in text.lines().skip(1) {
-        let row: Vec<String> = line.split(',').map(str::to_owned).collect();
-        let key = format!("{} {}", row[0], row[1]);
-        match groups.last_mut() {
-            Some((last, rows)) if *last == key => rows.push(row),
-            _ => groups.push((key, vec![row])),
+fn each_scene_gets_its_way() {
+    for (text, method) in [
+        ("theta0 = 1", "polynomial"),
+        ("theta0 = pi - 1e-9", "passage"),
+        ("theta0 = pi - 1e-9, tol = 1e-3", "polynomial"),
+        ("velocity0 = 2", "passage"),
+        ("velocity0 = 3", "polynomial"),
+        ("theta0 = 1, n = 2", "fourier"),
+        ("theta0 = 1, method = fourier, tol = 1e-5", "fourier"),
+        ("theta0 = 1, method = series, tol = 1e-5", "series"),
+        ("theta0 = 1, method = harmonic", "harmonic"),
+        ("theta0 = 1, method = small_angle, t_max = 1", "small_angle"),
+        ("theta0 = 1, method = polynomial", "polynomial"),
+    ] {
+        assert_eq!(planned(text).method, method, "{text}");
+    }
+}
+
+#[test]
+fn only_what_needs_it_takes_roots() {
+    assert!(!planned("theta0 = 7π/8, n = 4").is_const());
+    for text in ["theta0 = 7π/8", "theta0 = pi - 1e-9", "theta0 = 1, method = series", "theta0 = 0.5, n = 1"] {
+        assert!(planned(text).is_const(), "{text}");
+    }
+}
+
+#[test]
+fn promises_are_kept_or_refused() {
+    for tol in ["0.1", "1e-3", "1e-6", "1e-9", "1e-12", "1e-14"] {
+        for theta0 in ["1e-9", "0.1", "1", "7π/8", "0.99π", "pi - 1e-6", "pi - 1e-9"] {
+            let text = format!("theta0 = {theta0}, tol = {tol}, outputs = [theta, velocity]");
+            for part in &planned(&text).parts {
+                assert!(part.bound.total() <= tol.parse::<f64>().unwrap() * part.unit, "{text}: {:?}", part.bound);
+            }
         }
     }
-    for (key, rows) in groups {
-        let (kind, parameter) = key.split_once(' ').unwrap();
-        let start = if kind == "lib" { "theta0" } else { "velocity0" };
-        let extra = std::env::var("EXTRA").unwrap_or_default();
-        let text = format!("struct A; {start} = {}, outputs = [theta, velocity, wrapped] {extra}", written(parameter));
-        let scene = scene(&text);
-        let clock = std::time::Instant::now();
-        let plan = match plan(&scene) {
-            Ok(plan) => plan,
-            Err(e) => {
-                println!("{key}: {e:?}");
-                continue;
-            }
+    let Refusal::Unreachable { best } = refused("theta0 = 3, tol = 1e-16") else { panic!("another refusal") };
+    assert!(best > 1e-16 && best < 1e-14, "the best is {best:e}");
+}
+
+#[test]
+fn overshoot_names_the_smallest_number_of_terms() {
+    for (theta0, n, least) in [("0.731π", 1, 2), ("0.905π", 2, 3), ("0.955π", 4, 5), ("0.987π", 8, 9)] {
+        let Refusal::Overshoot { terms, overshoot, smallest } = refused(&format!("theta0 = {theta0}, n = {n}")) else {
+            panic!("another refusal")
         };
-        let time = clock.elapsed();
-        let context = crate::exact::Context::for_digits(60);
-        let mut worst = [0f64; 3];
-        for row in &rows {
-            let t = f64::from_bits(u64::from_str_radix(&row[7][2..], 16).unwrap());
-            if row[6] == "extreme" || row[6] == "big" && kind == "rot" {
-                continue;
-            }
-            for (index, column) in [9, 10, 11].into_iter().enumerate() {
-                let Ok(Some(truth)) = std::panic::catch_unwind(|| context.decimal(&row[column])) else {
-                    println!("?? {}", row[column]);
-                    continue;
-                };
-                let got = plan.functions[index].program.run(t)[0];
-                let error = (context.float(got).unwrap_or_else(|| panic!("{key} {t}: {got}")) - &truth).abs().to_f64();
-                let scale = plan.parts[index].largest.min(4.0).max(truth.abs().to_f64().min(if kind == "rot" {
-                    1e300
-                } else {
-                    0.0
-                }));
-                let relative = error / scale * 2f64.powi(50);
-                if relative > 1.0 {
-                    println!("   {key} {index} t={t:e} {} got {got} truth {}", row[6], row[column]);
-                }
-                worst[index] = worst[index].max(relative);
-            }
-        }
-        println!(
-            "{key}: {time:?} cost {} {} worst/2^-50 {:.2?} proven/2^-49 {:.2?}",
-            plan.cost(),
-            plan.parts[0].description,
-            worst,
-            plan.parts.iter().map(|p| p.bound.total() / p.largest * 2f64.powi(49)).collect::<Vec<_>>()
-        );
+        assert_eq!((terms, smallest), (n, least), "{theta0}");
+        assert!(overshoot > 0.0 && overshoot < 0.01, "{theta0}: {overshoot}");
     }
 }
 
 #[test]
-fn terms() {
-    for text in ["theta0 = 7π/8", "theta0 = π/3", "theta0 = 0.95π"] {
-        let scene = scene(&format!("struct A; {text}"));
-        let task = aim::Task::new(&scene);
-        let a = polynomial::Approximation::new(&task.aims[0].curves[0], 0, 1e-17).unwrap();
-        println!("{text} {:?}", (2..20).map(|n| (n, format!("{:.3e}", a.truncation(n, 0.0)))).collect::<Vec<_>>());
-        println!("   {:?}", a.series[..20].iter().map(|x| format!("{:.3e}", x.hi)).collect::<Vec<_>>());
+fn a_shorter_horizon_is_never_dearer() {
+    let mut before = usize::MAX;
+    for t_max in ["1e15", "1e10", "1e6", "1e3", "10"] {
+        let operations = planned(&format!("theta0 = 2, tol = 1e-9, t_max = {t_max}")).operations();
+        assert!(operations <= before, "t_max = {t_max}: {operations} operations, {before} for longer");
+        before = operations;
+    }
+}
+
+#[test]
+fn a_spoilt_plan_is_seen_by_the_planner_itself() {
+    let scene = scene("struct Motion; theta0 = 2, tol = 1e-10");
+    let task = aim::Task::new(&scene);
+    let mut plan = plan(&scene).unwrap();
+    assert_eq!(verify::broken(&scene, &task, &plan), None);
+    let largest = |op: &Op| matches!(op, Op::Constant { value, .. } if (1.0..3.0).contains(value));
+    let node = plan.functions[0].program.nodes.iter_mut().find(|node| largest(&node.op)).unwrap();
+    let Op::Constant { value, .. } = &mut node.op else { unreachable!() };
+    *value *= 1.0 + 1e-8;
+    assert_eq!(verify::broken(&scene, &task, &plan), Some(Output::Theta));
+}
+
+#[test]
+fn full_precision_is_promised_for_every_output_everywhere() {
+    for start in [
+        "theta0 = 1e-9",
+        "theta0 = 1",
+        "theta0 = 7π/8",
+        "theta0 = 0.95π",
+        "theta0 = 0.97π",
+        "theta0 = 0.98π",
+        "theta0 = 0.99π",
+        "theta0 = 0.995π",
+        "theta0 = 0.999π",
+        "theta0 = 0.9999π",
+        "theta0 = pi - 1e-6",
+        "theta0 = pi - 1e-9",
+        "theta0 = pi - 1e-12",
+        "velocity0 = 1",
+        "velocity0 = 1.999",
+        "velocity0 = 2",
+        "velocity0 = 2 + 1e-9",
+        "velocity0 = 2.001",
+        "velocity0 = 2.01",
+        "velocity0 = 2.1",
+        "velocity0 = 3",
+        "velocity0 = 1e6",
+        "theta0 = 2.9, velocity0 = 0.1, omega = 2",
+        "theta0 = 1, velocity0 = 3",
+        "theta0 = -1, velocity0 = -3",
+        "theta0 = 3, velocity0 = -0.2",
+    ] {
+        for float in ["f64", "f32"] {
+            for outputs in
+                ["theta", "velocity", "acceleration", "position", "wrapped", "theta, velocity, acceleration, position"]
+            {
+                let text = format!("struct Motion; {start}, float = {float}, outputs = [{outputs}]");
+                if let Err(refusal) = plan(&scene(&text)) {
+                    panic!("{text}: {refusal:?}");
+                }
+            }
+        }
     }
 }

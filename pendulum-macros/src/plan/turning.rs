@@ -67,10 +67,6 @@ impl Turning {
         b.convert(sum, float)
     }
 
-    pub(super) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
-        self.angle.rounding(reduction, cap) + self.own_rounding(reduction)
-    }
-
     /// The rounding of the sums: half an ulp of the largest values.
     pub(super) fn own_rounding(&self, reduction: &Reduction) -> f64 {
         let float = reduction.float;

@@ -41,6 +41,9 @@ impl Curves {
     /// sup |θ̂′ − θ′| with respect to the phase: on each cell the value in its middle, and the bound of its slope.
     fn supremum(&self) -> f64 {
         let width = 0.5 / f64::from(CELLS);
+        if !self.arcsine {
+            return self.supremum_of_sines();
+        }
         let exact_bend: f64 = self.exact.iter().map(|(m, a)| m * m * a.abs()).sum();
         let bound = |cell: u32| {
             let s = width * (f64::from(cell) + 0.5);
@@ -51,14 +54,24 @@ impl Curves {
         (0..CELLS).map(bound).fold(0.0, f64::max)
     }
 
+    /// Where both are sums of sines, so is their difference.
+    fn supremum_of_sines(&self) -> f64 {
+        let ours = |index: usize| self.ours.get(index).map_or(0.0, |term| term.1);
+        let apart: Vec<(f64, f64)> = self.exact.iter().enumerate().map(|(i, &(m, a))| (m, ours(i) - a)).collect();
+        let width = 0.5 / f64::from(CELLS);
+        let bend: f64 = apart.iter().map(|(m, a)| m * m * a.abs()).sum();
+        let at = |cell: u32| {
+            let s = width * (f64::from(cell) + 0.5);
+            apart.iter().map(|(m, a)| -m * a * (m * s).sin()).sum::<f64>().abs()
+        };
+        (0..CELLS).map(at).fold(0.0, f64::max) + 0.5 * width * bend
+    }
+
     /// Our slope at s, and a bound of its own slope within half a `width` of it.
     fn ours_near(&self, s: f64, width: f64) -> (f64, f64) {
         let sum = |f: &dyn Fn(f64, f64) -> f64| self.ours.iter().map(|&(m, a)| f(m, a)).sum::<f64>();
         let first = sum(&|m, a| -m * a * (m * s).sin());
         let bend_bound = sum(&|m, a| m * m * a.abs());
-        if !self.arcsine {
-            return (first, bend_bound);
-        }
         let y = sum(&|m, a| a * (m * s).cos());
         let (y_most, first_most) =
             (y + 0.5 * width * first.abs() + width * width * bend_bound, first.abs() + width * bend_bound);

@@ -103,8 +103,6 @@ fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> boo
             let (low, _) = known[x].both();
             add(x, slope.times(if low >= 0.0 { 1.0 } else { -1.0 }, 1.0));
         }
-        // Whichever sign it is, everything before it changes by it alike.
-        Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
         Op::Min { limit, x } | Op::Max { limit, x } => {
             add(x, slope.times(0.0, 1.0));
             add(limit, slope.times(0.0, 1.0));
@@ -117,7 +115,8 @@ fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> boo
                 _ => return false,
             }
         }
-        Op::Widen(x) | Op::Narrow(x) => add(x, slope),
+        // Whichever sign it takes, everything before it changes by it alike.
+        Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
         Op::Head(_) => return false,
     }
     true

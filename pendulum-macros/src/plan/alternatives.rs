@@ -1,0 +1,42 @@
+//! What the methods of the paper would have cost: for the documentation of the plan that was chosen.
+
+use super::curve::SwingCurves;
+use super::reduction::Reduction;
+use crate::motion::Regime;
+use crate::parse::{Method, Output};
+use crate::scene::{Goal, Scene};
+
+/// Operations of the cosine that the methods start from, of one harmonic, and of the arcsine.
+const COSINE: usize = 18;
+const HARMONIC: usize = 3;
+const ARCSINE: usize = 45;
+
+/// Why each method of the paper lost, where θ was planned for a swing by choice.
+pub(super) fn costs(scene: &Scene, reduction: &Reduction) -> Vec<String> {
+    let Regime::Swing(swing) = &scene.motion.regime else { return Vec::new() };
+    if scene.method.is_some() || !scene.outputs.contains(&Output::Theta) {
+        return Vec::new();
+    }
+    let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    let aim = match scene.goal {
+        Goal::Tolerance(tol) => tol,
+        _ => scene.float.unit() * swing.amplitude.to_f64(),
+    };
+    // The first neglected term is nearly all of the error.
+    let needed = |after: usize| theta.terms().iter().skip(after).all(|(_, a)| a.hi.abs() <= aim);
+    let terms = (1..theta.terms().len()).find(|&terms| needed(terms)).unwrap_or(theta.terms().len());
+    let base = reduction.operations() + COSINE;
+    let mut lost = Vec::new();
+    if terms > 1 {
+        let error = theta.terms().get(1).map_or(0.0, |(_, a)| 2.0 * a.hi.abs());
+        lost.push(format!("`{}`: it is wrong by about {error:.0e}", Method::Harmonic.word()));
+    }
+    let (series, fourier) = (base + HARMONIC * terms, base + HARMONIC * (terms + 1) + ARCSINE);
+    lost.push(format!("`{}`: {terms} harmonics, about {series} operations", Method::Series.word()));
+    lost.push(format!(
+        "`{}`: about {} harmonics and an arcsine, about {fourier} operations",
+        Method::Fourier.word(),
+        terms + 1
+    ));
+    lost
+}

@@ -1,0 +1,58 @@
+//! The planner checks its own promise: a few times of every plan, interpreted, against the exact curves.
+//!
+//! The bound is proven, but a proof is only as good as the program that computes it. Should a value ever be outside,
+//! the macro refuses rather than emit a promise that it has just seen broken.
+
+use super::aim::{Aim, Task};
+use super::{Part, Plan};
+use crate::exact::Real;
+use crate::parse::Output;
+use crate::scene::Scene;
+use pendulum_runtime::double::Double;
+
+/// Times at which every plan is checked, in half anchors after t = 0, so that they meet anchors and lowest points of
+/// swings released from rest, and places between.
+const PROBES: [f64; 5] = [0.0, 0.37, 1.0, 1.62, 2.9];
+
+/// The first output seen outside its bound.
+pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> {
+    let context = task.rate.context();
+    let horizon = scene.t_max.as_ref().map_or(f64::INFINITY, Real::to_f64);
+    let probe = |probe: f64| -> Option<Output> {
+        let t = scene.float.round((probe / (2.0 * task.rate.to_f64())).min(horizon));
+        let phase = &task.rate * &context.float(t)? + &task.launch;
+        let number = phase.round();
+        let odd = !(number.scale(-1) - number.scale(-1).round()).is_zero();
+        let s = (phase - number).to_double();
+        let broken = |((aim, part), function): ((&Aim, &Part), &super::Function)| {
+            let values = function.program.run(t);
+            let error = aim.distance(task, s, odd, &values)?;
+            // The curves themselves are good to 2⁻⁷⁵ of the largest value.
+            (error > part.bound.total() + part.largest * 2f64.powi(-70)).then_some(part.output)
+        };
+        task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken)
+    };
+    PROBES.into_iter().find_map(probe)
+}
+
+impl Aim {
+    /// How far `values` are from the output at the phase s from an anchor; `None` where there are no curves, or where
+    /// turns are counted.
+    fn distance(&self, task: &Task, s: Double, odd: bool, values: &[f64]) -> Option<f64> {
+        let sign = |alternates: bool| if alternates && odd { -1.0 } else { 1.0 };
+        let angle = matches!(self.output, Output::Theta | Output::Wrapped);
+        match self.curves.as_slice() {
+            [curve] if !(task.turning && angle) => {
+                let exact = curve.at(s) * (sign(curve.alternates) * task.direction);
+                Some((Double::new(values[0]) - exact).hi.abs())
+            }
+            [sine, cosine] => {
+                let (sine, cosine) = (sine.at(s) * sign(sine.alternates), cosine.at(s));
+                let x = Double::new(values[0]) - sine * cosine * (2.0 * task.direction);
+                let y = Double::new(values[1]) - (sine * sine - cosine * cosine);
+                Some((x.hi * x.hi + y.hi * y.hi).sqrt())
+            }
+            _ => None,
+        }
+    }
+}
