@@ -121,6 +121,11 @@ impl Wave {
         Self::collect(parity, polynomial, terms, envelope)
     }
 
+    /// The periodic part.
+    pub(crate) fn without_mean(self) -> Self {
+        Self { linear: Double::ZERO, ..self }
+    }
+
     /// sn or −cn of a rotation about the top: cos and −sin of half the angle from there,
     /// (2π/(κK)) Σ (−1)ⁿ q^(n+½) cos((2n+1)πs)/(1 − q²ⁿ⁺¹) and −(2π/(κK)) Σ (−1)ⁿ q^(n+½) sin((2n+1)πs)/(1 + q²ⁿ⁺¹).
     pub(crate) fn from_top(rotation: &Rotation, parity: Parity) -> Self {

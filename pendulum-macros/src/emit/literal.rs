@@ -17,6 +17,13 @@ pub(super) fn float(x: f64, float: Float) -> TokenStream {
     if x.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
 }
 
+/// As [`float`], with its type as a suffix, to be the receiver of a method call.
+pub(super) fn typed(x: f64, float: Float) -> TokenStream {
+    let text = format!("{}_{}", digits(x.abs(), float), float.word());
+    let literal = text.parse::<Literal>().unwrap_or_else(|_| Literal::f64_suffixed(x.abs()));
+    if x.is_sign_negative() { quote!((-#literal)) } else { quote!(#literal) }
+}
+
 /// The shortest decimal, with an exponent where that is shorter.
 pub(super) fn digits(x: f64, float: Float) -> String {
     match float {

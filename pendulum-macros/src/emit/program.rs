@@ -85,8 +85,13 @@ impl Writer<'_> {
         self.operand(id, Binding::Sum)
     }
 
+    /// As [`Self::operand`], for a method call: a bare literal has no type to call methods of.
     fn atom(&self, id: Id) -> TokenStream {
-        self.operand(id, Binding::Atom)
+        let node = &self.program.nodes[id];
+        match node.op {
+            Op::Constant { value, .. } => literal::typed(value, node.float),
+            _ => self.operand(id, Binding::Atom),
+        }
     }
 
     fn expression(&self, node: &Node) -> (TokenStream, Binding) {

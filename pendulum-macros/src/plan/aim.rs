@@ -5,7 +5,7 @@ use super::hyperbolic::{Hyperbolic, Passage};
 use super::reduction::{Clock, Reduction};
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime, Rotation, Separatrix, Swing};
-use crate::parse::Output;
+use crate::parse::{Float, Output};
 use crate::scene::{Goal, Scene};
 use crate::series::{rotation_rate, swing_rate};
 use pendulum_runtime::double::Double;
@@ -40,6 +40,7 @@ pub(super) struct Aim {
     /// For the total error, in the output's own unit, and for truncation alone.
     pub(super) limit: f64,
     pub(super) truncation: f64,
+    unit_of_rounding: f64,
 }
 
 /// Above this complementary nome the images of a passage are too many for [`Hyperbolic`].
@@ -186,14 +187,38 @@ impl Aim {
     }
 
     fn with(scene: &Scene, output: Output, [largest, slope, moment, unit]: [f64; 4]) -> Self {
-        let float = scene.float.unit();
-        // Of a position, whose coordinates are products, rounding takes more.
-        let units = if output == Output::Position { 48.0 } else { 16.0 };
-        let (limit, truncation) = match scene.goal {
-            Goal::Tolerance(tol) => (tol * unit, (tol * unit).max(float * largest / 8.0)),
-            _ => (units * float * largest, float * largest),
+        let mut aim = Self {
+            output,
+            curves: Vec::new(),
+            power: 0,
+            largest,
+            slope,
+            moment,
+            unit,
+            limit: 0.0,
+            truncation: 0.0,
+            unit_of_rounding: 0.0,
         };
-        Self { output, curves: Vec::new(), power: 0, largest, slope, moment, unit, limit, truncation }
+        aim.at_full_precision(scene.float);
+        if let Goal::Tolerance(tol) = scene.goal {
+            aim.limit = tol * unit;
+            aim.truncation = aim.limit.max(aim.truncation / 8.0);
+        }
+        aim
+    }
+
+    /// One unit of rounding of the largest value.
+    pub(super) fn floor(&self) -> f64 {
+        self.unit_of_rounding * self.largest
+    }
+
+    /// Sixteen units of rounding of the largest value, of which truncation takes one.
+    pub(super) fn at_full_precision(&mut self, float: Float) {
+        // Of a position, whose coordinates are products, rounding takes more.
+        let units = if self.output == Output::Position { 48.0 } else { 16.0 };
+        self.unit_of_rounding = float.unit();
+        self.limit = units * self.floor();
+        self.truncation = self.floor();
     }
 
     /// What the reduction's error of the phase costs.

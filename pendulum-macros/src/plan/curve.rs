@@ -174,9 +174,9 @@ impl<'a> RotationCurves<'a> {
         Curve { wave, alternates: false, largest, slope, moment: 0.5 * slope, unit }
     }
 
-    /// The angle from the top.
+    /// The angle from the top less that of uniform rotation, 2πs; its slope is that of the whole.
     pub(crate) fn angle(&self) -> Curve {
-        let wave = Wave::rotation(self.rotation, 0, Double::ONE);
+        let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
         self.wave(wave, std::f64::consts::PI, self.rotation.fastest.to_f64(), 1.0)
     }
 

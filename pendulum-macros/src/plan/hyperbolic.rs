@@ -82,17 +82,20 @@ impl Hyperbolic {
         let half_ln = 0.5 * LN_2;
         // |f² ln²2| < 1 on the ellipse that reaches as far left as 4·¼.
         let domain = Domain::reaching(0.25, -2.0, half_ln.cosh() * 2.0);
-        let fraction = limit / 16.0;
+        let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
         // On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of whose inverse the arctangent is a mean.
         let angle = matches!(output, Output::Theta | Output::Wrapped);
         let arctangent =
             angle.then(|| Fit::new(&Domain::reaching(1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
-        let matters = |term: f64| 16.0 * term > limit / 4.0;
-        let (images, denominator, correction) = (matters(q.sqrt()), matters(q), matters(q.powi(3)));
-        let omitted = [(images, q.sqrt()), (denominator, q), (correction, q.powi(3)), (false, q.powi(6))];
-        let truncation = omitted.iter().map(|&(kept, term)| if kept { 0.0 } else { 16.0 * term }).sum();
+        // An angle, sin θ and e^{iθ} change by at most 4 times as much as Q or P, the velocity by 2F times.
+        let weight = if output == Output::Velocity { 2.5 } else { 4.5 };
+        let matters = |term: f64| weight * term > limit / 8.0;
+        let (images, denominator, correction) = (matters(q.sqrt()), matters(2.0 * q), matters(2.0 * q.powi(3)));
+        let omitted =
+            [(images, q.sqrt()), (denominator, 2.0 * q), (correction, 2.0 * q.powi(3)), (false, 2.0 * q.powi(6))];
+        let truncation = omitted.iter().map(|&(kept, term)| if kept { 0.0 } else { weight * term }).sum();
         Self { output, passage, images, denominator, correction, even, odd, arctangent, factor, truncation }
     }
 

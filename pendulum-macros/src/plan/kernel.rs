@@ -143,7 +143,11 @@ fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Po
     let product = b.mul(half_sine, half_cosine);
     let x = b.add(product, product);
     b.name(x, "x");
-    let x = if sine.alternates { variables.sign(b, x, sine.parity) } else { x };
+    let x = match (sine.alternates, cosine.parity) {
+        (true, _) => variables.sign(b, x, sine.parity),
+        (false, Parity::Odd) => variables.sign_of_odd(b, x),
+        (false, Parity::Even) => x,
+    };
     let (sine_squared, cosine_squared) = (b.mul(half_sine, half_sine), b.mul(half_cosine, half_cosine));
     let y = b.sub(sine_squared, cosine_squared);
     vec![x, b.name(y, "y")]

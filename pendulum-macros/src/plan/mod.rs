@@ -147,6 +147,11 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
 }
 
 impl Plan {
+    /// The largest of the outputs' bounds, in units of the tolerance.
+    pub(crate) fn worst(&self) -> f64 {
+        self.parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max)
+    }
+
     /// Operations of the first function.
     pub(crate) fn operations(&self) -> usize {
         self.functions.first().map_or(0, |function| function.program.operations())

@@ -223,7 +223,11 @@ impl Polynomial {
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
         let value = self.magnitude(b, variables);
         b.name(value, name);
-        if self.alternates { variables.sign(b, value, self.parity) } else { value }
+        match (self.alternates, self.parity) {
+            (true, parity) => variables.sign(b, value, parity),
+            (false, Parity::Odd) => variables.sign_of_odd(b, value),
+            (false, Parity::Even) => value,
+        }
     }
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.

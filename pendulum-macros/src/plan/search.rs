@@ -14,6 +14,7 @@ use crate::parse::Output;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
+use pendulum_runtime::double::Double;
 
 /// The variables tried.
 const FORMS: [Form; 3] = [Form::Plain, Form::Centred { centre: 1.0 }, Form::Centred { centre: 1.25 }];
@@ -43,7 +44,8 @@ struct Approximations {
 
 impl Approximations {
     fn new(aim: &Aim) -> Self {
-        let negligible = |curve: &Curve| (aim.truncation / 128.0).min(curve.largest / 128.0);
+        // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
+        let negligible = |curve: &Curve| (aim.truncation.min(curve.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0);
         let all = |power| aim.curves.iter().filter_map(|c| Approximation::new(c, power, negligible(c))).collect();
         Self { plain: all(0), divided: if aim.power > 0 { all(aim.power) } else { Vec::new() } }
     }
@@ -58,12 +60,18 @@ impl Approximations {
 /// accelerations near the top, the best is what is less than twice that.
 pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let mut task = Task::new(scene);
-    match cheapest(scene, &task) {
-        Err(Refusal::Unreachable { .. }) if scene.goal == Goal::Full => {
+    match (cheapest(scene, &task), scene.goal) {
+        (Err(Refusal::Unreachable { .. }), Goal::Full) => {
             task.aims.iter_mut().for_each(|aim| aim.limit *= 2.0);
             cheapest(scene, &task)
         }
-        result => result,
+        // The best that can be promised is what full precision promises.
+        (Err(Refusal::Unreachable { best }), Goal::Tolerance(tol)) => {
+            task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
+            let best = cheapest(scene, &task).map_or(best, |plan| plan.worst());
+            Err(Refusal::Unreachable { best: best.max(tol) })
+        }
+        (result, _) => result,
     }
 }
 
@@ -104,7 +112,10 @@ fn candidates<'a>(
     approximations: &[Approximations],
 ) -> Vec<Candidate<'a>> {
     let mut candidates = Vec::new();
-    for reduction in reductions.iter().filter(|reduction| !task.turning || reduction.origin == Origin::Anchor) {
+    // At full precision the angle of a rotation is to be as good as it can be where it is small.
+    let angle = |aim: &Aim| matches!(aim.output, Output::Theta | Output::Wrapped);
+    let from_lowest = task.turning && scene.goal == Goal::Full && task.aims.iter().any(angle);
+    for reduction in reductions.iter().filter(|reduction| !from_lowest || reduction.origin == Origin::Lowest) {
         let base = skeleton(reduction, Form::Plain, &task.aims).cost();
         for way in polynomial_ways(&task.aims) {
             let Way::Polynomial { form, divided } = way else { continue };
@@ -177,7 +188,7 @@ impl Aim {
     fn passage_estimate(&self) -> f64 {
         let bits = -(self.limit / self.unit.max(self.largest)).log2().min(-4.0);
         let angle = matches!(self.output, Output::Theta | Output::Wrapped);
-        30.0 + 2.0 * (3.0 + bits / 5.0) + if angle { bits / 1.3 } else { 6.0 }
+        30.0 + 2.0 * (3.0 + bits / 5.0) + if angle { bits / 1.3 } else { 16.0 }
     }
 
     /// The fewest terms that keep the promise, or what was reached.
@@ -203,7 +214,7 @@ impl Aim {
                 polynomials.push(approximation.polynomial(terms, form, reduction, curve.alternates));
             }
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
-            let kernel = self.kernel(scene, task, polynomials);
+            let kernel = self.kernel(scene, task, reduction, polynomials);
             evaluation = kernel.rounding(reduction, self.limit);
             let bound = Bound { truncation, phase, evaluation };
             match self.accept(scene, kernel, bound, reduction) {
@@ -215,7 +226,7 @@ impl Aim {
     }
 
     /// Puts the polynomials together.
-    fn kernel(&self, scene: &Scene, task: &Task, mut polynomials: Vec<Polynomial>) -> Kernel {
+    fn kernel(&self, scene: &Scene, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
         if task.direction < 0.0 {
             // A mirror image leaves the height as it is, and cos(θ/2) with it, or sin where the angle is from the top.
             let mirrored =
@@ -224,18 +235,20 @@ impl Aim {
         }
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok([sine, cosine]) => Kernel::Circle { sine, cosine },
-            Err(mut single) => self.turned(scene, task, Kernel::Polynomial(single.swap_remove(0)), true),
+            Err(mut single) => self.turned(scene, task, Kernel::Polynomial(single.swap_remove(0)), Some(reduction)),
         }
     }
 
     /// The angle of a rotation, wrapped or with its turns; anything else as it is.
-    fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: bool) -> Kernel {
+    fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !matches!(self.output, Output::Theta | Output::Wrapped) {
             return kernel;
         }
         let (direction, turns) = (task.direction, task.turns(scene));
-        Kernel::Turning(Turning { angle: Box::new(kernel), from_top, wrapped, direction, turns })
+        let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
+        let (angle, from_top) = (Box::new(kernel), from_top.is_some());
+        Kernel::Turning(Turning { angle, from_top, unit, wrapped, direction, turns })
     }
 
     /// The kernel of the passage through the lowest point, or what it reaches.
@@ -244,7 +257,7 @@ impl Aim {
         let factor = match self.output {
             Output::Velocity => Task::fastest(scene),
             Output::Acceleration => scene.motion.omega.square().to_double(),
-            _ => pendulum_runtime::double::Double::ONE,
+            _ => Double::ONE,
         };
         let scaled = Passage { rate: passage.rate * reduction.unit, half: reduction.half(), ..passage.clone() };
         let mut limit = self.limit.min(self.truncation) / factor.hi;
@@ -252,7 +265,7 @@ impl Aim {
         for _ in 0..3 {
             let kernel = Hyperbolic::new(self.output, scaled.clone(), factor, limit);
             let truncation = kernel.truncation * factor.hi;
-            let kernel = self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), false);
+            let kernel = self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), None);
             let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
             match self.accept(scene, kernel, bound, reduction) {
                 Ok(part) => return Ok(part),

@@ -11,9 +11,11 @@ use pendulum_runtime::double::Double;
 /// What is added to the angle of the latest passage.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turning {
-    /// The angle from the lowest point, or from the top (`from_top`).
+    /// The angle from the lowest point; or the periodic part of that from the top (`from_top`), which 2π·phase completes.
     pub(crate) angle: Box<Kernel>,
     pub(crate) from_top: bool,
+    /// Anchors per unit of the reduced phase.
+    pub(crate) unit: Double,
     /// Whether the result is wrapped; otherwise the turns are added.
     pub(crate) wrapped: bool,
     /// −1 where θ decreases.
@@ -25,31 +27,45 @@ pub(crate) struct Turning {
 impl Turning {
     pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
         let angle = self.angle.lower(b, variables, name)[0];
-        if self.wrapped {
-            let angle = if self.from_top { self.other_side(b, variables, angle) } else { angle };
-            return within_half_turn(b, angle);
-        }
-        let angle = if self.from_top {
-            let half = b.exact(self.direction * Double::PI.hi, self.direction * Double::PI.lo);
-            b.sub(angle, half)
-        } else {
-            angle
+        let angle = match (self.from_top, variables.side) {
+            (false, _) => angle,
+            (true, Some(side)) => {
+                // Uniform rotation from the lowest point is 2πz, without any half turn to be taken off.
+                let opposite = b.constant(-1.0);
+                let opposite = b.mul(opposite, variables.magnitude);
+                let z = b.push(Op::Against { x: opposite, sign: side });
+                let mean = self.mean(b, z);
+                b.add(mean, angle)
+            }
+            (true, None) if self.wrapped => self.other_side(b, variables, angle),
+            (true, None) => {
+                let mean = self.mean(b, variables.distance);
+                let angle = b.add(mean, angle);
+                let half = b.exact(self.direction * Double::PI.hi, self.direction * Double::PI.lo);
+                b.sub(angle, half)
+            }
         };
-        self.with_turns(b, variables.count, angle)
+        if self.wrapped { within_half_turn(b, angle) } else { self.with_turns(b, variables.count, angle) }
     }
 
-    /// The angle from the lowest point, given that from the top: half a turn back, or forward before the top.
+    /// 2π·phase.
+    fn mean(&self, b: &mut Builder, phase: Id) -> Id {
+        let turn = Double::PI * self.unit * (2.0 * self.direction);
+        let turn = b.exact(turn.hi, turn.lo);
+        b.mul(phase, turn)
+    }
+
+    /// The angle from the lowest point, given the periodic part of that from the top: half a turn back, or forward before the top.
     fn other_side(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         let zero = b.constant(0.0);
         let half = b.exact(Double::PI.hi, Double::PI.lo);
         let minus = b.exact(-Double::PI.hi, -Double::PI.lo);
         // On the top itself the angle is −π, from either direction.
         let s = variables.distance;
-        let offset = if self.direction > 0.0 {
-            b.push(Op::Select { a: s, b: zero, then: half, otherwise: minus })
-        } else {
-            b.push(Op::Select { a: zero, b: s, then: half, otherwise: minus })
-        };
+        let (low, high) = if self.direction > 0.0 { (s, zero) } else { (zero, s) };
+        let offset = b.push(Op::Select { a: low, b: high, then: half, otherwise: minus });
+        let mean = self.mean(b, s);
+        let angle = b.add(mean, angle);
         b.add(angle, offset)
     }
 
@@ -71,11 +87,11 @@ impl Turning {
     pub(super) fn own_rounding(&self, reduction: &Reduction) -> f64 {
         let float = reduction.float;
         if self.wrapped {
-            // One sum, and the distance from π of the largest number below it.
-            return 3.0 * half_ulp(3.2, float);
+            // The mean and its constant, two sums, and the distance from π of the largest number below it.
+            return 6.0 * half_ulp(3.2, float);
         }
         let largest = 7.0 * (self.turns + 1.0);
-        let sums = 3.0 * half_ulp(6.3, float) + 2.0 * half_ulp(largest, Float::F64);
+        let sums = 5.0 * half_ulp(6.3, float) + 2.0 * half_ulp(largest, Float::F64);
         sums + half_ulp(largest, float)
     }
 }

@@ -83,6 +83,12 @@ impl Variables {
 }
 
 impl Variables {
+    /// `value` of an odd curve of a rotation, whose magnitude it is if the phase was reduced from the lowest point: before
+    /// that point the top passed counts, after it the next one.
+    pub(crate) fn sign_of_odd(&self, b: &mut Builder, value: Id) -> Id {
+        self.side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }))
+    }
+
     /// `value` of a curve that changes its sign from anchor to anchor, and, if it is even about an anchor, from one side
     /// of the lowest point to the other: before that point the anchor passed counts, after it the next one.
     pub(crate) fn sign(&self, b: &mut Builder, value: Id, parity: Parity) -> Id {

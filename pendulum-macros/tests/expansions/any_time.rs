@@ -62,7 +62,11 @@ impl Forever {
     #[inline]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
-        let v = if 1.0715086071862673e301 < t { 1.0715086071862673e301 } else { t };
+        let v = if 1.0715086071862673e301_f64 < t {
+            1.0715086071862673e301_f64
+        } else {
+            t
+        };
         let time = if v < -1.0715086071862673e301 { -1.0715086071862673e301 } else { v }
             + (t - t);
         let head = f64::from_bits(time.to_bits() & 0xfffffffffc000000);
@@ -77,7 +81,7 @@ impl Forever {
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_4 = s * s;
-        let p = if 0.2500000000000011 < v_4 { 0.2500000000000011 } else { v_4 };
+        let p = if 0.2500000000000011_f64 < v_4 { 0.2500000000000011_f64 } else { v_4 };
         let p2 = p * p;
         let p4 = p2 * p2;
         let p8 = p4 * p4;

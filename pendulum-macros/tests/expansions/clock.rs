@@ -15,8 +15,8 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: Cody and Waite's remainder of 2 words, wrong by at most 2.9e-17 anchors
-/// * theta: polynomial of 14 terms in s²; proven error ≤ 2.728e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 1.6e-15 of rounding); 39 operations
-/// * velocity: polynomial of 9 terms in s² over one of 3; proven error ≤ 4.981e-10 rad·ω (5.0e-10 of truncation, 1.7e-16 of phase, 1.7e-15 of rounding); 37 operations
+/// * theta: polynomial of 14 terms in s²; proven error ≤ 2.692e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 1.6e-15 of rounding); 39 operations
+/// * velocity: polynomial of 9 terms in s² over one of 3; proven error ≤ 4.959e-10 rad·ω (5.0e-10 of truncation, 1.7e-16 of phase, 1.7e-15 of rounding); 37 operations
 /// * not a polynomial in 8s² − 1 over the nearest poles, phase by Cody and Waite's remainder of 2 words: it costs about 68 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 61 operations
@@ -61,9 +61,9 @@ impl Clock {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 39;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 2.728287902545589e-10;
+    pub const MAX_ERROR: f64 = 2.692342010160369e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.981116675481807e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.95892697341548e-10;
     /// θ(t), rad; NaN if t is not finite. 39 operations.
     #[inline]
     #[must_use]
@@ -72,17 +72,17 @@ impl Clock {
         let n = magic - 6755399441055744.0;
         let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
         let v = s * s;
-        let p = if 0.9365303320242175 < v { 0.9365303320242175 } else { v };
+        let p = if 0.9365303320242175_f64 < v { 0.9365303320242175_f64 } else { v };
         let p2 = p * p;
         let p4 = p2 * p2;
         let p8 = p4 * p4;
         let result = 2.7488935719798935 + -1.8883926235569592 * p
             + (-1.4348564309150027 + -0.21167013757405648 * p) * p2
             + (0.3313949886908615 + 0.32907224706840266 * p
-                + (0.11075453720109242 + -0.01453655191386825 * p) * p2) * p4
-            + (-0.40245034437090615 + 0.6991720709686267 * p
-                + (-1.2689082679644597 + 1.363995602494176 * p) * p2
-                + (-0.6978265091858056 + 0.1369310996775063 * p) * p4) * p8;
+                + (0.11075453720109249 + -0.014536551913868474 * p) * p2) * p4
+            + (-0.4024503443709057 + 0.699172070968626 * p
+                + (-1.268908267964459 + 1.3639956024941755 * p) * p2
+                + (-0.6978265091858055 + 0.13693109967750627 * p) * p4) * p8;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
     /// θ̇(t), rad per unit of t; NaN if t is not finite. 37 operations.
@@ -92,7 +92,7 @@ impl Clock {
         let magic = t * 0.516665045200957 + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
         let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
-        let v = if 0.9677449726163487 < s { 0.9677449726163487 } else { s };
+        let v = if 0.9677449726163487_f64 < s { 0.9677449726163487_f64 } else { s };
         let clamped = if v < -0.9677449726163487 { -0.9677449726163487 } else { v };
         let p = clamped * clamped;
         let u = p * 2.1355421514600557 - 1.0;
@@ -116,7 +116,7 @@ impl Clock {
         let magic = t * 0.516665045200957 + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
         let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
-        let v = if 0.9677449726163487 < s { 0.9677449726163487 } else { s };
+        let v = if 0.9677449726163487_f64 < s { 0.9677449726163487_f64 } else { s };
         let clamped = if v < -0.9677449726163487 { -0.9677449726163487 } else { v };
         let p = clamped * clamped;
         let u = p * 2.1355421514600557 - 1.0;
@@ -126,10 +126,10 @@ impl Clock {
         let first_result = 2.7488935719798935 + -1.8883926235569592 * p
             + (-1.4348564309150027 + -0.21167013757405648 * p) * p2
             + (0.3313949886908615 + 0.32907224706840266 * p
-                + (0.11075453720109242 + -0.01453655191386825 * p) * p2) * p4
-            + (-0.40245034437090615 + 0.6991720709686267 * p
-                + (-1.2689082679644597 + 1.363995602494176 * p) * p2
-                + (-0.6978265091858056 + 0.1369310996775063 * p) * p4) * p8;
+                + (0.11075453720109249 + -0.014536551913868474 * p) * p2) * p4
+            + (-0.4024503443709057 + 0.699172070968626 * p
+                + (-1.268908267964459 + 1.3639956024941755 * p) * p2
+                + (-0.6978265091858055 + 0.13693109967750627 * p) * p4) * p8;
         let v_2 = u - 0.4556591510772705;
         let d = v_2 * v_2 + 4.354726791381836;
         let second_result = clamped

@@ -12,8 +12,8 @@
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
 /// * phase: exact products with the rate in four words, wrong by at most 1.1e-16 anchors
-/// * theta: polynomial of 6 terms in s²; proven error ≤ 3.766e-7 rad (3.8e-7 of truncation, 3.6e-16 of phase, 4.2e-16 of rounding); 66 operations
-/// * acceleration: polynomial of 7 terms in s²; proven error ≤ 4.913e-7 rad·ω² (4.9e-7 of truncation, 3.6e-16 of phase, 3.9e-16 of rounding); 68 operations
+/// * theta: polynomial of 6 terms in s²; proven error ≤ 3.729e-7 rad (3.7e-7 of truncation, 3.6e-16 of phase, 4.2e-16 of rounding); 66 operations
+/// * acceleration: polynomial of 7 terms in s²; proven error ≤ 4.884e-7 rad·ω² (4.9e-7 of truncation, 3.6e-16 of phase, 3.8e-16 of rounding); 68 operations
 /// * not a polynomial in 8s² − 1, phase by exact products with the rate in four words: it costs about 85 operations
 /// * not `harmonic`: it is wrong by about 1e-2
 /// * not `series`: 3 harmonics, about 78 operations
@@ -58,14 +58,18 @@ impl Pushed {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 66;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 3.766268975906323e-7;
+    pub const MAX_ERROR: f64 = 3.728600100176733e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.912619456255987e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 4.884385612613569e-7;
     /// θ(t), rad; NaN if t is not finite. 66 operations.
     #[inline]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
-        let v = if 1.0715086071862673e301 < t { 1.0715086071862673e301 } else { t };
+        let v = if 1.0715086071862673e301_f64 < t {
+            1.0715086071862673e301_f64
+        } else {
+            t
+        };
         let time = if v < -1.0715086071862673e301 { -1.0715086071862673e301 } else { v }
             + (t - t);
         let head = f64::from_bits(time.to_bits() & 0xfffffffffc000000);
@@ -90,19 +94,27 @@ impl Pushed {
                 + (v_5 - (v_7 - v_8) + (third - v_8))
                 + (v_7 - (v_9 - v_10) + (0.05858762081443536 - v_10)));
         let v_11 = s * s;
-        let p = if 0.2500000000000011 < v_11 { 0.2500000000000011 } else { v_11 };
+        let p = if 0.2500000000000011_f64 < v_11 {
+            0.2500000000000011_f64
+        } else {
+            v_11
+        };
         let p2 = p * p;
         let p4 = p2 * p2;
         let result = 1.016419299012521 + -4.791635175055922 * p
-            + (2.363828705509039 + 3.3004166384167464 * p) * p2
-            + (-5.103848096430017 + 2.168637214712145 * p) * p4;
+            + (2.363828705509041 + 3.300416638416726 * p) * p2
+            + (-5.103848096429926 + 2.168637214712001 * p) * p4;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
     /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared; NaN if t is not finite. 68 operations.
     #[inline]
     #[must_use]
     pub const fn acceleration(t: f64) -> f64 {
-        let v = if 1.0715086071862673e301 < t { 1.0715086071862673e301 } else { t };
+        let v = if 1.0715086071862673e301_f64 < t {
+            1.0715086071862673e301_f64
+        } else {
+            t
+        };
         let time = if v < -1.0715086071862673e301 { -1.0715086071862673e301 } else { v }
             + (t - t);
         let head = f64::from_bits(time.to_bits() & 0xfffffffffc000000);
@@ -127,12 +139,16 @@ impl Pushed {
                 + (v_5 - (v_7 - v_8) + (third - v_8))
                 + (v_7 - (v_9 - v_10) + (0.05858762081443536 - v_10)));
         let v_11 = s * s;
-        let p = if 0.2500000000000011 < v_11 { 0.2500000000000011 } else { v_11 };
+        let p = if 0.2500000000000011_f64 < v_11 {
+            0.2500000000000011_f64
+        } else {
+            v_11
+        };
         let p2 = p * p;
         let p4 = p2 * p2;
         let result = -7.652055704602534 + 22.70088851612033 * p
-            + (76.68336812636132 + -190.02974328870923 * p) * p2
-            + (-107.97143339418542 + 783.5605760911058 * p + -778.6450221615313 * p2)
+            + (76.68336812636133 + -190.0297432887093 * p) * p2
+            + (-107.97143339418473 + 783.5605760911033 * p + -778.645022161528 * p2)
                 * p4;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }

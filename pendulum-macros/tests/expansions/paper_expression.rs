@@ -42,7 +42,7 @@ fn expression() -> impl Copy {
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_3 = s * s;
-        let p = if 0.2500000000000011 < v_3 { 0.2500000000000011 } else { v_3 };
+        let p = if 0.2500000000000011_f64 < v_3 { 0.2500000000000011_f64 } else { v_3 };
         let p2 = p * p;
         let p4 = p2 * p2;
         let p8 = p4 * p4;
