@@ -79,8 +79,8 @@ pub(crate) struct Function {
 pub(crate) enum Refusal {
     /// No plan reaches the tolerance; the best promises this.
     Unreachable { best: f64 },
-    /// The argument of the paper's arcsine exceeds 1 by this.
-    Overshoot { terms: usize, overshoot: f64, smallest: usize },
+    /// The argument of the paper's arcsine exceeds 1 by this; the smallest number of terms that works, if any does.
+    Overshoot { terms: usize, overshoot: f64, smallest: Option<usize> },
     /// The method doesn't give this output.
     Output { method: Method, output: Output },
 }
@@ -93,16 +93,24 @@ impl Refusal {
             Self::Unreachable { best } => syn::Error::new_spanned(
                 &blame.goal,
                 format!(
-                    "this error can't be promised with `{}` here: the best is {best:.2e}; ask for that, or leave `tol` out",
-                    scene.float.word()
+                    "this error can't be promised with `{}` here: the best is {:.2e}; ask for that, or leave `tol` out",
+                    scene.float.word(),
+                    askable(*best)
                 ),
             ),
             Self::Overshoot { terms, overshoot, smallest } => syn::Error::new_spanned(
                 &blame.goal,
                 format!(
                     "with {terms} term{} the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
-                     where θ̂ would be NaN: the smallest number of terms that works is `n = {smallest}`",
-                    if *terms == 1 { "" } else { "s" }
+                     where θ̂ would be NaN: {}",
+                    if *terms == 1 { "" } else { "s" },
+                    smallest.map_or_else(
+                        || format!(
+                            "no number that `{}` can use works, give only `tol`, or nothing",
+                            scene.float.word()
+                        ),
+                        |smallest| format!("the smallest number of terms that works is `n = {smallest}`")
+                    )
                 ),
             ),
             Self::Output { method, output } => syn::Error::new_spanned(
@@ -117,8 +125,22 @@ impl Refusal {
     }
 }
 
-/// Plans a scene.
+/// What prints, with three digits, as no less than `error`, and leaves the planner some room.
+fn askable(error: f64) -> f64 {
+    error * 1.01
+}
+
+/// Plans a scene. Where a tolerance is out of reach, that of the full precision is what can be asked for instead.
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
+    let planned = cheapest(scene);
+    let (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) = (&planned, scene.goal) else { return planned };
+    let full = cheapest(&Scene { goal: Goal::Full, ..scene.clone() });
+    let reached = full
+        .map_or(f64::INFINITY, |plan| plan.parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max));
+    Err(Refusal::Unreachable { best: best.min(reached) })
+}
+
+fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
     match (&scene.motion.regime, scene.method, scene.goal) {
         (Regime::Swing(swing), Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
         (Regime::Swing(swing), _, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),
