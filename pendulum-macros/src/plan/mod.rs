@@ -82,8 +82,8 @@ pub(crate) struct Function {
 pub(crate) enum Refusal {
     /// No plan reaches the tolerance; the best promises this.
     Unreachable { best: f64 },
-    /// The argument of the paper's arcsine exceeds 1 by this.
-    Overshoot { terms: usize, overshoot: f64, smallest: usize },
+    /// The argument of the paper's arcsine exceeds 1 by this; the smallest number of terms that works, if any does.
+    Overshoot { terms: usize, overshoot: f64, smallest: Option<usize> },
     /// The planner saw its own promise broken.
     Broken { output: Output },
     /// The method doesn't give this output.
@@ -105,7 +105,8 @@ impl Refusal {
                     Goal::Tolerance(_) => "ask for that, or leave `tol` out for full precision",
                     _ => "state it, or more, as `tol`",
                 };
-                let message = format!("{asked} more than can be promised here: the best is {best:.2e}; {remedy}");
+                let message =
+                    format!("{asked} more than can be promised here: the best is {:.2e}; {remedy}", askable(*best));
                 syn::Error::new_spanned(&blame.goal, message)
             }
             Self::Overshoot { terms, overshoot, smallest } => {
@@ -113,7 +114,11 @@ impl Refusal {
                     if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
                 let message = format!(
                     "{asked}: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
-                     where θ̂ would be NaN; the smallest number of terms that works is `n = {smallest}`"
+                     where θ̂ would be NaN; {}",
+                    smallest.map_or_else(
+                        || format!("no number that `{float}` can use works: give only `tol`, or nothing"),
+                        |smallest| format!("the smallest number of terms that works is `n = {smallest}`")
+                    )
                 );
                 syn::Error::new_spanned(&blame.goal, message)
             }
@@ -135,6 +140,11 @@ impl Refusal {
             ),
         }
     }
+}
+
+/// What prints, with three digits, as no less than `error`, and leaves the planner some room.
+fn askable(error: f64) -> f64 {
+    error * 1.01
 }
 
 /// Plans a scene.
