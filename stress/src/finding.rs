@@ -1,0 +1,48 @@
+//! What was found about one promise.
+
+use crate::session::Merge;
+
+/// So many faults are described; the others are counted.
+const DESCRIBED: usize = 8;
+
+/// The largest error among many inputs, and everything that must not be.
+#[derive(Clone, Debug, Default)]
+pub struct Finding {
+    /// Inputs tried.
+    pub tried: u64,
+    /// The largest error, where the promise holds.
+    pub worst: f64,
+    /// The input that has it.
+    pub at: f64,
+    /// How many inputs broke a promise.
+    pub broken: u64,
+    /// The first of them.
+    pub faults: Vec<String>,
+}
+
+impl Finding {
+    /// Takes note of an error.
+    pub fn observe(&mut self, error: f64, at: f64) {
+        if error > self.worst {
+            (self.worst, self.at) = (error, at);
+        }
+    }
+
+    /// Takes note of a broken promise.
+    pub fn fault(&mut self, describe: impl FnOnce() -> String) {
+        self.broken += 1;
+        if self.faults.len() < DESCRIBED {
+            self.faults.push(describe());
+        }
+    }
+}
+
+impl Merge for Finding {
+    fn merge(&mut self, other: Self) {
+        self.tried += other.tried;
+        self.observe(other.worst, other.at);
+        self.broken += other.broken;
+        self.faults.extend(other.faults);
+        self.faults.truncate(DESCRIBED);
+    }
+}

@@ -1,0 +1,85 @@
+//! The command line.
+
+use std::path::PathBuf;
+use std::thread;
+
+/// How to call it.
+pub const USAGE: &str = "usage: pendula-stress exhaustive|times|amplitudes|coefficients [OPTIONS]
+  --threads N         threads to use (default: all)
+  --inputs N          inputs per row of the table (default: that of docs/ACCURACY.md; all for exhaustive)
+  --record DATE PATH  writes the table, under this date, into PATH (docs/ACCURACY.md)";
+
+/// What to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Suite {
+    /// All `f32` times.
+    Exhaustive,
+}
+
+impl Suite {
+    const ALL: [Self; 1] = [Self::Exhaustive];
+
+    /// As it is written on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exhaustive => "exhaustive",
+        }
+    }
+
+    /// Inputs per row in a long run.
+    fn inputs(self) -> u64 {
+        match self {
+            Self::Exhaustive => 1 << 32,
+        }
+    }
+}
+
+/// The command line, parsed.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// What to run.
+    pub suite: Suite,
+    /// On so many threads.
+    pub threads: usize,
+    /// Inputs per row of the table.
+    pub inputs: u64,
+    /// Where to write the result down, and under which date.
+    pub record: Option<(String, PathBuf)>,
+}
+
+impl Options {
+    /// From the arguments after the program's name.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+        let name = arguments.next().ok_or("which suite?")?;
+        let suite = Suite::ALL.into_iter().find(|suite| suite.name() == name);
+        let suite = suite.ok_or_else(|| format!("no suite `{name}`"))?;
+        let threads = thread::available_parallelism().map_or(1, usize::from);
+        let mut options = Self { suite, threads, inputs: suite.inputs(), record: None };
+        while let Some(option) = arguments.next() {
+            let mut value = || arguments.next().ok_or_else(|| format!("{option} needs a value"));
+            match option.as_str() {
+                "--threads" => options.threads = number(&value()?)?,
+                "--inputs" => options.inputs = number(&value()?)?,
+                "--record" => options.record = Some((value()?, value()?.into())),
+                _ => return Err(format!("unknown option `{option}`")),
+            }
+        }
+        Ok(options)
+    }
+
+    /// The command that does the same.
+    pub fn command(&self) -> String {
+        let mut command = format!("cargo run --release -p pendula-stress -- {}", self.suite.name());
+        if self.inputs != self.suite.inputs() {
+            command += &format!(" --inputs {}", self.inputs);
+        }
+        command
+    }
+}
+
+fn number<T: std::str::FromStr>(text: &str) -> Result<T, String> {
+    text.parse().map_err(|_| format!("`{text}` is not a number"))
+}
