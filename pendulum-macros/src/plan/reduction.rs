@@ -78,6 +78,19 @@ const UNLIMITED: f64 = 18_014_398_509_481_984.0;
 /// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision.
 const LINEAR_HALF: f64 = 700.0;
 
+/// Far beyond every horizon, and far from overflow.
+fn largest_phase(float: Float) -> f64 {
+    match float {
+        Float::F64 => 2f64.powi(1000),
+        Float::F32 => 2f64.powi(100),
+    }
+}
+
+/// Whether `f32` times are reduced in `f64`.
+fn wide_method(method: &Method) -> bool {
+    matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. })
+}
+
 /// What all reductions of one motion start from.
 pub(crate) struct Clock<'a> {
     /// Anchors per unit of time.
@@ -116,7 +129,9 @@ impl Clock<'_> {
         [error, relative_error]: [f64; 2],
         overshoot: f64,
     ) -> Reduction {
-        let overflows = self.float == Float::F64 && self.rate.to_f64() > 0.25;
+        // Products of the largest times with a rate below this are finite; those of `f32` times in `f64` always are, and
+        // Cody and Waite's remainders stay on the right side of infinity.
+        let overflows = self.rate.to_f64() > 0.25 && !wide_method(&method);
         let cody_waite = matches!(method, Method::CodyWaite { .. });
         // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
         let exact =
@@ -131,7 +146,8 @@ impl Clock<'_> {
             relative_error,
             overshoot,
             unit: if cody_waite { self.rate.to_double() } else { Double::ONE },
-            cap: (overflows && !cody_waite).then(|| 2f64.powi(1000) / self.rate.to_f64().max(1.0)),
+            cap: (overflows && !cody_waite)
+                .then(|| self.float.round(largest_phase(self.float) / self.rate.to_f64().max(1.0))),
         }
     }
 

@@ -215,8 +215,9 @@ impl Aim {
             }
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
             let kernel = self.kernel(scene, task, reduction, polynomials);
-            evaluation = kernel.rounding(reduction, self.limit);
-            let bound = Bound { truncation, phase, evaluation };
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
+            let turns = if scene.goal == Goal::Full { 0.0 } else { kernel.rounding_of_turns(reduction) };
+            evaluation = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
                 Ok(part) => return Ok(part),
                 Err(total) => reached = reached.min(total),
