@@ -110,10 +110,15 @@ impl Refusal {
                 syn::Error::new_spanned(&blame.goal, message)
             }
             Self::Overshoot { terms, overshoot, smallest } => {
-                let asked =
-                    if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
+                if !matches!(scene.goal, Goal::Terms(_)) {
+                    let message = format!(
+                        "`method = fourier` needs more terms at this amplitude than `{float}` can use, lest the argument of its \
+                         arcsine exceed 1: leave `method` out"
+                    );
+                    return syn::Error::new_spanned(&blame.method, message);
+                }
                 let message = format!(
-                    "{asked}: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
+                    "`n = {terms}`: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
                      where θ̂ would be NaN; {}",
                     smallest.map_or_else(
                         || format!("no number that `{float}` can use works: give only `tol`, or nothing"),
