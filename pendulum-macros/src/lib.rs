@@ -7,6 +7,8 @@ mod chebyshev;
 mod check;
 mod emit;
 mod exact;
+#[cfg(test)]
+mod fuzz;
 mod motion;
 mod parse;
 mod plan;

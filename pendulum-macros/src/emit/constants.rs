@@ -111,7 +111,7 @@ impl Writer {
 }
 
 /// A number of the type that is not below `x`.
-pub(super) fn round_up(x: f64, float: Float) -> f64 {
+pub(crate) fn round_up(x: f64, float: Float) -> f64 {
     match float {
         Float::F64 => x,
         Float::F32 => {

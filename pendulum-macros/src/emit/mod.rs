@@ -1,6 +1,6 @@
 //! [`Plan`] → tokens. Nothing here can fail.
 
-mod constants;
+pub(crate) mod constants;
 mod docs;
 mod literal;
 mod program;

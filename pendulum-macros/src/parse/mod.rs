@@ -1,5 +1,6 @@
 //! Tokens → [`Request`]: what was asked for, as written. Nothing is evaluated or judged here beyond its syntax.
 
+mod depth;
 pub(crate) mod number;
 
 use crate::report::{Report, nearest};
@@ -111,6 +112,10 @@ const PARAMETERS: [&str; 11] =
 
 /// Parses one invocation, recording every mistake; `None` where not even the form could be told.
 pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request> {
+    if let Some(error) = depth::too_deep(&tokens) {
+        report.add(error);
+        return None;
+    }
     let parsed = (|input: ParseStream| {
         let form = form(input)?;
         Ok((form, input.parse::<TokenStream>()?))

@@ -10,6 +10,9 @@ use syn::{Error, Ident, Lit, Result, Token, token};
 const MOST_DIGITS: usize = 1000;
 const LARGEST_EXPONENT: u64 = 1000;
 
+/// Expressions of more tokens are refused: their trees would be too deep for the compiler's stack.
+const MOST_TOKENS: usize = 500;
+
 /// An expression as written: literals keep their text, nothing is rounded.
 #[derive(Clone, Debug)]
 pub(crate) struct Number {
@@ -44,6 +47,10 @@ enum Operator {
 impl Number {
     /// Parses a whole token stream, the value of one parameter.
     pub(crate) fn parse_all(tokens: TokenStream) -> Result<Self> {
+        if count(&tokens) > MOST_TOKENS {
+            let message = format!("an expression of more than {MOST_TOKENS} tokens: write its value");
+            return Err(Error::new_spanned(tokens, message));
+        }
         let tree = syn::parse2::<Whole>(parenthesise_captures(tokens))?.0;
         Ok(Self { tree })
     }
@@ -63,6 +70,12 @@ impl Number {
     pub(crate) fn evaluate(&self, context: Context) -> Result<Real> {
         self.tree.evaluate(context)
     }
+}
+
+/// Tokens at any depth.
+fn count(tokens: &TokenStream) -> usize {
+    let tree = |tree| if let TokenTree::Group(group) = tree { 1 + count(&group.stream()) } else { 1 };
+    tokens.clone().into_iter().map(tree).sum()
 }
 
 /// A `$x:expr` captured by a user's own macro arrives in an invisible group: read it as parenthesised.

@@ -1,0 +1,140 @@
+//! Fuzzing, in process: whatever stands in an invocation, its expansion never panics, takes less than a second, and is
+//! either code that keeps the promise of its own plan or errors that say where.
+//!
+//! The tests run a few thousand inputs. For a long run, in which each thread has its own seeds,
+//!
+//! ```text
+//! PENDULA_FUZZ_SECONDS=1200 cargo test --release -p pendulum-macros fuzz::long -- --ignored --nocapture
+//! ```
+//!
+//! `PENDULA_FUZZ_SEED` starts another sequence, `PENDULA_FUZZ_THREADS` (2) sets the number of threads.
+
+mod grammar;
+mod mutation;
+pub(crate) mod random;
+mod verdict;
+
+use random::Random;
+use std::time::{Duration, Instant};
+use verdict::{Verdict, judge};
+
+type Generator = fn(&mut Random) -> String;
+
+const GENERATORS: [(&str, Generator); 3] = [
+    ("invocations", |random| grammar::invocation(random).text()),
+    ("near misses", mutation::near_miss),
+    ("token soup", mutation::soup),
+];
+
+/// What a run found.
+#[derive(Default)]
+struct Tally {
+    planned: usize,
+    refused: usize,
+    unlexable: usize,
+    slowest: Duration,
+    failures: Vec<String>,
+}
+
+impl Tally {
+    fn judge(&mut self, text: &str) {
+        match judge(text) {
+            Ok((verdict, time)) => {
+                let count = match verdict {
+                    Verdict::Planned => &mut self.planned,
+                    Verdict::Refused => &mut self.refused,
+                    Verdict::Unlexable => &mut self.unlexable,
+                };
+                *count += 1;
+                self.slowest = self.slowest.max(time);
+            }
+            Err(what) => self.failures.push(format!("{what}\n    {text}")),
+        }
+        // The compiler's spans of all text ever parsed on this thread would add up.
+        proc_macro2::extra::invalidate_current_thread_spans();
+    }
+
+    fn report(&self, name: &str) -> String {
+        let Self { planned, refused, unlexable, slowest, failures } = self;
+        format!(
+            "{name}: {planned} planned, {refused} refused, {unlexable} not tokens, {} failures; slowest {slowest:?}",
+            failures.len()
+        )
+    }
+}
+
+fn quick(generator: usize, count: u64) {
+    let (name, generate) = GENERATORS[generator];
+    let mut tally = Tally::default();
+    for seed in 0..count {
+        tally.judge(&generate(&mut Random::new(seed)));
+    }
+    println!("{}", tally.report(name));
+    assert!(tally.failures.is_empty(), "{}\n{}", tally.report(name), tally.failures.join("\n"));
+}
+
+#[test]
+fn invocations() {
+    quick(0, 60);
+}
+
+#[test]
+fn near_misses() {
+    quick(1, 300);
+}
+
+#[test]
+fn token_soup() {
+    quick(2, 1000);
+}
+
+fn setting(name: &str, default: u64) -> u64 {
+    std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(default)
+}
+
+/// Half of the inputs are invocations, a third near misses.
+#[test]
+#[ignore = "runs for PENDULA_FUZZ_SECONDS"]
+fn long() {
+    let end = Instant::now() + Duration::from_secs(setting("PENDULA_FUZZ_SECONDS", 60));
+    let (first, threads) = (setting("PENDULA_FUZZ_SEED", 1) << 40, setting("PENDULA_FUZZ_THREADS", 2));
+    let run = move |thread: u64| {
+        let mut tallies = GENERATORS.map(|_| Tally::default());
+        for index in 0.. {
+            let mut random = Random::new(first + (thread << 36) + index);
+            let generator = random.choose(&[0, 0, 0, 1, 1, 2]);
+            let known = tallies[generator].failures.len();
+            tallies[generator].judge(&GENERATORS[generator].1(&mut random));
+            if let Some(failure) = tallies[generator].failures.get(known) {
+                println!("{failure}");
+            }
+            if Instant::now() > end {
+                break;
+            }
+        }
+        tallies
+    };
+    let threads: Vec<_> = (0..threads).map(|thread| std::thread::spawn(move || run(thread))).collect();
+    let mut failures = 0;
+    for thread in threads {
+        for ((name, _), tally) in GENERATORS.iter().zip(thread.join().expect("a failure is caught and counted")) {
+            println!("{}", tally.report(name));
+            failures += tally.failures.len();
+        }
+    }
+    assert_eq!(failures, 0);
+}
+
+/// Times one invocation, `PENDULA_TEXT`.
+#[test]
+#[ignore = "a tool"]
+fn one() {
+    let text = std::env::var("PENDULA_TEXT").unwrap_or_default();
+    for text in text.split('|') {
+        println!("{text}\n   {:?}", judge(text));
+        text.parse().map_or_else(
+            |e| println!("{e}"),
+            |tokens| verdict::mistakes(tokens).iter().for_each(|e| println!("   {e}")),
+        );
+    }
+}

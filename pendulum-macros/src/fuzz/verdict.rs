@@ -1,0 +1,218 @@
+//! What has to hold of every expansion.
+
+use crate::motion::Regime;
+use crate::parse::{Float, Form};
+use crate::plan::{Plan, Refusal, plan};
+use crate::report::Report;
+use crate::scene::{Goal, Scene};
+use crate::{check, expand, parse};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
+
+/// The longest an expansion may take, in an unoptimised build.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// What became of an invocation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// Not even tokens: the compiler would have refused it.
+    Unlexable,
+    Refused,
+    Planned,
+}
+
+/// Expands `text` and checks all that can be checked of the result; `Err` says what is wrong.
+pub(crate) fn judge(text: &str) -> Result<(Verdict, Duration), String> {
+    let Ok(tokens) = text.parse::<TokenStream>() else { return Ok((Verdict::Unlexable, Duration::ZERO)) };
+    let (expansion, time) = timed(&tokens)?;
+    let slow = time > PATIENCE && timed(&tokens)?.1 > PATIENCE;
+    if slow {
+        return Err(format!("takes {time:?}"));
+    }
+    let refused = mentions(&expansion, "compile_error");
+    let functions = functions(expansion).map_err(|error| format!("doesn't parse: {error}"))?;
+    let (scene, errors) = scene(tokens);
+    errors_are_placed(&errors, text)?;
+    match (refused, scene.map(|scene| (plan(&scene), scene))) {
+        (true, None) if !errors.is_empty() => Ok((Verdict::Refused, time)),
+        (true, Some((Err(refusal), scene))) => refusal_is_clean(&refusal, &scene).map(|()| (Verdict::Refused, time)),
+        (false, Some((Ok(plan), scene))) => {
+            functions.iter().try_for_each(straight_line)?;
+            promise_is_kept(&scene, &plan)?;
+            behaves_at_the_edges(&scene, &plan)?;
+            Ok((Verdict::Planned, time))
+        }
+        _ => Err("stages and expansion disagree".to_owned()),
+    }
+}
+
+fn timed(tokens: &TokenStream) -> Result<(TokenStream, Duration), String> {
+    let tokens = tokens.clone();
+    let clock = Instant::now();
+    let expansion = catch_unwind(AssertUnwindSafe(|| expand(&quote!(::pendula), tokens)));
+    let time = clock.elapsed();
+    expansion.map(|expansion| (expansion, time)).map_err(|panic| {
+        let message = panic.downcast_ref::<String>().map(String::as_str);
+        let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
+        format!("panics: {}", message.unwrap_or("?"))
+    })
+}
+
+/// The stages before planning, and the mistakes they found.
+fn scene(tokens: TokenStream) -> (Option<Scene>, Vec<syn::Error>) {
+    let mut report = Report::default();
+    let scene = parse::parse(tokens, &mut report).and_then(|request| check::check(request, &mut report));
+    let errors = report.finish().err().map(|error| error.into_iter().collect());
+    (scene, errors.unwrap_or_default())
+}
+
+/// Every mistake of an invocation, the planner's refusal included.
+pub(crate) fn mistakes(tokens: TokenStream) -> Vec<String> {
+    let (scene, errors) = scene(tokens);
+    let refusal = scene.and_then(|scene| plan(&scene).err().map(|refusal| refusal.explain(&scene)));
+    errors.into_iter().chain(refusal).map(|error| error.to_string()).collect()
+}
+
+/// The bodies of all functions of an expansion: one block, or items.
+fn functions(expansion: TokenStream) -> syn::Result<Vec<TokenStream>> {
+    let block = syn::parse2::<syn::Block>(expansion.clone());
+    let items = match block {
+        Ok(block) => {
+            let items =
+                block.stmts.into_iter().filter_map(|s| if let syn::Stmt::Item(item) = s { Some(item) } else { None });
+            items.collect()
+        }
+        Err(_) => syn::parse2::<syn::File>(expansion)?.items,
+    };
+    let mut bodies = Vec::new();
+    for item in items {
+        match item {
+            syn::Item::Fn(function) => bodies.push(function.block.to_token_stream()),
+            syn::Item::Impl(block) => bodies.extend(block.items.iter().filter_map(|item| match item {
+                syn::ImplItem::Fn(function) => Some(function.block.to_token_stream()),
+                _ => None,
+            })),
+            _ => {}
+        }
+    }
+    Ok(bodies)
+}
+
+fn mentions(tokens: &TokenStream, word: &str) -> bool {
+    tokens.clone().into_iter().any(|tree| match tree {
+        TokenTree::Ident(ident) => ident == word,
+        TokenTree::Group(group) => mentions(&group.stream(), word),
+        _ => false,
+    })
+}
+
+/// No loops, arrays, macros, fused operations, or numbers that aren't finite.
+fn straight_line(body: &TokenStream) -> Result<(), String> {
+    let banned = ["for", "while", "loop", "mul_add", "INFINITY", "NAN", "inf", "unwrap", "unsafe"];
+    if let Some(word) = banned.into_iter().find(|word| mentions(body, word)) {
+        return Err(format!("a function mentions `{word}`"));
+    }
+    if has_brackets(body) { Err("a function contains an array or an index".to_owned()) } else { Ok(()) }
+}
+
+fn has_brackets(tokens: &TokenStream) -> bool {
+    tokens.clone().into_iter().any(|tree| match tree {
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Bracket || has_brackets(&group.stream()),
+        _ => false,
+    })
+}
+
+/// Every mistake has a message and a place; only what is missing may be blamed on the whole call.
+fn errors_are_placed(errors: &[syn::Error], text: &str) -> Result<(), String> {
+    for error in errors {
+        let (message, place) = (error.to_string(), error.span().byte_range());
+        let somewhere = !place.is_empty() || message.contains("missing") || message.contains("expected");
+        if message.is_empty() || !somewhere {
+            return Err(format!("`{message}` stands nowhere ({place:?} of {text})"));
+        }
+    }
+    Ok(())
+}
+
+fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
+    let message = refusal.explain(scene).to_string();
+    match refusal {
+        Refusal::Unreachable { best } if !(best.is_finite() && *best > 0.0) => Err(format!("offers {best}: {message}")),
+        Refusal::Unreachable { best } => match scene.goal {
+            Goal::Tolerance(tol) if *best <= tol => Err(format!("refuses {tol:e} and offers {best:e}")),
+            Goal::Tolerance(_) => offer_is_kept(&message, scene),
+            _ => Err(format!("refuses full precision: {message}")),
+        },
+        Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
+            Err(format!("unasked-for n: {message}"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The tolerance that a message names can be had.
+fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
+    let offer = message.split("the best is ").nth(1).and_then(|rest| rest.split(';').next()?.parse().ok());
+    let Some(offer) = offer else { return Err(format!("offers nothing: {message}")) };
+    let kept = plan(&Scene { goal: Goal::Tolerance(offer), ..scene.clone() }).is_ok();
+    if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
+}
+
+fn promise_is_kept(scene: &Scene, plan: &Plan) -> Result<(), String> {
+    for part in &plan.parts {
+        let bound = part.bound;
+        let parts = [bound.truncation, bound.phase, bound.evaluation];
+        let total = bound.total() / part.unit;
+        if parts.iter().any(|part| !(part.is_finite() && *part >= 0.0)) || !(total.is_finite() && total > 0.0) {
+            return Err(format!("the bound of {:?} is {bound:?}", part.output));
+        }
+        let stated = crate::emit::constants::round_up(total, scene.float);
+        if let Goal::Tolerance(tol) = scene.goal
+            && (stated > tol)
+        {
+            return Err(format!("{:?} promises {stated:e} where {tol:e} was asked", part.output));
+        }
+    }
+    Ok(())
+}
+
+/// NaN for NaN and infinities, something finite for every other time, and an amplitude that isn't exceeded.
+fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
+    let float = scene.float;
+    let largest = if float == Float::F64 { f64::MAX } else { f64::from(f32::MAX) };
+    let speed = if let Regime::Rotation(rotation) = &scene.motion.regime { rotation.fastest.to_f64() } else { 0.0 };
+    let times = [0.0, 5e-324, 1e-310, 1e-40, 1.0, 1e7, 1e16, 1e22, 1e38, 1e100, 1e300, largest];
+    for function in &plan.functions {
+        let unbounded =
+            matches!(scene.motion.regime, Regime::Rotation(_)) && matches!(function.name, "theta" | "state");
+        for t in times.into_iter().flat_map(|t| [t, -t]).map(|t| float.round(t)).filter(|t| t.is_finite()) {
+            let values = function.program.run(t);
+            let fits = !unbounded || t.abs() * speed < largest / 2.0;
+            if values.iter().any(|value| value.is_nan() || (value.is_infinite() && fits)) {
+                return Err(format!("`{}` of {t:e} is {values:?}", function.name));
+            }
+            let part = plan.parts.iter().find(|part| part.output.word() == function.name);
+            let swings = matches!(scene.motion.regime, Regime::Swing(_));
+            if let (Some(part), true, [value]) = (part, swings, values.as_slice())
+                && value.abs() > (part.largest + part.bound.total()) * (1.0 + 1e-9)
+            {
+                return Err(format!("`{}` of {t:e} is {value:e}, above {:e}", function.name, part.largest));
+            }
+        }
+        for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let values = function.program.run(t);
+            if values.iter().any(|value| !value.is_nan()) {
+                return Err(format!("`{}` of {t} is {values:?}", function.name));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether an invocation is of the item form, for those who write it into a file.
+pub(crate) fn is_item(text: &str) -> bool {
+    let request = text.parse().ok().and_then(|tokens| parse::parse(tokens, &mut Report::default()));
+    request.is_some_and(|request| matches!(request.form, Form::Item(_)))
+}
