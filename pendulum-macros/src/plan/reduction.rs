@@ -116,8 +116,13 @@ impl Clock<'_> {
         [error, relative_error]: [f64; 2],
         overshoot: f64,
     ) -> Reduction {
-        let overflows = self.float == Float::F64 && self.rate.to_f64() > 0.25;
         let cody_waite = matches!(method, Method::CodyWaite { .. });
+        // Where a product can overflow: of `f32` times only that with a single `f32` word, the others being of `f64`.
+        let (overflows, most) = match (self.float, &method) {
+            (Float::F64, _) => (self.rate.to_f64() > 0.25, 2f64.powi(1000)),
+            (Float::F32, Method::OneWord { .. }) => (self.rate.to_f64() > 1.0, 2f64.powi(120)),
+            (Float::F32, _) => (false, 0.0),
+        };
         // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
         let exact =
             matches!(method, Method::AnyTime { .. }) || self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0;
@@ -131,7 +136,7 @@ impl Clock<'_> {
             relative_error,
             overshoot,
             unit: if cody_waite { self.rate.to_double() } else { Double::ONE },
-            cap: (overflows && !cody_waite).then(|| 2f64.powi(1000) / self.rate.to_f64().max(1.0)),
+            cap: (overflows && !cody_waite).then(|| most / self.rate.to_f64().max(1.0)),
         }
     }
 
