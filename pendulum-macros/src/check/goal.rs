@@ -177,7 +177,7 @@ fn kind(regime: &Regime) -> &'static str {
 /// adding them can't bring the computed sum nearer than its own rounding leaves it.
 ///
 /// b₂ₙ₊₁/b₂ₙ₋₁ = q(1 − q^{2n−1})/(1 − q^{2n+1}) < q, so the tail Σ_{m>n} b₂ₘ₋₁ is below b₂ₙ₊₁/(1 − q).
-fn most_useful_terms(swing: &Swing, float: Float) -> usize {
+pub(crate) fn most_useful_terms(swing: &Swing, float: Float) -> usize {
     let half_ulp = match float {
         Float::F64 => f64::EPSILON / 4.0,
         Float::F32 => f64::from(f32::EPSILON) / 4.0,

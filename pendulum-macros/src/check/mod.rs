@@ -13,6 +13,7 @@ use crate::parse::number::Number;
 use crate::parse::{Float, Form, Given, Output, Request};
 use crate::report::Report;
 use crate::scene::{Blame, Scene};
+pub(crate) use goal::most_useful_terms;
 use quote::ToTokens;
 use std::fmt::Display;
 

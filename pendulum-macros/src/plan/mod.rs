@@ -82,8 +82,8 @@ pub(crate) struct Function {
 pub(crate) enum Refusal {
     /// No plan reaches the tolerance; the best promises this.
     Unreachable { best: f64 },
-    /// The argument of the paper's arcsine exceeds 1 by this.
-    Overshoot { terms: usize, overshoot: f64, smallest: usize },
+    /// The argument of the paper's arcsine exceeds 1 by this; the smallest number of terms that works, if any does.
+    Overshoot { terms: usize, overshoot: f64, smallest: Option<usize> },
     /// The planner saw its own promise broken.
     Broken { output: Output },
     /// The method doesn't give this output.
@@ -108,12 +108,21 @@ impl Refusal {
                 let message = format!("{asked} more than can be promised here: the best is {best:.2e}; {remedy}");
                 syn::Error::new_spanned(&blame.goal, message)
             }
+            Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
+                let message = "`fourier` can't come near the motion at this amplitude: with as many terms as can be used \
+                               the argument of the arcsine in Eq. 22 still exceeds 1; leave `method` out";
+                syn::Error::new_spanned(&blame.method, message)
+            }
             Self::Overshoot { terms, overshoot, smallest } => {
+                let remedy = smallest.map_or_else(
+                    || format!("no number of terms that `{float}` can use works: state the error as `tol` instead"),
+                    |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
+                );
                 let asked =
                     if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
                 let message = format!(
                     "{asked}: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
-                     where θ̂ would be NaN; the smallest number of terms that works is `n = {smallest}`"
+                     where θ̂ would be NaN; {remedy}"
                 );
                 syn::Error::new_spanned(&blame.goal, message)
             }

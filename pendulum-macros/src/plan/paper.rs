@@ -7,6 +7,7 @@ use super::kernel::{self, Kernel};
 use super::polynomial::{Approximation, Form};
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal, velocity_bias};
+use crate::check::most_useful_terms;
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
@@ -85,15 +86,11 @@ impl Sum {
         let analysis = FourierAnalysis::new(elliptic.modulus.to_double(), elliptic.complementary.to_double());
         let n = match scene.goal {
             Goal::Terms(n) => n,
-            Goal::Tolerance(tol) => {
-                more + first(|n| analysis.overshoot(n).is_none() && analysis.supremum(n) < tol * 0.99)
-            }
-            Goal::Full => first(|n| {
-                analysis.overshoot(n).is_none() && analysis.supremum(n) < scene.float.unit() * swing.amplitude.to_f64()
-            }),
+            Goal::Tolerance(tol) => more + fewest(&analysis, scene, swing, tol * 0.99),
+            Goal::Full => fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
         };
         if let Some(overshoot) = analysis.overshoot(n) {
-            return Err(Refusal::Overshoot { terms: n, overshoot, smallest: analysis.smallest_working() });
+            return Err(Refusal::Overshoot { terms: n, overshoot, smallest: smallest(&analysis, scene, swing) });
         }
         let coefficients: Vec<Real> = (1..=n).map(|n| swing.fourier_coefficient(n)).collect();
         let weight = |(index, b): (usize, &Real)| {
@@ -135,9 +132,13 @@ fn tail(terms: &[(u32, Double)]) -> f64 {
     (0..=points / 2).map(at).fold(0.0, f64::max) / (std::f64::consts::PI / 16.0).cos() * (1.0 + 1e-9)
 }
 
-/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics.
+/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0 while
+/// the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
 fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
     let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    if theta.terms().len() > MOST_HARMONICS {
+        return swing.amplitude.to_f64() * (1.0 + f64::EPSILON);
+    }
     let mut terms = theta.terms().to_vec();
     if let Some(first) = terms.first_mut() {
         first.1 = first.1 - swing.amplitude.to_double();
@@ -145,8 +146,31 @@ fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
     tail(&terms) + theta.omitted()
 }
 
-fn first(serves: impl Fn(usize) -> bool) -> usize {
-    (1..MOST_HARMONICS).find(|&n| serves(n)).unwrap_or(MOST_HARMONICS)
+/// The smallest number of terms without overshoot, `None` if there is none among those that the float can use.
+///
+/// Those leave a tail that swings by a tenth of half a unit in the last place of 1, at least, and near the turning point
+/// 1 − x² is k′² and twice the tail: where k′² is far less no number needs to be tried (and all would take long).
+fn smallest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing) -> Option<usize> {
+    let margin = swing.elliptic.complementary.square().to_f64();
+    if margin < scene.float.unit() / 128.0 {
+        return None;
+    }
+    let smallest = analysis.smallest_working();
+    (smallest <= most_useful_terms(swing, scene.float).min(MOST_HARMONICS)).then_some(smallest)
+}
+
+/// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are, one.
+fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
+    let Some(mut fails) = smallest(analysis, scene, swing) else { return 1 };
+    let mut serves = fails;
+    while serves < MOST_HARMONICS && analysis.supremum(serves) >= tol {
+        (fails, serves) = (serves, (serves * 2).min(MOST_HARMONICS));
+    }
+    while serves > fails + 1 {
+        let middle = usize::midpoint(fails, serves);
+        *(if analysis.supremum(middle) < tol { &mut serves } else { &mut fails }) = middle;
+    }
+    serves
 }
 
 fn horizon(scene: &Scene, rate: &Real) -> f64 {
