@@ -6,6 +6,7 @@ use crate::parse::{Float, Form, Method, Output};
 use proc_macro2::TokenStream;
 
 /// A request that makes sense: the input of the planner.
+#[derive(Clone)]
 pub(crate) struct Scene {
     pub(crate) form: Form,
     /// The parameters as written, for the generated documentation.

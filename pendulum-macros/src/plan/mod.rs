@@ -105,6 +105,11 @@ impl Refusal {
                     Goal::Tolerance(_) => "ask for that, or leave `tol` out for full precision",
                     _ => "state it, or more, as `tol`",
                 };
+                if best.is_infinite() {
+                    let message =
+                        format!("{asked} more than can be promised here: ask for fewer outputs, or a lesser one");
+                    return syn::Error::new_spanned(&blame.goal, message);
+                }
                 let message = format!("{asked} more than can be promised here: the best is {best:.2e}; {remedy}");
                 syn::Error::new_spanned(&blame.goal, message)
             }
@@ -146,8 +151,25 @@ impl Refusal {
     }
 }
 
-/// Plans a scene.
+/// Plans a scene. Where a tolerance is out of reach, the best that can be asked for is found by asking.
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
+    let planned = cheapest(scene);
+    let (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) = (&planned, scene.goal) else { return planned };
+    let kept =
+        |offer: &f64| offer.is_finite() && cheapest(&Scene { goal: Goal::Tolerance(*offer), ..scene.clone() }).is_ok();
+    let best = OFFERS.map(|factor| three_digits(best * factor)).into_iter().find(kept);
+    Err(Refusal::Unreachable { best: best.unwrap_or(f64::INFINITY) })
+}
+
+/// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
+const OFFERS: [f64; 7] = [1.01, 1.05, 1.2, 1.5, 2.0, 4.0, 16.0];
+
+/// As a message prints it.
+fn three_digits(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
+}
+
+fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
     match (&scene.motion.regime, scene.method, scene.goal) {
         (Regime::Swing(swing), Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
         (Regime::Swing(swing), _, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),
