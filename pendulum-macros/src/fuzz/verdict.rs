@@ -145,7 +145,9 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
             Goal::Tolerance(_) => offer_is_kept(&message, scene),
             _ => Err(format!("refuses full precision: {message}")),
         },
-        Refusal::Overshoot { .. } if !matches!(scene.goal, Goal::Terms(_)) => Err(format!("unasked-for n: {message}")),
+        Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
+            Err(format!("unasked-for n: {message}"))
+        }
         _ => Ok(()),
     }
 }
@@ -183,7 +185,8 @@ fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
     let speed = if let Regime::Rotation(rotation) = &scene.motion.regime { rotation.fastest.to_f64() } else { 0.0 };
     let times = [0.0, 5e-324, 1e-310, 1e-40, 1.0, 1e7, 1e16, 1e22, 1e38, 1e100, 1e300, largest];
     for function in &plan.functions {
-        let unbounded = matches!(scene.motion.regime, Regime::Rotation(_)) && function.name == "theta";
+        let unbounded =
+            matches!(scene.motion.regime, Regime::Rotation(_)) && matches!(function.name, "theta" | "state");
         for t in times.into_iter().flat_map(|t| [t, -t]).map(|t| float.round(t)).filter(|t| t.is_finite()) {
             let values = function.program.run(t);
             let fits = !unbounded || t.abs() * speed < largest / 2.0;

@@ -7,8 +7,8 @@ use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
 
 /// Literals longer than this, or with larger exponents, are refused: they would only make the compiler wait.
-const MOST_DIGITS: usize = 1000;
-const LARGEST_EXPONENT: u64 = 1000;
+const MOST_DIGITS: usize = 500;
+const LARGEST_EXPONENT: u64 = 400;
 
 /// Expressions of more tokens are refused: their trees would be too deep for the compiler's stack.
 const MOST_TOKENS: usize = 500;

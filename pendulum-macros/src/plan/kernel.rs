@@ -131,8 +131,16 @@ pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
 /// Subintervals of the phase on which the rounding is analysed separately.
 const SLICES: usize = 64;
 
+/// √Σx², also where the squares overflow or underflow.
 pub(super) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
-    parts.map(|x| x * x).sum::<f64>().sqrt()
+    const FAR: f64 = 3.273_390_607_896_142e150; // 2⁵⁰⁰
+    let parts: Vec<f64> = parts.collect();
+    let scaled = |factor: f64| parts.iter().map(|x| x * factor).map(|x| x * x).sum::<f64>().sqrt() / factor;
+    match parts.iter().fold(0.0, |most: f64, x| most.max(x.abs())) {
+        most if most > FAR => scaled(1.0 / FAR),
+        most if most < 1.0 / FAR => scaled(FAR),
+        _ => scaled(1.0),
+    }
 }
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².

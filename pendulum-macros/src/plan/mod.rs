@@ -105,25 +105,29 @@ impl Refusal {
                     Goal::Tolerance(_) => "ask for that, or leave `tol` out for full precision",
                     _ => "state it, or more, as `tol`",
                 };
-                let message =
-                    format!("{asked} more than can be promised here: the best is {:.2e}; {remedy}", askable(*best));
+                if best.is_infinite() {
+                    let message =
+                        format!("{asked} more than can be promised here: ask for fewer outputs, or a lesser one");
+                    return syn::Error::new_spanned(&blame.goal, message);
+                }
+                let message = format!("{asked} more than can be promised here: the best is {best:.2e}; {remedy}");
                 syn::Error::new_spanned(&blame.goal, message)
             }
+            Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
+                let message = "`fourier` can't come near the motion at this amplitude: with as many terms as can be used \
+                               the argument of the arcsine in Eq. 22 still exceeds 1; leave `method` out";
+                syn::Error::new_spanned(&blame.method, message)
+            }
             Self::Overshoot { terms, overshoot, smallest } => {
-                if !matches!(scene.goal, Goal::Terms(_)) {
-                    let message = format!(
-                        "`method = fourier` needs more terms at this amplitude than `{float}` can use, lest the argument of its \
-                         arcsine exceed 1: leave `method` out"
-                    );
-                    return syn::Error::new_spanned(&blame.method, message);
-                }
+                let remedy = smallest.map_or_else(
+                    || format!("no number of terms that `{float}` can use works: state the error as `tol` instead"),
+                    |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
+                );
+                let asked =
+                    if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
                 let message = format!(
-                    "`n = {terms}`: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
-                     where θ̂ would be NaN; {}",
-                    smallest.map_or_else(
-                        || format!("no number that `{float}` can use works: give only `tol`, or nothing"),
-                        |smallest| format!("the smallest number of terms that works is `n = {smallest}`")
-                    )
+                    "{asked}: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
+                     where θ̂ would be NaN; {remedy}"
                 );
                 syn::Error::new_spanned(&blame.goal, message)
             }
@@ -147,13 +151,25 @@ impl Refusal {
     }
 }
 
-/// What prints, with three digits, as no less than `error`, and leaves the planner some room.
-fn askable(error: f64) -> f64 {
-    error * 1.01
+/// Plans a scene. Where a tolerance is out of reach, the best that can be asked for is found by asking.
+pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
+    let planned = cheapest(scene);
+    let (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) = (&planned, scene.goal) else { return planned };
+    let kept =
+        |offer: &f64| offer.is_finite() && cheapest(&Scene { goal: Goal::Tolerance(*offer), ..scene.clone() }).is_ok();
+    let best = OFFERS.map(|factor| three_digits(best * factor)).into_iter().find(kept);
+    Err(Refusal::Unreachable { best: best.unwrap_or(f64::INFINITY) })
 }
 
-/// Plans a scene.
-pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
+/// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
+const OFFERS: [f64; 7] = [1.01, 1.05, 1.2, 1.5, 2.0, 4.0, 16.0];
+
+/// As a message prints it.
+fn three_digits(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
+}
+
+fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
     match (&scene.motion.regime, scene.method, scene.goal) {
         (Regime::Swing(swing), Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
         (Regime::Swing(swing), _, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),

@@ -86,8 +86,8 @@ impl Sum {
         let analysis = FourierAnalysis::new(elliptic.modulus.to_double(), elliptic.complementary.to_double());
         let n = match scene.goal {
             Goal::Terms(n) => n,
-            Goal::Tolerance(tol) => more + Self::fewest(&analysis, scene, swing, tol * 0.99),
-            Goal::Full => Self::fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
+            Goal::Tolerance(tol) => more + fewest(&analysis, scene, swing, tol * 0.99),
+            Goal::Full => fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
         };
         if let Some(overshoot) = analysis.overshoot(n) {
             return Err(Refusal::Overshoot { terms: n, overshoot, smallest: smallest(&analysis, scene, swing) });
@@ -99,23 +99,6 @@ impl Sum {
         };
         let weights = coefficients.iter().enumerate().map(weight).collect();
         Ok(Self { method: Method::Fourier, rate, weights, coefficients, bias: analysis.certified_bound(n, SLACK) })
-    }
-
-    /// The fewest terms that don't overshoot and are within `tol`; as many as there may be, if none are.
-    fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
-        let Some(mut fails) = smallest(analysis, scene, swing) else { return 1 };
-        if analysis.supremum(fails) < tol {
-            return fails;
-        }
-        let mut serves = fails;
-        while serves < MOST_HARMONICS && analysis.supremum(serves) >= tol {
-            (fails, serves) = (serves, (serves * 2).min(MOST_HARMONICS));
-        }
-        while serves - fails > 1 {
-            let middle = usize::midpoint(fails, serves);
-            *(if analysis.supremum(middle) < tol { &mut serves } else { &mut fails }) = middle;
-        }
-        serves
     }
 
     /// The series of θ; its tail's supremum is bounded by samples finer than its fastest harmonic.
@@ -149,9 +132,13 @@ fn tail(terms: &[(u32, Double)]) -> f64 {
     (0..=points / 2).map(at).fold(0.0, f64::max) / (std::f64::consts::PI / 16.0).cos() * (1.0 + 1e-9)
 }
 
-/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics.
+/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0 while
+/// the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
 fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
     let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    if theta.terms().len() > MOST_HARMONICS {
+        return swing.amplitude.to_f64() * (1.0 + f64::EPSILON);
+    }
     let mut terms = theta.terms().to_vec();
     if let Some(first) = terms.first_mut() {
         first.1 = first.1 - swing.amplitude.to_double();
@@ -170,6 +157,20 @@ fn smallest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing) -> Option<
     }
     let smallest = analysis.smallest_working();
     (smallest <= most_useful_terms(swing, scene.float).min(MOST_HARMONICS)).then_some(smallest)
+}
+
+/// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are, one.
+fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
+    let Some(mut fails) = smallest(analysis, scene, swing) else { return 1 };
+    let mut serves = fails;
+    while serves < MOST_HARMONICS && analysis.supremum(serves) >= tol {
+        (fails, serves) = (serves, (serves * 2).min(MOST_HARMONICS));
+    }
+    while serves > fails + 1 {
+        let middle = usize::midpoint(fails, serves);
+        *(if analysis.supremum(middle) < tol { &mut serves } else { &mut fails }) = middle;
+    }
+    serves
 }
 
 fn horizon(scene: &Scene, rate: &Real) -> f64 {

@@ -78,19 +78,6 @@ const UNLIMITED: f64 = 18_014_398_509_481_984.0;
 /// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision.
 const LINEAR_HALF: f64 = 700.0;
 
-/// Far beyond every horizon, and far from overflow.
-fn largest_phase(float: Float) -> f64 {
-    match float {
-        Float::F64 => 2f64.powi(1000),
-        Float::F32 => 2f64.powi(100),
-    }
-}
-
-/// Whether `f32` times are reduced in `f64`.
-fn wide_method(method: &Method) -> bool {
-    matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. })
-}
-
 /// What all reductions of one motion start from.
 pub(crate) struct Clock<'a> {
     /// Anchors per unit of time.
@@ -129,14 +116,19 @@ impl Clock<'_> {
         [error, relative_error]: [f64; 2],
         overshoot: f64,
     ) -> Reduction {
-        // Products of the largest times with a rate below this are finite; those of `f32` times in `f64` always are, and
-        // Cody and Waite's remainders stay on the right side of infinity.
-        let overflows = self.rate.to_f64() > 0.25 && !wide_method(&method);
         let cody_waite = matches!(method, Method::CodyWaite { .. });
+        // Where a product can overflow: of `f32` times only that with a single `f32` word, the others being of `f64`.
+        let (overflows, most) = match (self.float, &method) {
+            (Float::F64, _) => (self.rate.to_f64() > 0.25, 2f64.powi(1000)),
+            (Float::F32, Method::OneWord { .. }) => (self.rate.to_f64() > 1.0, 2f64.powi(120)),
+            (Float::F32, _) => (false, 0.0),
+        };
         // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
         let exact =
             matches!(method, Method::AnyTime { .. }) || self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0;
-        let launch_error = if exact { 0.0 } else { 2.0 * half_ulp(0.5, self.float) };
+        let wide = matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. });
+        let added_in = if wide { Float::F64 } else { self.float };
+        let launch_error = if exact { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
         Reduction {
             method,
             float: self.float,
@@ -146,8 +138,7 @@ impl Clock<'_> {
             relative_error,
             overshoot,
             unit: if cody_waite { self.rate.to_double() } else { Double::ONE },
-            cap: (overflows && !cody_waite)
-                .then(|| self.float.round(largest_phase(self.float) / self.rate.to_f64().max(1.0))),
+            cap: (overflows && !cody_waite).then(|| self.float.round(most / self.rate.to_f64().max(1.0))),
         }
     }
 

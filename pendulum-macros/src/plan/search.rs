@@ -66,10 +66,10 @@ pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
             cheapest(scene, &task)
         }
         // The best that can be promised is what full precision promises.
-        (Err(Refusal::Unreachable { best }), Goal::Tolerance(tol)) => {
+        (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) => {
             task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
             let best = cheapest(scene, &task).map_or(best, |plan| plan.worst());
-            Err(Refusal::Unreachable { best: best.max(tol) })
+            Err(Refusal::Unreachable { best })
         }
         (result, _) => result,
     }
