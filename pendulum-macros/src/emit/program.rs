@@ -103,12 +103,43 @@ impl Writer<'_> {
         match node.op {
             Op::Input => (quote!(t), Atom),
             Op::Constant { value, .. } => (literal::float(value, node.float), Atom),
+            // a + (−c)·x and a − c·x are the same number.
+            Op::Add(a, b) if self.is_negative(b) => self.negated(a, b, &quote!(-)),
+            Op::Sub(a, b) if self.is_negative(b) => self.negated(a, b, &quote!(+)),
             Op::Add(a, b) => infix(a, b, quote!(+), Sum, Product),
             Op::Sub(a, b) => infix(a, b, quote!(-), Sum, Product),
             Op::Mul(a, b) => infix(a, b, quote!(*), Product, Cast),
             Op::Div(a, b) => infix(a, b, quote!(/), Product, Cast),
             Op::Widen(_) | Op::Narrow(_) => (self.call(node), Cast),
             _ => (self.call(node), Atom),
+        }
+    }
+
+    /// Whether a node is a negative constant, or an inlined product that begins with one.
+    fn is_negative(&self, id: Id) -> bool {
+        match self.program.nodes[id].op {
+            Op::Constant { value, .. } => value.is_sign_negative(),
+            Op::Mul(a, _) => self.bound[id].is_none() && self.is_negative(a),
+            _ => false,
+        }
+    }
+
+    /// a ∓ (−b), b being negative in the sense of [`Self::is_negative`].
+    fn negated(&self, a: Id, b: Id, operator: &TokenStream) -> (TokenStream, Binding) {
+        let left = self.operand(a, Binding::Sum);
+        let right = self.without_sign(b);
+        (quote!(#left #operator #right), Binding::Sum)
+    }
+
+    fn without_sign(&self, id: Id) -> TokenStream {
+        let node = &self.program.nodes[id];
+        match node.op {
+            Op::Constant { value, .. } => literal::float(-value, node.float),
+            Op::Mul(a, b) => {
+                let (a, b) = (self.without_sign(a), self.operand(b, Binding::Atom));
+                quote!(#a * #b)
+            }
+            _ => self.operand(id, Binding::Product),
         }
     }
 

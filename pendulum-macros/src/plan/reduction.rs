@@ -55,8 +55,8 @@ pub(crate) enum Method {
     Wide { rate: f64 },
     /// An `f32` time, R in three `f64` words whose first two products are exact.
     WideAnyTime { words: [f64; 3] },
-    /// An `f64` time, R in four words; all products that matter are exact.
-    AnyTime { words: [f64; 4] },
+    /// An `f64` time, R in three or four words; all products that matter but the last are exact.
+    AnyTime { words: Vec<f64> },
     /// z = t·R + launch, never reduced: the separatrix has one lowest point. R in three words where there is a launch.
     Linear { words: [f64; 3] },
 }
@@ -100,7 +100,7 @@ impl Clock<'_> {
         let cody_waite = [(2, Anchor), (3, Anchor), (2, Lowest), (3, Lowest)];
         let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
         let last = match self.float {
-            Float::F64 => vec![self.any_time(Anchor), self.any_time(Lowest)],
+            Float::F64 => vec![self.any_time(3, Anchor), self.any_time(4, Anchor), self.any_time(4, Lowest)],
             Float::F32 => {
                 vec![self.wide(Anchor), self.wide(Lowest), self.wide_any_time(Anchor), self.wide_any_time(Lowest)]
             }
@@ -228,11 +228,13 @@ impl Clock<'_> {
         }
     }
 
-    /// Two roundings of sums, relative to the result, and the last word's product. Where the third part isn't small beside
-    /// the others (t beyond 2²⁵ anchors), the first sum is exact.
-    fn any_time(&self, origin: Origin) -> Reduction {
-        let words = split_near(self.rate, &[26, 25, 25]);
-        let drift = self.horizon() * self.off(&words) + 2f64.powi(-72);
+    /// Two roundings of sums, relative to the result, and the last word's product: of three words, below 16 anchors, it is
+    /// rounded to 2⁻⁵⁰ and so is its sum with another. Where the third part isn't small beside the others (t beyond 2²⁵
+    /// anchors), the first sum is exact.
+    fn any_time(&self, count: usize, origin: Origin) -> Reduction {
+        let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
+        let last = if count == 3 { 2f64.powi(-49) } else { 2f64.powi(-72) };
+        let drift = self.horizon() * self.off(&words) + last;
         let errors = match origin {
             Origin::Anchor => [drift + 2f64.powi(-53), 0.0],
             Origin::Lowest => [drift, 2.001 * Float::F64.unit()],
@@ -327,7 +329,7 @@ impl Reduction {
             Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
             Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
             Method::WideAnyTime { .. } => "exact products with the rate in three words of `f64`".to_owned(),
-            Method::AnyTime { .. } => "exact products with the rate in four words".to_owned(),
+            Method::AnyTime { words } => format!("exact products with the rate in {} words", words.len()),
             Method::Linear { .. } => "the time itself".to_owned(),
         };
         format!("{how}{from}")
@@ -477,8 +479,10 @@ impl Reduction {
     /// the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24), hence
     /// exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below 2^(e−75).
     /// The first two are taken modulo 8, exactly; only the sums of the four parts are rounded.
-    fn any_time(&self, b: &mut Builder, t: Id, words: &[f64; 4]) -> Phase {
-        let [r1, r2, r3, r4] = words.map(|word| b.constant(word));
+    /// With three words the third is all the rest, and its product with t the last part.
+    fn any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
+        let words: Vec<Id> = words.iter().map(|&word| b.constant(word)).collect();
+        let (r1, r2, r3) = (words[0], words[1], words[2]);
         let head = b.push(Op::Head(t));
         b.name(head, "head");
         let tail = b.sub(t, head);
@@ -489,32 +493,34 @@ impl Reduction {
         let second = cross(b, (tail, r1), (head, r2));
         let (second, some) = modulo_eight(b, second);
         b.name(second, "second");
-        let third = cross(b, (tail, r2), (head, r3));
+        let third = cross(b, (tail, r2), (if words.len() > 3 { head } else { t }, r3));
         b.name(third, "third");
-        let fourth = cross(b, (tail, r3), (t, r4));
-        b.name(fourth, "fourth");
+        let fourth = words.get(3).map(|&r4| {
+            let fourth = cross(b, (tail, r3), (t, r4));
+            b.name(fourth, "fourth")
+        });
         let leading = b.add(first, second);
         let sum = b.add(leading, third);
         let (magic, n) = self.round(b, sum);
         let rest = b.sub(first, n);
         let eights = b.add(many, some);
         let count = b.add(eights, n);
-        let remainder = self.sum_of_parts(b, [rest, second, third, fourth]);
+        let remainder = self.sum_of_parts(b, [rest, second, third], fourth);
         self.numbered(b, remainder, magic, count)
     }
 
     /// The four parts and the offset. Without a launch the offset is nought or a half: as long as the third part isn't
     /// small, all sums but the last are exact. With one they are done in two words.
-    fn sum_of_parts(&self, b: &mut Builder, [rest, second, third, fourth]: [Id; 4]) -> Id {
+    fn sum_of_parts(&self, b: &mut Builder, [rest, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
         let offset = self.offset();
         if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
             let rest = offset_by(b, rest, offset);
             let sum = b.add(rest, second);
             let sum = b.add(sum, third);
-            return b.add(sum, fourth);
+            return fourth.map_or(sum, |fourth| b.add(sum, fourth));
         }
         let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
-        let (mut sum, mut lost) = (rest, b.add(fourth, low));
+        let (mut sum, mut lost) = (rest, fourth.map_or(low, |fourth| b.add(fourth, low)));
         for part in [second, third, head] {
             let (next, error) = b.two_sum(sum, part);
             (sum, lost) = (next, b.add(lost, error));

@@ -11,9 +11,9 @@
 ///
 /// Planned for the full precision of `f64`, over 2⁵³ periods:
 ///
-/// * phase: exact products with the rate in four words, wrong by at most 1.1e-16 anchors
+/// * phase: exact products with the rate in 4 words, wrong by at most 1.1e-16 anchors
 /// * theta: polynomial of 17 terms in s²; proven error ≤ 1.415e-15 rad (7.3e-17 of truncation, 5.8e-16 of phase, 7.6e-16 of rounding); 69 operations
-/// * not a polynomial in 8s² − 1, phase by exact products with the rate in four words: it costs about 72 operations
+/// * not a polynomial in 8s² − 1, phase by exact products with the rate in 4 words: it costs about 72 operations
 /// * not `harmonic`: it is wrong by about 5e-2
 /// * not `series`: 11 harmonics, about 81 operations
 /// * not `fourier`: about 12 harmonics and an arcsine, about 129 operations
@@ -86,14 +86,14 @@ impl Forever {
         let p4 = p2 * p2;
         let p8 = p4 * p4;
         let p16 = p8 * p8;
-        let result = 1.5707963267948968 + -6.875185818020541 * p
+        let result = 1.5707963267948968 - 6.875185818020541 * p
             + (6.571263951984616e-11 + 10.832584023215558 * p) * p2
-            + (8.308625270651241e-7 + -25.601867846349457 * p
+            + (8.308625270651241e-7 - 25.601867846349457 * p
                 + (0.0013518120040011418 + 73.11016749317795 * p) * p2) * p4
-            + (0.5083073529904516 + -233.7217127181294 * p
+            + (0.5083073529904516 - 233.7217127181294 * p
                 + (55.75086089509079 + 368.227077660459 * p) * p2
-                + (1881.8111574304623 + -9301.21770718325 * p
-                    + (16563.008972630498 + -14382.501612377226 * p) * p2) * p4) * p8
+                + (1881.8111574304623 - 9301.21770718325 * p
+                    + (16563.008972630498 - 14382.501612377226 * p) * p2) * p4) * p8
             + 5114.066594397511 * p16;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }

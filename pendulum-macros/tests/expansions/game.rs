@@ -73,8 +73,8 @@ impl Lamp {
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
         let p2 = p * p;
         let p4 = p2 * p2;
-        let result = 1.9999936 + -7.9226475 * p + (-4.8570848 + 16.267666 * p) * p2
-            + (21.038925 + -53.390053 * p) * p4;
+        let result = 1.9999936 - 7.9226475 * p + (-4.8570848 + 16.267666 * p) * p2
+            + (21.038925 - 53.390053 * p) * p4;
         f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
     }
     /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 36 operations.
@@ -89,10 +89,10 @@ impl Lamp {
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
         let p2 = p * p;
         let p4 = p2 * p2;
-        let half_sine = 0.8414755 + -2.1425302 * p + (-7.7870884 + -0.8430019 * p) * p2
-            + (76.8612 + -108.77086 * p) * p4;
-        let half_cosine = 0.5403021 + 3.3342159 * p + (-2.243186 + -19.701836 * p) * p2
-            + (-16.064404 + 205.16774 * p + -259.7864 * p2) * p4;
+        let half_sine = 0.8414755 - 2.1425302 * p + (-7.7870884 - 0.8430019 * p) * p2
+            + (76.8612 - 108.77086 * p) * p4;
+        let half_cosine = 0.5403021 + 3.3342159 * p + (-2.243186 - 19.701836 * p) * p2
+            + (-16.064404 + 205.16774 * p - 259.7864 * p2) * p4;
         let v_2 = half_sine * half_cosine;
         let x_2 = v_2 + v_2;
         let y = half_sine * half_sine - half_cosine * half_cosine;

@@ -11,7 +11,7 @@ fn expression() -> impl Copy {
     ///
     /// Planned for the paper's θ̂ with 4 terms (Eq. 22), over 2⁵³ periods:
     ///
-    /// * phase: exact products with the rate in four words, wrong by at most 1.1e-16 anchors
+    /// * phase: exact products with the rate in 4 words, wrong by at most 1.1e-16 anchors
     /// * theta: 4 harmonics by recurrence from one cosine of 9 terms, an arcsine by a polynomial of 13 terms; proven error ≤ 1.098e-2 rad (1.1e-2 of truncation, 1.3e-15 of phase, 4.3e-14 of rounding); 99 operations
     /// * coefficients of sn: b1 = 1.1523081413695546, b3 = 0.18163662447513268, b5 = 0.03502170732398364, b7 = 0.0067987238779056575
     #[allow(
@@ -46,15 +46,15 @@ fn expression() -> impl Copy {
         let p2 = p * p;
         let p4 = p2 * p2;
         let p8 = p4 * p4;
-        let cosine = 1.0 + -4.934802200544676 * p
-            + (4.058712126416498 + -1.335262768843456 * p) * p2
-            + (0.23533063012967062 + -0.02580688873817758 * p
-                + (0.001929556278037417 + -0.00010456656706174584 * p) * p2) * p4
+        let cosine = 1.0 - 4.934802200544676 * p
+            + (4.058712126416498 - 1.335262768843456 * p) * p2
+            + (0.23533063012967062 - 0.02580688873817758 * p
+                + (0.001929556278037417 - 0.00010456656706174584 * p) * p2) * p4
             + 4.149578027057121e-6 * p8;
         let twice_cosine_of_double = cosine * cosine * 4.0 - 2.0;
         let v_4 = 0.034348775037953166 + twice_cosine_of_double * -0.006668088304975838;
         let v_5 = -0.17814652766733927 + twice_cosine_of_double * v_4
-            - -0.006668088304975838;
+            + 0.006668088304975838;
         let argument = cosine
             * (1.130166863544064 + twice_cosine_of_double * v_5 - v_4 - v_5);
         let z_arcsine = if argument < 0.5 {
@@ -77,7 +77,7 @@ fn expression() -> impl Copy {
                     + (0.017359976290265915 + 0.013882964446353506 * z_arcsine) * z2)
                     * z4
                 + (0.01218210162163291 + 0.006478999611110805 * z_arcsine
-                    + (0.019647553451933614 + -0.01639265110477977 * z_arcsine) * z2
+                    + (0.019647553451933614 - 0.01639265110477977 * z_arcsine) * z2
                     + 0.032017054581234806 * z4) * z8) * 2.0;
         let result = if argument < 0.5 {
             double
