@@ -143,6 +143,12 @@ impl Wave {
         Self::collect(parity, [Double::ZERO; 2], terms, envelope)
     }
 
+    /// Σ wₙ cos((2n−1)πs), nothing omitted.
+    pub(crate) fn harmonics(weights: &[Double]) -> Self {
+        let terms = weights.iter().enumerate().map(|(index, &weight)| (2 * index as u32 + 1, weight)).collect();
+        Self { terms, ..Self::cosine(Double::ONE) }
+    }
+
     /// sin(πs).
     pub(crate) fn sine() -> Self {
         Self { parity: Parity::Odd, ..Self::cosine(Double::ONE) }
@@ -204,7 +210,7 @@ impl Wave {
         let growth = std::f64::consts::PI * height;
         let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * (growth * f64::from(m)).cosh()).sum();
         let next = self.terms.last().map_or(1, |&(m, _)| m + self.envelope.step);
-        let tail = if self.terms.len() == 1 && self.omitted == 0.0 { 0.0 } else { self.envelope.tail(next, growth) };
+        let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(next, growth) };
         (self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
     }
 

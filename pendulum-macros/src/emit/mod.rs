@@ -44,7 +44,7 @@ fn allowed() -> TokenStream {
 }
 
 fn expression(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStream {
-    let functions = plan.functions.iter().take(1).map(|function| self::function(scene, plan, function, root));
+    let functions = plan.functions.iter().take(1).map(|function| self::function(scene, function, root));
     let name = plan.functions.first().map(|function| format_ident!("{}", function.name));
     let docs = docs::motion(scene, plan);
     let allowed = allowed();
@@ -61,7 +61,7 @@ fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> Tok
     let docs = docs::motion(scene, plan);
     let constants = constants::all(scene, plan);
     let functions = plan.functions.iter().map(|function| {
-        let function = self::function(scene, plan, function, root);
+        let function = self::function(scene, function, root);
         quote!(pub #function)
     });
     let doc_lines = plan.functions.iter().map(|function| docs::function(function, plan));
@@ -92,10 +92,9 @@ fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
 }
 
 /// `const fn name(t: f64) -> f64 { … }`
-fn function(scene: &Scene, plan: &Plan, function: &Function, root: &TokenStream) -> TokenStream {
+fn function(scene: &Scene, function: &Function, root: &TokenStream) -> TokenStream {
     let float = format_ident!("{}", scene.float.word());
     let name = format_ident!("{}", function.name);
-    let constness = plan.is_const().then(|| quote!(const));
     let results = function.program.results.len();
     let result = if results == 1 {
         quote!(#float)
@@ -104,5 +103,5 @@ fn function(scene: &Scene, plan: &Plan, function: &Function, root: &TokenStream)
         quote!((#(#floats),*))
     };
     let body = program::body(&function.program, &quote!(#root::__private::support));
-    quote!(#constness fn #name(t: #float) -> #result { #body })
+    quote!(const fn #name(t: #float) -> #result { #body })
 }

@@ -147,10 +147,10 @@ impl Writer<'_> {
         let float = format_ident!("{}", node.float.word());
         let support = self.support;
         match node.op {
-            Op::Sqrt(x) => {
+            Op::Root(x) => {
                 let x = self.value(x);
-                let sqrt = format_ident!("{}", if node.float == Float::F64 { "sqrt" } else { "sqrtf" });
-                quote!(#support::#sqrt(#x))
+                let root = format_ident!("{}", if node.float == Float::F64 { "root" } else { "rootf" });
+                quote!(#support::#root(#x))
             }
             Op::Abs(x) => {
                 let x = self.atom(x);

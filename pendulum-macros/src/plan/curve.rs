@@ -56,6 +56,11 @@ impl Curve {
         self.wave.terms()
     }
 
+    /// Σ wₙ cos((2n−1)πs).
+    pub(crate) fn harmonics(weights: &[Double]) -> Self {
+        Self { wave: Wave::harmonics(weights), ..Self::sine() }
+    }
+
     /// sin πs.
     pub(crate) fn sine() -> Self {
         let largest = std::f64::consts::PI;

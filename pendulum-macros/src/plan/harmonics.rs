@@ -27,6 +27,8 @@ pub(crate) struct Harmonics {
     pub(crate) cosines: Vec<Double>,
     /// Weights of sin((2n−1)πs), where the output is a derivative.
     pub(crate) sines: Vec<Double>,
+    /// The sum of cosines as one polynomial, where that is as accurate: its chain of operations is the shorter.
+    pub(crate) folded: Option<Polynomial>,
     /// Of the sum of cosines, in the paper's formula.
     pub(crate) arcsine: Option<Arcsine>,
     /// −1 for a mirror image; the weights of cosines under an arcsine are never mirrored.
@@ -35,7 +37,7 @@ pub(crate) struct Harmonics {
 
 impl Harmonics {
     pub(super) fn centre(&self) -> f64 {
-        self.cosine.form.centre()
+        self.folded.as_ref().unwrap_or(&self.cosine).form.centre()
     }
 
     pub(super) fn is_odd(&self) -> bool {
@@ -48,6 +50,10 @@ impl Harmonics {
 
     pub(super) fn describe(&self) -> String {
         let terms = self.terms();
+        if let (Some(folded), Some(arcsine)) = (&self.folded, &self.arcsine) {
+            let (sum, arcsine) = (folded.describe(), arcsine.terms());
+            return format!("{terms} harmonics folded into a {sum}, an arcsine by a polynomial of {arcsine} terms");
+        }
         let cosine = self.cosine.coefficients.len();
         let arcsine = self
             .arcsine
@@ -57,11 +63,18 @@ impl Harmonics {
     }
 
     pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
-        let cosine = self.cosine.magnitude(b, variables);
-        b.name(cosine, "cosine");
-        let value = match &self.sine {
-            None => self.value(b, cosine),
-            Some(sine) => {
+        let value = match (&self.sine, &self.folded) {
+            (None, Some(folded)) => {
+                let sum = folded.magnitude(b, variables);
+                b.name(sum, "argument");
+                self.arcsine.as_ref().map_or(sum, |arcsine| arcsine.lower(b, sum, self.direction))
+            }
+            (None, None) => {
+                let cosine = self.cosine(b, variables);
+                self.value(b, cosine)
+            }
+            (Some(sine), _) => {
+                let cosine = self.cosine(b, variables);
                 let sine = sine.magnitude(b, variables);
                 b.name(sine, "sine");
                 self.derivative(b, cosine, sine)
@@ -70,6 +83,11 @@ impl Harmonics {
         b.name(value, name);
         let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
         variables.sign(b, value, parity)
+    }
+
+    fn cosine(&self, b: &mut Builder, variables: &Variables) -> Id {
+        let cosine = self.cosine.magnitude(b, variables);
+        b.name(cosine, "cosine")
     }
 
     fn value(&self, b: &mut Builder, cosine: Id) -> Id {
@@ -90,7 +108,7 @@ impl Harmonics {
         let one = b.constant(1.0);
         let (below, above) = (b.sub(one, y), b.add(one, y));
         let product = b.mul(below, above);
-        let root = b.push(Op::Sqrt(product));
+        let root = b.push(Op::Root(product));
         let quotient = b.div(slope, root);
         b.add(quotient, quotient)
     }
@@ -109,7 +127,7 @@ impl Harmonics {
                 + polynomial.truncation
                 + 2.0 * reduction.float.unit()
         };
-        [error(&self.cosine), self.sine.as_ref().map_or(0.0, error)]
+        [error(self.folded.as_ref().unwrap_or(&self.cosine)), self.sine.as_ref().map_or(0.0, error)]
     }
 
     /// What is known of the sums where the phase is between `low` and `high`, for [`crate::program::Program::rounding`].
@@ -137,8 +155,8 @@ impl Harmonics {
             (ends[0].min(ends[1]) - slack, ends[0].max(ends[1]) + slack)
         };
         let known = |weights: &[Double], factor: f64, wave| {
-            let error =
-                recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0) + half_ulp(1.0, float);
+            let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0);
+            let error = if self.folded.is_some() { cosine } else { recurrence() + half_ulp(1.0, float) };
             let (low, high) = range(weights, wave);
             Known::within(low - error, high + error, error)
         };

@@ -20,7 +20,7 @@ mod verify;
 use crate::exact::Real;
 use crate::motion::Regime;
 use crate::parse::{Method, Output};
-use crate::program::{Op, Program};
+use crate::program::Program;
 use crate::scene::{Goal, Scene};
 use kernel::Kernel;
 use reduction::Reduction;
@@ -191,12 +191,6 @@ impl Plan {
     /// Terms of the first output.
     pub(crate) fn terms(&self) -> usize {
         self.parts.first().map_or(0, |part| part.kernel.terms())
-    }
-
-    /// Whether `core` alone can evaluate it at compile time: it can't take roots there.
-    pub(crate) fn is_const(&self) -> bool {
-        let has_root = |program: &Program| program.nodes.iter().any(|node| matches!(node.op, Op::Sqrt(_)));
-        !self.functions.iter().any(|function| has_root(&function.program))
     }
 }
 

@@ -4,7 +4,7 @@ use super::arcsine::Arcsine;
 use super::curve::{Curve, SwingCurves};
 use super::harmonics::Harmonics;
 use super::kernel::{self, Kernel};
-use super::polynomial::{Approximation, Form};
+use super::polynomial::{Approximation, Form, Polynomial};
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal, velocity_bias};
 use crate::check::most_useful_terms;
@@ -237,13 +237,26 @@ impl Sum {
             (true, None) => Vec::new(),
         };
         let sines = if derivative { self.slopes(direction) } else { Vec::new() };
-        let harmonics = Harmonics { cosine, sine, cosines, sines, arcsine, direction };
+        let folded = arcsine.as_ref().filter(|_| !derivative).and_then(|_| self.folded(scene, reduction));
+        let harmonics = Harmonics { cosine, sine, cosines, sines, folded, arcsine, direction };
         let kernel = Kernel::Harmonics(Box::new(harmonics));
         let evaluation = kernel.rounding(reduction, f64::INFINITY);
         let bias = if derivative { self.velocity_bias(scene, swing) } else { self.bias };
         let bound = Bound { truncation: bias, phase: curve.phase_error(reduction), evaluation };
         let (description, unit, largest) = (kernel.describe(), curve.unit, curve.largest);
         Part { output, kernel, description, bound, unit, largest }
+    }
+
+    /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
+    fn folded(&self, scene: &Scene, reduction: &Reduction) -> Option<Polynomial> {
+        let precision = scene.float.unit() / 2.0;
+        let approximation = Approximation::entire(&Curve::harmonics(&self.weights), precision / 16.0);
+        let terms = approximation.terms_for(precision, reduction.overshoot)?;
+        [Form::Plain, Form::Centred { centre: 1.0 }].into_iter().find_map(|form| {
+            let polynomial = approximation.polynomial(terms, form, reduction, true);
+            let cap = 12.0 * scene.float.unit();
+            (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
+        })
     }
 
     /// Weights of the derivative: −wₙ(2n − 1)π·rate.

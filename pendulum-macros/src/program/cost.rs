@@ -18,7 +18,8 @@ fn weight(op: Op) -> f64 {
     match op {
         Op::Input | Op::Constant { .. } => 0.0,
         Op::Div(..) => 5.0,
-        Op::Sqrt(_) => 7.0,
+        // Two steps of ten operations, the seed and the product.
+        Op::Root(_) => 24.0,
         Op::Alternate { .. } | Op::Against { .. } | Op::PowerOfTwo { .. } | Op::Select { .. } => 2.0,
         Op::Widen(_) | Op::Narrow(_) => 1.5,
         _ => 1.0,

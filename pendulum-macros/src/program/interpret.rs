@@ -2,6 +2,7 @@
 
 use super::{Id, Op, Program};
 use crate::parse::Float;
+use pendulum_runtime::support;
 
 impl Program {
     /// The results at time `t`, which has to be a number of the program's type.
@@ -24,7 +25,7 @@ impl Program {
             Op::Sub(a, b) => v[a] - v[b],
             Op::Mul(a, b) => v[a] * v[b],
             Op::Div(a, b) => v[a] / v[b],
-            Op::Sqrt(x) => v[x].sqrt(),
+            Op::Root(x) => self.root(x, v[x]),
             Op::Abs(x) => v[x].abs(),
             Op::Min { limit, x } => {
                 if v[limit] < v[x] {
@@ -61,6 +62,14 @@ impl Program {
             }
             Op::PowerOfTwo { magic } => f64::from_bits(self.integer_bits(magic, v).wrapping_add(1023) << 52),
             Op::Widen(x) | Op::Narrow(x) => v[x],
+        }
+    }
+
+    /// What the emitted code calls for a root.
+    fn root(&self, x: Id, value: f64) -> f64 {
+        match self.nodes[x].float {
+            Float::F64 => support::root(value),
+            Float::F32 => f64::from(support::rootf(value as f32)),
         }
     }
 

@@ -26,7 +26,8 @@ pub(crate) enum Op {
     Sub(Id, Id),
     Mul(Id, Id),
     Div(Id, Id),
-    Sqrt(Id),
+    /// √x by arithmetic, for x > 0: `pendulum_runtime::support::root`.
+    Root(Id),
     Abs(Id),
     /// `if limit < x { limit } else { x }`: NaN passes.
     Min {
@@ -123,7 +124,7 @@ impl Op {
         match self {
             Self::Input | Self::Constant { .. } => vec![],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
-            Self::Sqrt(x) | Self::Abs(x) | Self::Head(x) | Self::Widen(x) | Self::Narrow(x) => vec![x],
+            Self::Root(x) | Self::Abs(x) | Self::Head(x) | Self::Widen(x) | Self::Narrow(x) => vec![x],
             Self::Min { limit, x } | Self::Max { limit, x } => vec![limit, x],
             Self::Select { a, b, then, otherwise } => vec![a, b, then, otherwise],
             Self::Alternate { x, magic } => vec![x, magic],
@@ -263,7 +264,7 @@ impl Op {
             Self::Sub(a, b) => Self::Sub(to[a], to[b]),
             Self::Mul(a, b) => Self::Mul(to[a], to[b]),
             Self::Div(a, b) => Self::Div(to[a], to[b]),
-            Self::Sqrt(x) => Self::Sqrt(to[x]),
+            Self::Root(x) => Self::Root(to[x]),
             Self::Abs(x) => Self::Abs(to[x]),
             Self::Head(x) => Self::Head(to[x]),
             Self::Widen(x) => Self::Widen(to[x]),

@@ -16,6 +16,7 @@ mod adjoint;
 use super::{Id, Op, Program};
 use crate::parse::Float;
 use pendulum_runtime::double::{two_prod, two_sum};
+use pendulum_runtime::support::ROOT_ERROR;
 
 /// Where a value lies and how wrong it can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,7 +115,7 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
         Op::Mul(a, b) if a == b => square(known[a], float),
         Op::Mul(a, b) => product(known[a], known[b], float),
         Op::Div(a, b) => quotient(known[a], known[b], float),
-        Op::Sqrt(x) => root(known[x], float),
+        Op::Root(x) => root(known[x], float),
         Op::Abs(x) => {
             let Known { low, high, error, .. } = known[x];
             let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
@@ -191,7 +192,8 @@ fn quotient(a: Known, b: Known, float: Float) -> Known {
 fn root(x: Known, float: Float) -> Known {
     let (low, high) = (float.round(x.low.max(0.0).sqrt()), float.round(x.high.max(0.0).sqrt()));
     let inherited = if low > 0.0 { (x.error / low).min(x.error.sqrt()) } else { x.error.sqrt() };
-    Known::result((low, high), inherited, half_ulp(high, float))
+    let local = ROOT_ERROR * float.unit() * high;
+    Known::result((low * (1.0 - 1e-6), high * (1.0 + 1e-6)), inherited, local)
 }
 
 fn is_power_of_two(x: f64) -> bool {

@@ -12,7 +12,7 @@ fn expression() -> impl Copy {
     /// Planned for the paper's θ̂ with 4 terms (Eq. 22), over 2⁵³ periods:
     ///
     /// * phase: exact products with the rate in 4 words, wrong by at most 1.1e-16 anchors
-    /// * theta: 4 harmonics by recurrence from one cosine of 9 terms, an arcsine by a polynomial of 13 terms; proven error ≤ 1.098e-2 rad (1.1e-2 of truncation, 1.3e-15 of phase, 4.3e-14 of rounding); 99 operations
+    /// * theta: 4 harmonics folded into a polynomial of 18 terms in 8s² − 1, an arcsine by a polynomial of 19 terms; proven error ≤ 1.098e-2 rad (1.1e-2 of truncation, 1.3e-15 of phase, 9.5e-15 of rounding); 115 operations
     /// * coefficients of sn: b1 = 1.1523081413695546, b3 = 0.18163662447513268, b5 = 0.03502170732398364, b7 = 0.0067987238779056575
     #[allow(
         dead_code,
@@ -29,7 +29,7 @@ fn expression() -> impl Copy {
         clippy::missing_docs_in_private_items,
         clippy::single_call_fn
     )]
-    fn theta(t: f64) -> f64 {
+    const fn theta(t: f64) -> f64 {
         let head = f64::from_bits(t.to_bits() & 0xfffffffffc000000);
         let tail = t - head;
         let v = head * 0.1644628345966339;
@@ -43,47 +43,38 @@ fn expression() -> impl Copy {
         let s = first - n + second + third + fourth;
         let v_3 = s * s;
         let p = if 0.2500000000000011_f64 < v_3 { 0.2500000000000011_f64 } else { v_3 };
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let p8 = p4 * p4;
-        let cosine = 1.0 - 4.934802200544676 * p
-            + (4.058712126416498 - 1.335262768843456 * p) * p2
-            + (0.23533063012967062 - 0.02580688873817758 * p
-                + (0.001929556278037417 - 0.00010456656706174584 * p) * p2) * p4
-            + 4.149578027057121e-6 * p8;
-        let twice_cosine_of_double = cosine * cosine * 4.0 - 2.0;
-        let v_4 = 0.034348775037953166 + twice_cosine_of_double * -0.006668088304975838;
-        let v_5 = -0.17814652766733927 + twice_cosine_of_double * v_4
-            + 0.006668088304975838;
-        let argument = cosine
-            * (1.130166863544064 + twice_cosine_of_double * v_5 - v_4 - v_5);
-        let z_arcsine = if argument < 0.5 {
-            argument * argument
-        } else {
-            (1.0 - argument) * 0.5
-        };
-        let x_arcsine = if argument < 0.5 {
-            argument
-        } else {
-            ::pendula::__private::support::sqrt(z_arcsine)
-        };
-        let z2 = z_arcsine * z_arcsine;
+        let u = p * 8.0 - 1.0;
+        let u2 = u * u;
+        let u4 = u2 * u2;
+        let u8 = u4 * u4;
+        let u16 = u8 * u8;
+        let argument = 0.7018130433969925 - 0.5291889982552708 * u
+            + (-0.2826079120114372 + 0.04943072457380841 * u) * u2
+            + (0.09716441844940404 - 0.029805017900611113 * u
+                + (-0.018951675363534475 + 0.017743895627790485 * u) * u2) * u4
+            + (-0.007184978771351389 + 0.0019105349428924334 * u
+                + (-0.00037515516992174243 + 5.7605262742027504e-5 * u) * u2
+                + (-7.164361935674084e-6 + 7.395923243101023e-7 * u
+                    + (-6.454501042747263e-8 + 4.8333597818805465e-9 * u) * u2) * u4)
+                * u8 + (-3.1835451922286057e-10 + 1.81134646028934e-11 * u) * u16;
+        let z = (1.0 - argument) * 0.5;
+        let root = ::pendula::__private::support::root(z);
+        let z2 = z * z;
         let z4 = z2 * z2;
         let z8 = z4 * z4;
-        let double = x_arcsine
-            * (1.0 + 0.16666666666664837 * z_arcsine
-                + (0.0750000000040538 + 0.04464285679079935 * z_arcsine) * z2
-                + (0.030381960288624933 + 0.022371736189056253 * z_arcsine
-                    + (0.017359976290265915 + 0.013882964446353506 * z_arcsine) * z2)
-                    * z4
-                + (0.01218210162163291 + 0.006478999611110805 * z_arcsine
-                    + (0.019647553451933614 - 0.01639265110477977 * z_arcsine) * z2
-                    + 0.032017054581234806 * z4) * z8) * 2.0;
-        let result = if argument < 0.5 {
-            double
-        } else {
-            3.141592653589793 - (double + double)
-        };
+        let z16 = z8 * z8;
+        let result = 3.141592653589793
+            - root
+                * (1.0 + 0.16666666666664692 * z
+                    + (0.075000000004661 + 0.044642856707040525 * z) * z2
+                    + (0.030381965927734657 + 0.02237151471508333 * z
+                        + (0.017365564198693513 + 0.013787050989347117 * z) * z2) * z4
+                    + (0.013342636659204767 - 0.003640901406691777 * z
+                        + (0.08407513894478745 - 0.31781098908834565 * z) * z2
+                        + (1.0702391529183808 - 2.629224219313825 * z
+                            + (4.87039834346951 - 6.499638137651803 * z) * z2) * z4) * z8
+                    + (5.974990353733298 - 3.3847332031160233 * z
+                        + 0.9129216870797077 * z2) * z16) * 4.0;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
     theta

@@ -92,7 +92,7 @@ fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> boo
             add(a, inverse);
             add(b, inverse.times(1.0 / b_high, 1.0 / b_low).times(-a_high, -a_low));
         }
-        Op::Sqrt(x) => {
+        Op::Root(x) => {
             let (low, high) = known[x].both();
             if low <= 0.0 {
                 return false;
