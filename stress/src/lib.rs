@@ -9,6 +9,8 @@ pub mod exhaustive;
 pub mod finding;
 pub mod motion;
 pub mod options;
+pub mod random;
 pub mod report;
 pub mod session;
+pub mod times;
 pub mod truth;

@@ -12,6 +12,7 @@
 //! For m = 1, from the bottom, θ = 4 arctan(e^ωt) − π. The runtime and the tests of the workspace use theta quotients
 //! instead. The test here compares with reference data by `mpmath`.
 
+mod paper;
 mod start;
 
 pub use start::Start;

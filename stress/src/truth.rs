@@ -47,6 +47,8 @@ impl Output {
 pub struct Truth {
     motion: Motion,
     output: Output,
+    /// The power of ω in the output, by which errors are divided.
+    unit: f64,
     clock: Clock,
     /// Polynomials over the intervals of one period, for the output or for both coordinates.
     tables: Vec<Vec<Node>>,
@@ -94,7 +96,8 @@ impl Truth {
     /// For [`direct`](Self::direct) only.
     pub fn without_tables(motion: Motion, output: Output) -> Self {
         let clock = Clock::new(&motion, intervals(&motion));
-        Self { motion, output, clock, tables: Vec::new() }
+        let unit = output.unit(motion.start.omega.to_f64());
+        Self { motion, output, unit, clock, tables: Vec::new() }
     }
 
     /// The motion.
@@ -105,7 +108,7 @@ impl Truth {
     /// The error of `given` at time `t` (only the first number, but for a position), in units of ω's power.
     pub fn error(&self, t: f64, given: [f64; 2]) -> f64 {
         let phase = self.clock.at(t);
-        match self.output {
+        let error = match self.output {
             Output::Position => self.distance(0, &phase, given[0], 0.0).hypot(self.distance(1, &phase, given[1], 0.0)),
             Output::Theta => self.distance(0, &phase, given[0], phase.turns),
             Output::Wrapped => {
@@ -113,7 +116,8 @@ impl Truth {
                 self.distance(0, &phase, given[0], turns)
             }
             _ => self.distance(0, &phase, given[0], 0.0),
-        }
+        };
+        error / self.unit
     }
 
     /// |given − (polynomial + turns·2π)|.
@@ -135,7 +139,7 @@ impl Truth {
         let phase = self.motion.phase(t);
         let [exact, second] = values(&self.motion, self.output, &self.motion.at_phase(&phase));
         let distance = |given: f64, exact: &Big| (&Big::from(given) - exact).to_f64();
-        match self.output {
+        let error = match self.output {
             Output::Position => distance(given[0], &exact).hypot(distance(given[1], &second)),
             Output::Theta | Output::Wrapped => {
                 // Whole turns are compared by the fast path, which has to agree with this.
@@ -143,18 +147,19 @@ impl Truth {
                 (&turns.less_turns() * &(&Big::pi() * &2.0.into())).to_f64().abs()
             }
             _ => distance(given[0], &exact).abs(),
-        }
+        };
+        error / self.unit
     }
 }
 
-/// The output at a state of the motion, with velocities and accelerations in units of ω's power.
+/// The output at a state of the motion.
 fn values(motion: &Motion, output: Output, state: &State) -> [Big; 2] {
-    let sign = Big::from(motion.sign);
+    let (sign, omega) = (Big::from(motion.sign), &motion.start.omega);
     let zero = Big::from(0.0);
     match output {
         Output::Theta | Output::Wrapped => [&state.theta * &sign, zero],
-        Output::Velocity => [&(&state.slope / &(&motion.period() * &motion.start.omega)) * &sign, zero],
-        Output::Acceleration => [-&(&state.theta.sin() * &sign), zero],
+        Output::Velocity => [&(&state.slope / &motion.period()) * &sign, zero],
+        Output::Acceleration => [-&(&state.theta.sin() * &(&sign * &(omega * omega))), zero],
         Output::Position => [&state.theta.sin() * &sign, -&state.theta.cos()],
     }
 }
@@ -183,7 +188,8 @@ fn nodes(motion: &Motion, output: Output, phase: &Big, per_unit: u32) -> Vec<Nod
         cosine.push(c);
     }
     let step = &per_radian / &Big::from(f64::from(per_unit));
-    let sign = Big::from(motion.sign);
+    let (sign, omega) = (Big::from(motion.sign), &motion.start.omega);
+    let (fast, faster) = (&sign * omega, &sign * &(omega * omega));
     let node = |coefficient: &dyn Fn(usize) -> Big| {
         let mut node = [0.0; DEGREE + 2];
         let mut power = Big::from(1.0);
@@ -196,8 +202,8 @@ fn nodes(motion: &Motion, output: Output, phase: &Big, per_unit: u32) -> Vec<Nod
     };
     match output {
         Output::Theta | Output::Wrapped => vec![node(&|j| &theta[j] * &sign)],
-        Output::Velocity => vec![node(&|j| &(&theta[j + 1] * &Big::from((j + 1) as f64)) * &sign)],
-        Output::Acceleration => vec![node(&|j| -&(&sine[j] * &sign))],
+        Output::Velocity => vec![node(&|j| &(&theta[j + 1] * &Big::from((j + 1) as f64)) * &fast)],
+        Output::Acceleration => vec![node(&|j| -&(&sine[j] * &faster))],
         Output::Position => vec![node(&|j| &sine[j] * &sign), node(&|j| -&cosine[j])],
     }
 }
