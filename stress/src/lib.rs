@@ -4,8 +4,13 @@
 //! and prints what it found; `docs/ACCURACY.md` has the latest results. The tests `tests/stress_*.rs` of the workspace run
 //! the same code on fewer inputs.
 
+pub mod big;
 pub mod exhaustive;
 pub mod finding;
+pub mod motion;
 pub mod options;
+pub mod random;
 pub mod report;
 pub mod session;
+pub mod times;
+pub mod truth;

@@ -3,10 +3,10 @@
 use std::process::ExitCode;
 use std::time::Instant;
 
-use pendula_stress::exhaustive;
 use pendula_stress::options::{Options, Suite, USAGE};
 use pendula_stress::report::{Row, count, record, table};
 use pendula_stress::session::Session;
+use pendula_stress::{exhaustive, times};
 
 fn main() -> ExitCode {
     let options = match Options::parse(std::env::args().skip(1)) {
@@ -32,6 +32,7 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     let begin = Instant::now();
     let rows = match options.suite {
         Suite::Exhaustive => exhaustive::run(&session, 1),
+        Suite::Times => times::run(&session, options.inputs),
     };
     let text = summary(options, &session, &rows, begin.elapsed().as_secs());
     println!("{text}");

@@ -14,15 +14,18 @@ pub const USAGE: &str = "usage: pendula-stress exhaustive|times|amplitudes|coeff
 pub enum Suite {
     /// All `f32` times.
     Exhaustive,
+    /// Many `f64` times.
+    Times,
 }
 
 impl Suite {
-    const ALL: [Self; 1] = [Self::Exhaustive];
+    const ALL: [Self; 2] = [Self::Exhaustive, Self::Times];
 
     /// As it is written on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exhaustive => "exhaustive",
+            Self::Times => "times",
         }
     }
 
@@ -30,6 +33,7 @@ impl Suite {
     fn inputs(self) -> u64 {
         match self {
             Self::Exhaustive => 1 << 32,
+            Self::Times => 1_000_000_000,
         }
     }
 }
@@ -74,7 +78,8 @@ impl Options {
     pub fn command(&self) -> String {
         let mut command = format!("cargo run --release -p pendula-stress -- {}", self.suite.name());
         if self.inputs != self.suite.inputs() {
-            command += &format!(" --inputs {}", self.inputs);
+            command.push_str(" --inputs ");
+            command.push_str(&self.inputs.to_string());
         }
         command
     }

@@ -1,0 +1,148 @@
+//! Plans in double precision, and the run-time pendulum, at random, structured and adversarial times.
+
+mod classes;
+mod moments;
+
+pub use classes::{Class, classes};
+
+use crate::finding::Finding;
+use crate::motion::{Motion, Regime, Series};
+use crate::random::Random;
+use crate::report::Row;
+use crate::session::Session;
+use crate::truth::Truth;
+use moments::{BATCH, Moments};
+
+/// One batch in so many is followed by one of times beyond the horizon.
+const BEYOND: u64 = 16;
+/// One batch in so many has a time that is compared with multiple precision.
+const DIRECT: u64 = 2;
+/// What fast truth and multiple precision may differ by, relative to the largest value; see [`Truth`].
+const AGREEMENT: f64 = 1.0 / (1_u64 << 57) as f64;
+/// The paper's θ̂ is compared where the derivative of the arcsine is at most this: away from the turning points.
+const STEEP: f64 = 6.0;
+
+/// All classes, each at `inputs` times within its horizon.
+pub fn run(session: &Session, inputs: u64) -> Vec<Row> {
+    let judge = |class: Class| {
+        let looker = Looker::new(class);
+        let batches = inputs.div_ceil(BATCH as u64);
+        let outcome = session.share(&looker.class.name, batches, |number, found| looker.examine(number, found));
+        looker.class.row(outcome.found)
+    };
+    classes().into_iter().take_while(|_| !session.stopped()).map(judge).collect()
+}
+
+/// A class, its times, and its truth.
+struct Looker {
+    class: Class,
+    truth: Truth,
+    moments: Moments,
+    /// For the paper's θ̂, which is not the motion.
+    paper: Option<(Series, Vec<crate::big::Big>)>,
+}
+
+impl Looker {
+    fn new(class: Class) -> Self {
+        let motion = Motion::new(class.start.clone());
+        let launch = match &motion.regime {
+            Regime::Swing(series) | Regime::Rotation(series) => series.launch.to_f64(),
+            Regime::Separatrix => 0.0,
+        };
+        let period = motion.period().to_pair();
+        let horizon = class.horizon.min(class.periods * period[0]);
+        let paper = match (&motion.regime, class.terms) {
+            (Regime::Swing(series), Some(terms)) => Some((series.clone(), series.paper_coefficients(terms))),
+            _ => None,
+        };
+        let truth = match paper {
+            Some(_) => Truth::without_tables(motion, class.output),
+            None => Truth::new(motion, class.output),
+        };
+        Self { moments: Moments { horizon, period, launch }, class, truth, paper }
+    }
+
+    fn examine(&self, number: u64, found: &mut Finding) {
+        let mut times = [0.0; BATCH];
+        self.moments.batch(number, &mut times);
+        if let Some((series, coefficients)) = &self.paper {
+            // Each takes a hundred thousand times as long: a few of every batch do.
+            self.examine_paper(series, coefficients, &times[..8], found);
+            return;
+        }
+        let mut values = [[0.0; 2]; BATCH];
+        (self.class.evaluate)(&times, &mut values);
+        found.tried += BATCH as u64;
+        for (&t, &value) in times.iter().zip(&values) {
+            let error = self.truth.error(t, value);
+            found.observe(error, t);
+            // NaN too.
+            if !(error <= self.class.limit()) {
+                found.fault(|| format!("{} at {t:e}: {value:?}, off by {error:e}", self.class.name));
+            }
+        }
+        if number.is_multiple_of(DIRECT) {
+            let i = Random::new(number).bits() as usize % BATCH;
+            self.compare(times[i], values[i], found);
+        }
+        if number.is_multiple_of(BEYOND) {
+            self.examine_beyond(number, found);
+        }
+    }
+
+    /// What one power of ω is in the output.
+    fn unit(&self) -> f64 {
+        self.class.output.unit(self.class.start.omega.to_f64())
+    }
+
+    /// Fast truth with multiple precision.
+    fn compare(&self, t: f64, value: [f64; 2], found: &mut Finding) {
+        let (fast, direct) = (self.truth.error(t, value), self.truth.direct(t, value));
+        // What is promised is relative to this too.
+        let scale = self.class.ceiling.min(value[0].abs().max(std::f64::consts::PI));
+        found.direct += 1;
+        if !((fast - direct).abs() <= AGREEMENT * scale) {
+            found.fault(|| format!("truth at {t:e} is off: {fast:e}, {direct:e}"));
+        }
+    }
+
+    /// Beyond the horizon results are finite and within the motion's range.
+    fn examine_beyond(&self, number: u64, found: &mut Finding) {
+        let mut random = Random::new(!number);
+        let mut times = [0.0; BATCH];
+        let (near, far) = (self.moments.horizon.to_bits(), f64::MAX.to_bits());
+        for t in &mut times {
+            let magnitude = f64::from_bits(near + random.bits() % (far - near + 1));
+            *t = if random.bits() & 1 == 0 { magnitude } else { -magnitude };
+        }
+        times[0] = f64::MAX;
+        let mut values = [[0.0; 2]; BATCH];
+        (self.class.evaluate)(&times, &mut values);
+        let most = (self.class.ceiling + self.class.limit()) * self.unit();
+        for (&t, value) in times.iter().zip(&values) {
+            if !value.iter().all(|value| value.abs() <= most) {
+                found.fault(|| format!("{} at {t:e}, beyond the horizon: {value:?}", self.class.name));
+            }
+        }
+        times[..3].copy_from_slice(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
+        (self.class.evaluate)(&times, &mut values);
+        for (&t, value) in times[..3].iter().zip(&values) {
+            if !value[0].is_nan() {
+                found.fault(|| format!("{} at {t:e}: {value:?}", self.class.name));
+            }
+        }
+    }
+
+    fn examine_paper(&self, series: &Series, coefficients: &[crate::big::Big], times: &[f64], found: &mut Finding) {
+        for &t in times {
+            let mut values = [[0.0; 2]];
+            (self.class.evaluate)(&[t], &mut values);
+            let Some((exact, steep)) = series.paper(coefficients, &self.truth.motion().phase(t)) else { continue };
+            if steep <= STEEP {
+                found.tried += 1;
+                found.direct += 1;
+                found.observe((&values[0][0].into() - &exact).to_f64().abs(), t);
+            }
+        }
+    }
+}

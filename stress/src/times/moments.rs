@@ -1,0 +1,101 @@
+//! Times at which plans are looked at: at random, structured, and chosen to hurt.
+
+use crate::random::Random;
+
+/// So many times are of one kind.
+pub const BATCH: usize = 4096;
+
+/// The times of one motion within one horizon.
+pub struct Moments {
+    /// The promise holds for |t| up to this.
+    pub horizon: f64,
+    /// T, in two words; on the separatrix 1/ω.
+    pub period: [f64; 2],
+    /// Phase at t = 0, in periods.
+    pub launch: f64,
+}
+
+/// Kinds that batches take in turn.
+const KINDS: u64 = 8;
+
+impl Moments {
+    /// The `number`-th batch; all within the horizon.
+    pub fn batch(&self, number: u64, times: &mut [f64; BATCH]) {
+        let mut random = Random::new(number);
+        for t in times.iter_mut() {
+            *t = self.one(number % KINDS, &mut random).clamp(-self.horizon, self.horizon);
+        }
+    }
+
+    fn one(&self, kind: u64, random: &mut Random) -> f64 {
+        let [period, _] = self.period;
+        match kind {
+            0 => self.horizon * random.signed(),
+            1 => random.scaled(period * 1e-3, self.horizon),
+            2 => (4.0 * period).min(self.horizon) * random.signed(),
+            3 | 4 => self.eighth(random),
+            // The end of the horizon, where the phase has drifted most, to its last ulps.
+            5 => {
+                let back = if random.bits() & 1 == 0 { period * random.unit() } else { 0.0 };
+                shifted(self.horizon - back, -((random.bits() & 7) as i64)) * sign(random)
+            }
+            // Every exponent, subnormals too, with any mantissa or with few bits.
+            6 => {
+                let bits = random.bits() % (self.horizon.to_bits() + 1);
+                let kept = if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 44 };
+                f64::from_bits(bits & kept) * sign(random)
+            }
+            // Powers of two and their neighbours.
+            _ => {
+                let bits = random.bits() % (self.horizon.to_bits() + 1) & (0x7FF << 52);
+                shifted(f64::from_bits(bits), (random.bits() % 9) as i64 - 4) * sign(random)
+            }
+        }
+    }
+
+    /// Near a multiple of T/8 from a turning point: those and lowest points, where curves are worst conditioned, and the
+    /// ties of rounding to whole anchors, whichever way the phase is centred. To the ulp, or less near.
+    fn eighth(&self, random: &mut Random) -> f64 {
+        let [period, rest] = self.period;
+        let most = (self.horizon / period * 8.0).max(16.0);
+        let count = random.scaled(0.5, most).round();
+        let phase = count / 8.0 - self.launch;
+        // The second word matters, since there may be 2⁵³ periods.
+        let high = phase * period;
+        let t = high + (phase.mul_add(period, -high) + phase * rest);
+        match random.bits() & 3 {
+            0 => t,
+            1 | 2 => shifted(t, (random.bits() % 17) as i64 - 8),
+            _ => t + random.scaled(period * 1e-12, period * 0.1),
+        }
+    }
+}
+
+fn sign(random: &mut Random) -> f64 {
+    if random.bits() & 1 == 0 { 1.0 } else { -1.0 }
+}
+
+/// `ulps` numbers on, away from zero; not past zero.
+fn shifted(t: f64, ulps: i64) -> f64 {
+    let magnitude = t.abs().to_bits().saturating_add_signed(ulps).min(f64::MAX.to_bits());
+    f64::from_bits(magnitude).copysign(t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BATCH, KINDS, Moments};
+
+    #[test]
+    fn all_times_are_within_the_horizon_and_differ() {
+        let moments = Moments { horizon: 1217.5, period: [12.1, 1e-16], launch: 0.1 };
+        let mut times = [0.0; BATCH];
+        for number in 0..KINDS {
+            moments.batch(number, &mut times);
+            assert!(times.iter().all(|t| t.abs() <= moments.horizon), "{number}");
+            let mut bits = times.map(f64::to_bits);
+            bits.sort_unstable();
+            let distinct = 1 + bits.windows(2).filter(|pair| pair[0] != pair[1]).count();
+            assert!(distinct > 16, "{number}: {distinct}");
+        }
+    }
+}
