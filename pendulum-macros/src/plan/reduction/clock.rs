@@ -1,0 +1,193 @@
+//! The reductions that a motion can choose from, and how wrong each is.
+
+use super::words::{exponent, split_down, split_near};
+use super::{LINEAR_HALF, Method, Origin, Reduction};
+use crate::exact::Real;
+use crate::parse::Float;
+use crate::program::rounding::half_ulp;
+use pendulum_runtime::double::Double;
+
+/// The horizon when no `t_max` is given: 2⁵³ periods are 2⁵⁴ anchors.
+const UNLIMITED: f64 = 18_014_398_509_481_984.0;
+
+/// What all reductions of one motion start from.
+pub(crate) struct Clock<'a> {
+    /// Anchors per unit of time.
+    pub(crate) rate: &'a Real,
+    pub(crate) launch: Double,
+    pub(crate) t_max: Option<f64>,
+    pub(crate) float: Float,
+}
+
+impl Clock<'_> {
+    /// The greatest |t| promised.
+    fn horizon(&self) -> f64 {
+        self.t_max.unwrap_or_else(|| UNLIMITED / self.rate.to_f64()).min(f64::MAX)
+    }
+
+    /// Every reduction that is valid over the horizon.
+    pub(crate) fn reductions(&self) -> Vec<Reduction> {
+        use Origin::{Anchor, Lowest};
+        let common = [self.one_word()];
+        let cody_waite = [(2, Anchor), (3, Anchor), (2, Lowest), (3, Lowest)];
+        let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
+        let last = match self.float {
+            Float::F64 => vec![self.any_time(3, Anchor), self.any_time(4, Anchor), self.any_time(4, Lowest)],
+            Float::F32 => {
+                vec![self.wide(Anchor), self.wide(Lowest), self.wide_any_time(Anchor), self.wide_any_time(Lowest)]
+            }
+        };
+        let unsure = common.into_iter().chain(cody_waite).flatten();
+        unsure.chain(last).filter(Reduction::is_useful).collect()
+    }
+
+    fn reduction(
+        &self,
+        method: Method,
+        origin: Origin,
+        [error, relative_error]: [f64; 2],
+        overshoot: f64,
+    ) -> Reduction {
+        let cody_waite = matches!(method, Method::CodyWaite { .. });
+        // Where a product can overflow: of `f32` times only that with a single `f32` word, the others being of `f64`.
+        let (overflows, most) = match (self.float, &method) {
+            (Float::F64, _) => (self.rate.to_f64() > 0.25, 2f64.powi(1000)),
+            (Float::F32, Method::OneWord { .. }) => (self.rate.to_f64() > 1.0, 2f64.powi(120)),
+            (Float::F32, _) => (false, 0.0),
+        };
+        // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
+        let exact =
+            matches!(method, Method::AnyTime { .. }) || self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0;
+        let wide = matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. });
+        let added_in = if wide { Float::F64 } else { self.float };
+        let launch_error = if exact { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
+        Reduction {
+            method,
+            float: self.float,
+            launch: self.launch,
+            origin,
+            error: error + launch_error,
+            relative_error,
+            overshoot,
+            unit: if cody_waite { self.rate.to_double() } else { Double::ONE },
+            cap: (overflows && !cody_waite).then(|| self.float.round(most / self.rate.to_f64().max(1.0))),
+        }
+    }
+
+    /// |t|·|R − fl(R)| and the rounding of the product; the subtraction is exact.
+    fn one_word(&self) -> Option<Reduction> {
+        let anchors = self.horizon() * self.rate.to_f64();
+        let rate = self.float.round(self.rate.to_f64());
+        let drift = self.horizon() * self.off(&[rate]);
+        (anchors < self.float.magic() / 8.0).then(|| {
+            let error = drift + half_ulp(anchors * 1.001, self.float);
+            self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], 0.0)
+        })
+    }
+
+    /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
+    fn cody_waite(&self, count: usize, origin: Origin) -> Option<Reduction> {
+        let anchors = (self.horizon() * self.rate.to_f64() + 1.0).max(2.0);
+        let k = anchors.log2().floor() as i32 + 2;
+        let p = self.float.bits();
+        if k > 2 * p / 3 {
+            return None;
+        }
+        let time = self.rate.context().integer(1) / self.rate;
+        let words = split_down(&time, p - k, count, self.float);
+        if words.iter().any(|w| *w != 0.0 && w.abs() < self.smallest_safe()) {
+            return None;
+        }
+        let rate = self.float.round(self.rate.to_f64());
+        let left = words.iter().fold(time, |rest, &word| rest - self.exact(word)).abs().to_f64();
+        let last = words.last().copied().unwrap_or(0.0).abs();
+        // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a time
+        // next to half an anchor, where that is next to a power of two, escapes both.
+        let half = 0.5 / rate;
+        let crosses = exponent(half * (1.0 + 1e-6)) != exponent(half * (1.0 - 1e-6));
+        let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
+        let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * 1.000_001;
+        let errors = match origin {
+            Origin::Anchor => [drift + half_ulp(half * 1.001, self.float) * rate, 0.0],
+            Origin::Lowest => [drift, self.float.unit() * 1.001],
+        };
+        let overshoot = 4.0 * anchors * self.float.unit();
+        Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, overshoot))
+    }
+
+    fn wide(&self, origin: Origin) -> Reduction {
+        let rate = self.rate.to_f64();
+        let anchors = self.horizon() * rate;
+        let drift = self.horizon() * self.off(&[rate]) + half_ulp(anchors * 1.001, Float::F64);
+        self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), 0.0)
+    }
+
+    /// The first two products are exact (24 + 29 bits); the sum of the second and third, below 2²⁶, is rounded to 2⁻²⁸.
+    fn wide_any_time(&self, origin: Origin) -> Reduction {
+        let words = split_down(self.rate, 29, 3, Float::F64);
+        let method = Method::WideAnyTime { words: [words[0], words[1], words[2]] };
+        self.reduction(method, origin, self.narrowed(2f64.powi(-27), origin), 2f64.powi(-26))
+    }
+
+    /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point.
+    pub(crate) fn linear(&self) -> Reduction {
+        let words = if self.launch == Double::ZERO {
+            [self.rate.to_f64(), 0.0, 0.0]
+        } else {
+            let [r1, r2, r3] = split_near(self.rate, &[26, 26]);
+            [r1, r2, r3]
+        };
+        let launch = self.launch.hi.abs();
+        let relative = if self.float == Float::F64 { 3.001 } else { 1.001 } * self.float.unit();
+        Reduction {
+            method: Method::Linear { words },
+            float: self.float,
+            launch: self.launch,
+            origin: Origin::Lowest,
+            error: (launch + 1.0) * 2f64.powi(-74),
+            relative_error: relative,
+            overshoot: 0.0,
+            unit: Double::ONE,
+            cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
+        }
+    }
+
+    /// What the conversion of the phase to `f32` adds.
+    fn narrowed(&self, error: f64, origin: Origin) -> [f64; 2] {
+        match origin {
+            Origin::Anchor => [error + half_ulp(0.49, Float::F32), 0.0],
+            Origin::Lowest => [error, self.float.unit() * 1.001],
+        }
+    }
+
+    /// Two roundings of sums, relative to the result, and the last word's product: of three words, below 16 anchors, it is
+    /// rounded to 2⁻⁵⁰ and so is its sum with another. Where the third part isn't small beside the others (t beyond 2²⁵
+    /// anchors), the first sum is exact.
+    fn any_time(&self, count: usize, origin: Origin) -> Reduction {
+        let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
+        let last = if count == 3 { 2f64.powi(-49) } else { 2f64.powi(-72) };
+        let drift = self.horizon() * self.off(&words) + last;
+        let errors = match origin {
+            Origin::Anchor => [drift + 2f64.powi(-53), 0.0],
+            Origin::Lowest => [drift, 2.001 * Float::F64.unit()],
+        };
+        self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-50))
+    }
+
+    fn exact(&self, x: f64) -> Real {
+        self.rate.context().float(x).unwrap_or_else(|| self.rate.context().integer(0))
+    }
+
+    /// |R − Σ words|.
+    fn off(&self, words: &[f64]) -> f64 {
+        words.iter().fold(self.rate.clone(), |rest, &word| rest - self.exact(word)).abs().to_f64()
+    }
+
+    /// Words below this would lose bits to underflow in products.
+    fn smallest_safe(&self) -> f64 {
+        match self.float {
+            Float::F64 => 1e-280,
+            Float::F32 => 1e-30,
+        }
+    }
+}

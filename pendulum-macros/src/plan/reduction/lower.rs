@@ -1,0 +1,237 @@
+//! A reduction as operations.
+
+use super::{Method, Origin, Phase, Reduction};
+use crate::parse::Float;
+use crate::program::{Builder, Id, Op};
+use pendulum_runtime::double::Double;
+
+impl Reduction {
+    /// Emits the reduction.
+    pub(crate) fn lower(&self, b: &mut Builder, t: Id) -> Phase {
+        let t = self.capped(b, t);
+        let phase = match &self.method {
+            Method::OneWord { rate } => self.direct(b, t, *rate),
+            Method::CodyWaite { rate, words } => self.cody_waite(b, t, *rate, words),
+            Method::Wide { rate } => {
+                let wide = b.convert(t, Float::F64);
+                self.direct(b, wide, *rate)
+            }
+            Method::WideAnyTime { words } => {
+                let wide = b.convert(t, Float::F64);
+                self.wide_any_time(b, wide, words)
+            }
+            Method::AnyTime { words } => self.any_time(b, t, words),
+            Method::Linear { words } => {
+                let wide = b.convert(t, Float::F64);
+                self.linear(b, wide, words)
+            }
+        };
+        let remainder = b.convert(phase.remainder, self.float);
+        let name = if self.origin == Origin::Anchor { "s" } else { "z" };
+        Phase { remainder: b.name(remainder, name), ..phase }
+    }
+
+    /// `t` within ±cap, infinite times turned to NaN by t − t.
+    fn capped(&self, b: &mut Builder, t: Id) -> Id {
+        let Some(cap) = self.cap else { return t };
+        let (most, least) = (b.constant(cap), b.constant(-cap));
+        let zero = b.sub(t, t);
+        let upper = b.push(Op::Min { limit: most, x: t });
+        let both = b.push(Op::Max { limit: least, x: upper });
+        let capped = b.add(both, zero);
+        b.name(capped, "time")
+    }
+
+    /// Phase of t = 0 from the origin nearest to it: where t is small nothing of it is lost.
+    fn offset(&self) -> Double {
+        let offset = self.whole_offset();
+        if matches!(self.method, Method::Linear { .. }) {
+            offset
+        } else {
+            offset - Double::new(offset.hi.round_ties_even())
+        }
+    }
+
+    /// Phase of t = 0 from the origin numbered 0.
+    fn whole_offset(&self) -> Double {
+        match (&self.method, self.origin) {
+            (Method::Linear { .. }, _) | (_, Origin::Anchor) => self.launch,
+            (_, Origin::Lowest) => self.launch - Double::new(0.5),
+        }
+    }
+
+    /// The number of the origin nearest to t = 0.
+    fn first_number(&self) -> f64 {
+        self.whole_offset().hi.round_ties_even()
+    }
+
+    /// The magic sum of x + offset, and the nearest integer.
+    fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
+        let x = offset_by(b, x, self.offset());
+        let constant = b.float().magic();
+        let constant = b.constant(constant);
+        let magic = b.add(x, constant);
+        b.name(magic, "magic");
+        let n = b.sub(magic, constant);
+        (magic, b.name(n, "n"))
+    }
+
+    /// The phase, origins counted from the one numbered 0.
+    fn numbered(&self, b: &mut Builder, remainder: Id, magic: Id, count: Id) -> Phase {
+        let first = self.first_number();
+        if first == 0.0 {
+            return Phase { remainder, magic, count };
+        }
+        let first = b.constant(first);
+        Phase { remainder, magic: b.add(magic, first), count: b.add(count, first) }
+    }
+
+    fn direct(&self, b: &mut Builder, t: Id, rate: f64) -> Phase {
+        let rate = b.constant(rate);
+        let x = b.mul(t, rate);
+        b.name(x, "x");
+        let (magic, n) = self.round(b, x);
+        let rest = b.sub(x, n);
+        let remainder = offset_by(b, rest, self.offset());
+        self.numbered(b, remainder, magic, n)
+    }
+
+    fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {
+        let rate = b.constant(rate);
+        let x = b.mul(t, rate);
+        let (magic, count) = self.round(b, x);
+        let mut n = count;
+        // Of the offset, halves are added to n without rounding.
+        let halves = (-2.0 * self.offset().hi).round_ties_even() * 0.5;
+        let offset = (self.offset() + Double::new(halves)) / self.unit;
+        if halves != 0.0 {
+            let halves = b.constant(halves);
+            n = b.add(n, halves);
+        }
+        let mut remainder = t;
+        for &word in words.iter().filter(|&&word| word != 0.0) {
+            let word = b.constant(word);
+            let whole = b.mul(n, word);
+            remainder = b.sub(remainder, whole);
+        }
+        let remainder = offset_by(b, remainder, offset);
+        self.numbered(b, remainder, magic, count)
+    }
+
+    fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
+        let [first, second, third] = words.map(|word| {
+            let word = b.constant(word);
+            b.mul(t, word)
+        });
+        let (first, eights) = modulo_eight(b, first);
+        let low = b.add(second, third);
+        let sum = b.add(first, low);
+        let (magic, n) = self.round(b, sum);
+        let rest = b.sub(first, n);
+        let rest = offset_by(b, rest, self.offset());
+        let count = b.add(eights, n);
+        let remainder = b.add(rest, low);
+        self.numbered(b, remainder, magic, count)
+    }
+
+    /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the sum of
+    /// the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24), hence
+    /// exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below 2^(e−75).
+    /// The first two are taken modulo 8, exactly; only the sums of the four parts are rounded.
+    /// With three words the third is all the rest, and its product with t the last part.
+    fn any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
+        let words: Vec<Id> = words.iter().map(|&word| b.constant(word)).collect();
+        let (r1, r2, r3) = (words[0], words[1], words[2]);
+        let head = b.push(Op::Head(t));
+        b.name(head, "head");
+        let tail = b.sub(t, head);
+        b.name(tail, "tail");
+        let first = b.mul(head, r1);
+        let (first, many) = modulo_eight(b, first);
+        b.name(first, "first");
+        let second = cross(b, (tail, r1), (head, r2));
+        let (second, some) = modulo_eight(b, second);
+        b.name(second, "second");
+        let third = cross(b, (tail, r2), (if words.len() > 3 { head } else { t }, r3));
+        b.name(third, "third");
+        let fourth = words.get(3).map(|&r4| {
+            let fourth = cross(b, (tail, r3), (t, r4));
+            b.name(fourth, "fourth")
+        });
+        let leading = b.add(first, second);
+        let sum = b.add(leading, third);
+        let (magic, n) = self.round(b, sum);
+        let rest = b.sub(first, n);
+        let eights = b.add(many, some);
+        let count = b.add(eights, n);
+        let remainder = self.sum_of_parts(b, [rest, second, third], fourth);
+        self.numbered(b, remainder, magic, count)
+    }
+
+    /// The four parts and the offset. Without a launch the offset is nought or a half: as long as the third part isn't
+    /// small, all sums but the last are exact. With one they are done in two words.
+    fn sum_of_parts(&self, b: &mut Builder, [rest, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
+        let offset = self.offset();
+        if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
+            let rest = offset_by(b, rest, offset);
+            let sum = b.add(rest, second);
+            let sum = b.add(sum, third);
+            return fourth.map_or(sum, |fourth| b.add(sum, fourth));
+        }
+        let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
+        let (mut sum, mut lost) = (rest, fourth.map_or(low, |fourth| b.add(fourth, low)));
+        for part in [second, third, head] {
+            let (next, error) = b.two_sum(sum, part);
+            (sum, lost) = (next, b.add(lost, error));
+        }
+        b.add(sum, lost)
+    }
+
+    /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
+    /// be exact where the launch cancels it: t in 27 + 26 bits, R in 26 + 26 and the rest.
+    fn linear(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
+        let [r1, r2, r3] = words.map(|word| b.constant(word));
+        if self.launch == Double::ZERO {
+            let remainder = b.mul(t, r1);
+            return Phase { remainder, magic: t, count: t };
+        }
+        let head = b.push(Op::Head(t));
+        b.name(head, "head");
+        let tail = b.sub(t, head);
+        b.name(tail, "tail");
+        let first = b.mul(head, r1);
+        let second = cross(b, (tail, r1), (head, r2));
+        let third = cross(b, (tail, r2), (t, r3));
+        let (launch, rest) = (b.exact(self.launch.hi, 0.0), b.constant(self.launch.lo));
+        let (sum, lost) = b.two_sum(first, launch);
+        let (sum, lost_too) = b.two_sum(sum, second);
+        let low = b.add(lost, lost_too);
+        let third = b.add(third, rest);
+        let low = b.add(low, third);
+        Phase { remainder: b.add(sum, low), magic: t, count: t }
+    }
+}
+
+/// x + offset, if there is any.
+fn offset_by(b: &mut Builder, x: Id, offset: Double) -> Id {
+    if offset == Double::ZERO {
+        return x;
+    }
+    let offset = b.exact(offset.hi, offset.lo);
+    b.add(x, offset)
+}
+
+/// a·b + c·d.
+fn cross(b: &mut Builder, left: (Id, Id), right: (Id, Id)) -> Id {
+    let left = b.mul(left.0, left.1);
+    let right = b.mul(right.0, right.1);
+    b.add(left, right)
+}
+
+/// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴, and that multiple: adding 1.5·2⁵⁵ rounds to one.
+fn modulo_eight(b: &mut Builder, x: Id) -> (Id, Id) {
+    let constant = b.constant(8.0 * Float::F64.magic());
+    let sum = b.add(x, constant);
+    let eights = b.sub(sum, constant);
+    (b.sub(x, eights), eights)
+}

@@ -1,0 +1,121 @@
+//! Phase reduction: from the time to the phase between two anchors, where the motion is symmetric.
+//!
+//! An anchor is a turning point of a swing, or the top of a rotation; `rate` anchors are passed per unit of time, and
+//! x = rate·t + launch counts them. A reduction computes either n = round(x), whose parity tells the sign of a swing, and
+//! the remainder s = x − n, or n = round(x − ½) and z = x − n − ½, the phase from the lowest point, near which it is the
+//! more accurate and the motion the fastest. |s| and |z| are at most ½ (plus `overshoot`), in units of `unit` anchors.
+//!
+//! Rounding is done by adding and subtracting 1.5·2⁵² (1.5·2²³), which leaves the integer in the sum's low bits. The
+//! subtractions that follow are exact: their operands are multiples of the same unit and the result is no longer.
+
+mod clock;
+mod lower;
+mod words;
+
+pub(crate) use clock::Clock;
+
+use crate::parse::Float;
+use crate::program::{Builder, Id};
+use pendulum_runtime::double::Double;
+
+/// How the phase is found, over which horizon, and how wrong it can be.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Reduction {
+    pub(crate) method: Method,
+    /// The type of time and result.
+    pub(crate) float: Float,
+    /// Anchors passed at t = 0.
+    pub(crate) launch: Double,
+    /// Where the reduced phase is zero.
+    pub(crate) origin: Origin,
+    /// |computed − true| of the phase over the horizon, in anchors, is at most `error` + `relative_error`·|phase|.
+    pub(crate) error: f64,
+    pub(crate) relative_error: f64,
+    /// |s| exceeds ½ by at most this, in anchors.
+    pub(crate) overshoot: f64,
+    /// Anchors per unit of the reduced variable.
+    pub(crate) unit: Double,
+    /// Times beyond ±this are replaced by it, where the products would overflow.
+    pub(crate) cap: Option<f64>,
+}
+
+/// The zero of the reduced phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Origin {
+    /// An anchor: a turning point, the top.
+    Anchor,
+    /// Half-way between two anchors: the lowest point.
+    Lowest,
+}
+
+/// The ways of reducing the phase, cheapest first.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Method {
+    /// s = t·R − n with R in one word.
+    OneWord { rate: f64 },
+    /// s = t − n·T₁ − n·T₂ …, every nTᵢ but the last exact (Cody and Waite 1980); s is a time.
+    CodyWaite { rate: f64, words: Vec<f64> },
+    /// An `f32` time, R in one `f64` word.
+    Wide { rate: f64 },
+    /// An `f32` time, R in three `f64` words whose first two products are exact.
+    WideAnyTime { words: [f64; 3] },
+    /// An `f64` time, R in three or four words; all products that matter but the last are exact.
+    AnyTime { words: Vec<f64> },
+    /// z = t·R + launch, never reduced: the separatrix has one lowest point. R in three words where there is a launch.
+    Linear { words: [f64; 3] },
+}
+
+/// The reduced phase in a program.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Phase {
+    /// The remainder, of the program's float.
+    pub(crate) remainder: Id,
+    /// The sum whose lowest bit is the parity of n.
+    pub(crate) magic: Id,
+    /// The number n of anchors passed.
+    pub(crate) count: Id,
+}
+
+/// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision.
+const LINEAR_HALF: f64 = 700.0;
+
+impl Reduction {
+    /// Whether the phase is known at all at the end of the horizon.
+    fn is_useful(&self) -> bool {
+        self.error < 0.5 && self.half().is_finite()
+    }
+
+    /// The number of its operations.
+    pub(crate) fn operations(&self) -> usize {
+        let mut b = Builder::new(self.float);
+        let t = b.input();
+        let Phase { remainder, magic, .. } = self.lower(&mut b, t);
+        b.finish(vec![remainder, magic]).operations()
+    }
+
+    /// For the reader.
+    pub(crate) fn describe(&self) -> String {
+        let from = if self.origin == Origin::Lowest { " from the lowest point" } else { "" };
+        let how = match &self.method {
+            Method::OneWord { .. } => "one product with the rate".to_owned(),
+            Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
+            Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
+            Method::WideAnyTime { .. } => "exact products with the rate in three words of `f64`".to_owned(),
+            Method::AnyTime { words } => format!("exact products with the rate in {} words", words.len()),
+            Method::Linear { .. } => "the time itself".to_owned(),
+        };
+        format!("{how}{from}")
+    }
+
+    /// The largest |s|, in units of the reduced variable, rounded up to a number of its type.
+    pub(crate) fn half(&self) -> f64 {
+        if matches!(self.method, Method::Linear { .. }) {
+            return LINEAR_HALF;
+        }
+        if self.overshoot == 0.0 && self.unit == Double::ONE {
+            return 0.5;
+        }
+        let half = (0.5 + self.overshoot) / self.unit.hi;
+        self.float.round(half * (1.0 + 4.0 * self.float.unit()))
+    }
+}
