@@ -15,6 +15,7 @@ pub(crate) mod random;
 mod verdict;
 
 use random::Random;
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 use verdict::{Verdict, judge};
 
@@ -98,13 +99,15 @@ fn setting(name: &str, default: u64) -> u64 {
 fn long() {
     let end = Instant::now() + Duration::from_secs(setting("PENDULA_FUZZ_SECONDS", 60));
     let (first, threads) = (setting("PENDULA_FUZZ_SEED", 1) << 40, setting("PENDULA_FUZZ_THREADS", 2));
-    let run = move |thread: u64| {
+    let run = move |thread: u64, current: &Mutex<String>| {
         let mut tallies = GENERATORS.map(|_| Tally::default());
         for index in 0.. {
             let mut random = Random::new(first + (thread << 36) + index);
             let generator = random.choose(&[0, 0, 0, 1, 1, 2]);
+            let text = GENERATORS[generator].1(&mut random);
+            current.lock().unwrap().clone_from(&text);
             let known = tallies[generator].failures.len();
-            tallies[generator].judge(&GENERATORS[generator].1(&mut random));
+            tallies[generator].judge(&text);
             if let Some(failure) = tallies[generator].failures.get(known) {
                 println!("{failure}");
             }
@@ -114,14 +117,24 @@ fn long() {
         }
         tallies
     };
-    let threads: Vec<_> = (0..threads).map(|thread| std::thread::spawn(move || run(thread))).collect();
     let mut failures = 0;
-    for thread in threads {
-        for ((name, _), tally) in GENERATORS.iter().zip(thread.join().expect("a failure is caught and counted")) {
-            println!("{}", tally.report(name));
-            failures += tally.failures.len();
+    let currents: Vec<Mutex<String>> = (0..threads).map(|_| Mutex::default()).collect();
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..).zip(&currents).map(|(i, current)| scope.spawn(move || run(i, current))).collect();
+        while !threads.iter().all(|thread| thread.is_finished()) {
+            std::thread::sleep(Duration::from_secs(1));
+            if Instant::now() > end + Duration::from_secs(20) {
+                currents.iter().for_each(|current| println!("hangs?\n    {}", current.lock().unwrap()));
+                std::process::exit(1);
+            }
         }
-    }
+        for thread in threads {
+            for ((name, _), tally) in GENERATORS.iter().zip(thread.join().expect("a failure is caught and counted")) {
+                println!("{}", tally.report(name));
+                failures += tally.failures.len();
+            }
+        }
+    });
     assert_eq!(failures, 0);
 }
 
@@ -132,6 +145,7 @@ fn one() {
     let text = std::env::var("PENDULA_TEXT").unwrap_or_default();
     for text in text.split('|') {
         println!("{text}\n   {:?}", judge(text));
+        verdict::debug(text);
         text.parse().map_or_else(
             |e| println!("{e}"),
             |tokens| verdict::mistakes(tokens).iter().for_each(|e| println!("   {e}")),

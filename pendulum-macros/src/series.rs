@@ -178,8 +178,10 @@ impl Wave {
         let mut omitted = 0.0;
         for (m, amplitude) in terms {
             largest = largest.max(amplitude.hi.abs());
-            if envelope.tail(m, 0.0) <= NEGLIGIBLE * largest {
-                omitted = envelope.tail(m, 0.0);
+            let tail = envelope.tail(m, 0.0);
+            // Where an amplitude overflows no comparison holds.
+            if tail <= NEGLIGIBLE * largest || !largest.is_finite() {
+                omitted = tail;
                 break;
             }
             kept.push((m, amplitude));

@@ -180,7 +180,24 @@ impl Checker<'_> {
             Regime::Rotation(rotation) => (&rotation.period, "the time of one turn"),
             Regime::Separatrix(_) => return Ok(()),
         };
-        self.representable_result(period, name)
+        self.representable_result(period, name)?;
+        self.turns_unevenly(motion)
+    }
+
+    /// Refuses a rotation whose κ² underflows: its angle is linear in time beyond any precision.
+    fn turns_unevenly(&mut self, motion: &Motion) -> Checked<()> {
+        let Regime::Rotation(rotation) = &motion.regime else { return Ok(()) };
+        let request = self.request;
+        match &request.velocity0 {
+            Some(given) if rotation.elliptic.modulus.exponent() < -450 => {
+                let message = format!(
+                    "`velocity0 = {}` is so fast, beside ω, that the angle is θ0 + velocity0·t to the last digit: compute that",
+                    source::value(&given.tokens)
+                );
+                Err(self.refuse(&given.tokens, message))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Largest |θ̇| and |θ̈|, where they are asked for, have to be normal floats.
@@ -200,6 +217,10 @@ impl Checker<'_> {
                 _ => &self.context.integer(1),
             };
             self.representable_result(&(motion.omega.square() * steepest), "the largest acceleration")?;
+            if let (Regime::Rotation(rotation), Float::F64) = (&motion.regime, self.float()) {
+                // The acceleration is computed with it.
+                self.representable_result(&rotation.fastest.square(), "the square of the largest velocity")?;
+            }
         }
         Ok(())
     }

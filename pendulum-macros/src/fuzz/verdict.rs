@@ -139,6 +139,7 @@ fn errors_are_placed(errors: &[syn::Error], text: &str) -> Result<(), String> {
 fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
     let message = refusal.explain(scene).to_string();
     match refusal {
+        Refusal::Unreachable { best } if best.is_infinite() && (scene.method.is_some() || is_minute(scene)) => Ok(()),
         Refusal::Unreachable { best } if !(best.is_finite() && *best > 0.0) => Err(format!("offers {best}: {message}")),
         Refusal::Unreachable { best } => match scene.goal {
             Goal::Tolerance(tol) if *best <= tol => Err(format!("refuses {tol:e} and offers {best:e}")),
@@ -150,6 +151,11 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
         }
         _ => Ok(()),
     }
+}
+
+/// An amplitude so small that products with it are subnormal.
+fn is_minute(scene: &Scene) -> bool {
+    matches!(&scene.motion.regime, Regime::Swing(swing) if swing.amplitude.to_f64() < 1e-300)
 }
 
 /// The tolerance that a message names can be had.
@@ -215,4 +221,25 @@ fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
 pub(crate) fn is_item(text: &str) -> bool {
     let request = text.parse().ok().and_then(|tokens| parse::parse(tokens, &mut Report::default()));
     request.is_some_and(|request| matches!(request.form, Form::Item(_)))
+}
+
+pub(crate) fn debug(text: &str) {
+    let (scene, _) = scene(text.parse().unwrap());
+    let Some(scene) = scene else { return };
+    println!(
+        "   {:?}",
+        crate::plan::cheapest(&scene).map(|p| (
+            p.method,
+            p.reduction,
+            p.parts.iter().map(|p| (p.description.clone(), p.bound)).collect::<Vec<_>>()
+        ))
+    );
+    let full = Scene { goal: Goal::Full, ..scene.clone() };
+    println!(
+        "   full {:?}",
+        crate::plan::cheapest(&full).map(|p| (
+            p.worst(),
+            p.parts.iter().map(|p| (p.description.clone(), p.bound, p.unit, p.largest)).collect::<Vec<_>>()
+        ))
+    );
 }

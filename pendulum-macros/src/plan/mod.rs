@@ -106,8 +106,11 @@ impl Refusal {
                     _ => "state it, or more, as `tol`",
                 };
                 if best.is_infinite() {
-                    let message =
-                        format!("{asked} more than can be promised here: ask for fewer outputs, or a lesser one");
+                    let remedy = match scene.method {
+                        Some(method) => format!("with `method = {}`: leave `method` out", method.word()),
+                        None => "here: choose numbers nearer to 1, or fewer outputs".to_owned(),
+                    };
+                    let message = format!("{asked} more than can be promised {remedy}");
                     return syn::Error::new_spanned(&blame.goal, message);
                 }
                 let message = format!("{asked} more than can be promised here: the best is {best:.2e}; {remedy}");
@@ -154,22 +157,27 @@ impl Refusal {
 /// Plans a scene. Where a tolerance is out of reach, the best that can be asked for is found by asking.
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let planned = cheapest(scene);
-    let (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) = (&planned, scene.goal) else { return planned };
+    let (Err(Refusal::Unreachable { best }), Goal::Tolerance(tol)) = (&planned, scene.goal) else { return planned };
     let kept =
         |offer: &f64| offer.is_finite() && cheapest(&Scene { goal: Goal::Tolerance(*offer), ..scene.clone() }).is_ok();
-    let best = OFFERS.map(|factor| three_digits(best * factor)).into_iter().find(kept);
-    Err(Refusal::Unreachable { best: best.unwrap_or(f64::INFINITY) })
+    // Of an angle that grows without bound, full precision promises what its turns cost.
+    let full = cheapest(&Scene { goal: Goal::Full, ..scene.clone() }).map_or(f64::INFINITY, |plan| plan.worst());
+    let reached = if *best < full { [*best, full] } else { [full, *best] };
+    let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
+    let decades = (1..10).map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
+    let mut offers = offers.chain(decades);
+    Err(Refusal::Unreachable { best: offers.find(kept).unwrap_or(f64::INFINITY) })
 }
 
 /// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
-const OFFERS: [f64; 7] = [1.01, 1.05, 1.2, 1.5, 2.0, 4.0, 16.0];
+const OFFERS: [f64; 5] = [1.01, 1.05, 1.25, 2.0, 4.0];
 
 /// As a message prints it.
 fn three_digits(x: f64) -> f64 {
     format!("{x:.2e}").parse().unwrap_or(x)
 }
 
-fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
+pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
     match (&scene.motion.regime, scene.method, scene.goal) {
         (Regime::Swing(swing), Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
         (Regime::Swing(swing), _, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),

@@ -27,7 +27,11 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     let mut refusal = None;
     // The terms are chosen for θ; its derivatives may need some more.
     for more in 0..MOST_MORE {
-        match Sum::choose(scene, swing, method, more)?.plan(scene, swing) {
+        let sum = Sum::choose(scene, swing, method, more)?;
+        if sum.weights.len() >= MOST_HARMONICS && !matches!(scene.goal, Goal::Terms(_)) {
+            return Err(Refusal::Unreachable { best: f64::INFINITY });
+        }
+        match sum.plan(scene, swing) {
             Err(Refusal::Unreachable { best }) if matches!(method, Method::Fourier | Method::Series) => {
                 refusal = Some(Refusal::Unreachable { best });
             }
