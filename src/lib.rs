@@ -38,8 +38,10 @@
 //! ω in radians per that unit.
 //!
 //! # `no_std`, determinism
-//! Neither the generated code nor the run-time part allocates, panics, or calls a mathematical library: only
-//! + − × ÷, √ and comparisons in a fixed order, never a fused multiply-add.
+//! Neither the generated code nor the run-time part allocates, panics, or calls the platform's mathematical library.
+//! Generated code is + − × ÷, comparisons and manipulations of a number's bits in a fixed order, without branches, and
+//! `const`; the run-time part takes correctly rounded square roots besides. A fused multiply-add, whose bits would differ,
+//! is in neither.
 #![no_std]
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
@@ -65,6 +67,15 @@ struct Readme;
 /// let theta = pendulum!(theta0 = 7π/8, n = 4); // the paper's θ̂ with N = 4 (Eq. 22)
 /// assert_eq!(core::mem::size_of_val(&theta), 0);
 /// assert!((theta(0.0) - 2.7489).abs() < 0.011);
+/// ```
+///
+/// It has one output. Each invocation is a type of its own: in an array without a stated type the first has to be cast.
+///
+/// ```
+/// use pendula::pendulum;
+/// let swings = [pendulum!(theta0 = 1, tol = 1e-6) as fn(f64) -> f64, pendulum!(theta0 = 2, tol = 1e-6)];
+/// let stated: [fn(f64) -> f64; 2] = [pendulum!(theta0 = 1, tol = 1e-6), pendulum!(theta0 = 2, tol = 1e-6)];
+/// assert_eq!(swings.map(|theta| theta(0.5)), stated.map(|theta| theta(0.5)));
 /// ```
 ///
 /// An **item**: a unit struct whose associated constants and functions are the motion. Attributes, doc comments and
@@ -99,34 +110,48 @@ struct Readme;
 /// | `velocity0` | θ̇ at t = 0, rad per unit of t | any | 0, released at rest |
 /// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0 | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
-/// | `n` | the paper's θ̂ with N = n terms (Eq. 22) | from 1 to what `float` can use | |
-/// | `tol` | largest error allowed, rounding included: rad for θ, rad·ω for θ̇, rad·ω² for θ̈, unit length for the position | > 0, within reach of `float` | full precision: 2⁻⁴⁹·\|θ0\|, for `f32` 2⁻²⁰·\|θ0\| |
-/// | `t_max` | the promise holds for \|t\| ≤ `t_max`; a shorter horizon is a cheaper reduction of the phase | up to 2⁵³ periods | 2⁵³ periods |
-/// | `method` | `small_angle` (Eq. 3), `harmonic` (Eq. 17), `fourier` (Eq. 22; with `n` or `tol`), `series` (the Fourier series of θ itself), `polynomial` | must serve the motion | the cheapest; `fourier` with `n` |
+/// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing; θ and θ̇ only | from 1 to what `float` can use | |
+/// | `tol` | largest error allowed, rounding included: rad for θ, wrapped or not, rad·ω for θ̇, rad·ω² for θ̈, lengths for the position; not with `n` | > 0, within reach of `float` | full precision, below |
+/// | `t_max` | the promise holds for \|t\| ≤ `t_max`; a shorter horizon is a cheaper reduction of the phase | > 0, up to 2⁵³ periods | 2⁵³ periods |
+/// | `method` | `small_angle` (Eq. 3; its phase drifts, so give `t_max`), `harmonic` (Eq. 17), `fourier` (Eq. 22; with `n` or `tol`), `series` (the Fourier series of θ itself), `polynomial` | any for a swing (of θ and θ̇; `polynomial` of everything), `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
 /// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
 ///
-/// **Numbers** are decimal literals of any length (every digit counts) with `+ - * /`, parentheses, unary minus, `π`, `PI`,
-/// `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`, `157.5deg`, `3*PI/4 - 0.01`. Nothing is
-/// rounded to `f64` on the way, so every constant is the correctly rounded one of the exact value.
+/// **Numbers** are decimal literals of up to 500 digits (every digit counts) and exponents between ±400, with `+ - * /`,
+/// parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`,
+/// `157.5deg`, `3*PI/4 - 0.01`. Nothing is rounded to `f64` on the way, so every constant is the correctly rounded one
+/// of the exact value.
 ///
 /// # What the item has
-/// | | |
+/// Constants are of the type `float` where nothing else is said.
+///
+/// | constant | meaning | exists |
+/// |---|---|---|
+/// | `THETA0`, `OMEGA` | θ(0) in rad; ω in rad per unit of t | always |
+/// | `AMPLITUDE` | the largest \|θ\|, rad | for a swing |
+/// | `MODULUS` | k = sin(`AMPLITUDE`/2) of a swing, κ = 2ω/\|θ̇\| at the lowest point of a rotation, 1 on the separatrix | always |
+/// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), (κ in place of k) | for swings and rotations |
+/// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation | for swings and rotations |
+/// | `METHOD: &str` | `"polynomial"`, `"passage"` (through the lowest point: near the top, the separatrix), or the `method` of the paper or `"series"` that was asked for | always |
+/// | `TERMS: usize` | terms (harmonics) of the first output | always |
+/// | `OPERATIONS: usize` | operations in one call of the first function | always |
+/// | `COEFFICIENTS: [_; N]` | b₁, b₃, … (Eq. 20) | for a plan by Eq. 22 |
+/// | `MAX_ERROR` | proven bound of the error of `theta`, rad | if `theta` is an output |
+/// | `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR` | likewise, in rad·ω and rad·ω², as `tol`: times `OMEGA`, or its square, in the units of the result | if it is an output |
+/// | `MAX_POSITION_ERROR` | likewise, the distance of (x, y) from the exact point, in lengths | if `position` is an output |
+/// | `MAX_WRAPPED_ERROR` | likewise, rad | if `wrapped` is an output |
+///
+/// Functions are `const fn`, of every plan, one for each of the `outputs`; the first is the first of this table.
+///
+/// | function | result |
 /// |---|---|
-/// | `THETA0`, `OMEGA` | θ(0), ω |
-/// | `AMPLITUDE` | of a swing, the largest \|θ\| |
-/// | `MODULUS`, `K`, `K_PRIME`, `NOME` | k = sin(amplitude/2) of a swing, 2ω/\|θ̇\| at the lowest point of a rotation; K(k), K(k′), q = exp(−πK′/K) |
-/// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation |
-/// | `METHOD`, `TERMS`, `OPERATIONS` | the plan: its method, the terms of its first output, operations in one call of its first function |
-/// | `COEFFICIENTS` | b₁, b₃, … of a plan by Eq. 22 |
-/// | `MAX_ERROR`, `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR`, `MAX_POSITION_ERROR`, `MAX_WRAPPED_ERROR` | proven bounds, in the units of `tol` |
-/// | `theta(t)`, `velocity(t)`, `acceleration(t)` | θ, θ̇, θ̈ = −ω² sin θ |
-/// | `position(t) -> (x, y)` | (sin θ, −cos θ) in units of the length, y upwards |
+/// | `theta(t)`, `velocity(t)`, `acceleration(t)` | θ, θ̇, θ̈ = −ω² sin θ, in rad and the unit of t |
+/// | `position(t) -> (x, y)` | (sin θ, −cos θ) in lengths, y upwards, computed without θ |
 /// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
-/// Functions are `const` unless the plan needs a square root, as Eq. 22 does for its arcsine. NaN and ±∞ in t give NaN;
-/// beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`).
+/// NaN and ±∞ in t give NaN, every other t a finite result. For a release from rest θ(−t) = θ(t), and −θ0 gives the
+/// mirror image, to the bit within the horizon; beyond it, the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`).
 ///
 /// ```
 /// pendula::pendulum! { struct Load; theta0 = 0.3, velocity0 = 0.8, tol = 1e-12, outputs = [theta, velocity, position] }
@@ -137,7 +162,8 @@ struct Readme;
 /// assert!(Load::AMPLITUDE > 0.3); // launched in mid-swing: it goes higher than it started
 /// ```
 ///
-/// Swing, rotation or separatrix is decided by the exact parameters. The angle of a rotation counts its turns; `wrapped`
+/// Swing, rotation or separatrix is decided by the exact parameters. `theta` of a rotation counts its turns, and without
+/// `t_max` its `MAX_ERROR` includes the rounding of 2⁵³ of them, tens of radians: give `t_max`, or use `wrapped`, which
 /// keeps its digits however many they are.
 ///
 /// ```
@@ -150,7 +176,7 @@ struct Readme;
 ///
 /// # Errors
 /// Every mistake is a compile error at the token to blame, which names the parameter, the value and a remedy; several
-/// mistakes are reported together. One is mathematics rather than syntax: with few terms the argument of the arcsine in
+/// mistakes are reported together. A `tol` that can't be promised is refused with the best that can. One is mathematics rather than syntax: with few terms the argument of the arcsine in
 /// Eq. 22 exceeds 1 at large amplitudes (from 0.7308π for N = 1, 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂
 /// would be NaN.
 ///
@@ -163,11 +189,15 @@ struct Readme;
 /// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the horizon:
 /// truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation are bounded at
 /// compile time, not sampled. With `n` the function is the paper's θ̂, and `MAX_ERROR` bounds its distance from the exact
-/// motion over all t, wherever it is attained.
+/// motion over the horizon, wherever it is attained.
+///
+/// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of the largest value: of \|θ0\| for a release, of
+/// `AMPLITUDE` for any swing, of π for the angle of a rotation less its turns and on the separatrix, of the largest θ̇ and
+/// θ̈. Of a position it is thrice that, and of some accelerations near the top twice.
 ///
 /// # Greek letters
-/// Under `#![deny(warnings)]` the compiler's lint `mixed_script_confusables` objects to identifiers such as `θ0`, `ω` or
-/// a lone `π` in a crate that has no other Greek; `theta0`, `omega`, `PI` and suffixes (`7π/8`, `1π`) don't trigger it.
+/// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a
+/// lone `π`, in a crate that has no other Greek. `theta0`, `PI` and suffixes (`7π/8`, `1π`) don't trigger it.
 #[macro_export]
 macro_rules! pendulum {
     ($($input:tt)*) => { $crate::__private::pendulum! { [$crate] $($input)* } };
