@@ -179,8 +179,8 @@ impl Wave {
         for (m, amplitude) in terms {
             largest = largest.max(amplitude.hi.abs());
             let tail = envelope.tail(m, 0.0);
-            // Where an amplitude overflows no comparison holds.
-            if tail <= NEGLIGIBLE * largest || !largest.is_finite() {
+            // Where amplitudes overflow no comparison holds.
+            if tail <= NEGLIGIBLE * largest || !(envelope.size + largest).is_finite() {
                 omitted = tail;
                 break;
             }

@@ -203,4 +203,8 @@ impl Plan {
 }
 
 #[cfg(test)]
+mod random_tests;
+#[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod truth;
