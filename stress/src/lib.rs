@@ -4,9 +4,12 @@
 //! and prints what it found; `docs/ACCURACY.md` has the latest results. The tests `tests/stress_*.rs` of the workspace run
 //! the same code on fewer inputs.
 
+pub mod amplitudes;
 pub mod big;
+pub mod coefficients;
 pub mod exhaustive;
 pub mod finding;
+pub mod generated;
 pub mod motion;
 pub mod options;
 pub mod random;

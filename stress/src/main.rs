@@ -6,7 +6,7 @@ use std::time::Instant;
 use pendula_stress::options::{Options, Suite, USAGE};
 use pendula_stress::report::{Row, count, record, table};
 use pendula_stress::session::Session;
-use pendula_stress::{exhaustive, times};
+use pendula_stress::{amplitudes, coefficients, exhaustive, times};
 
 fn main() -> ExitCode {
     let options = match Options::parse(std::env::args().skip(1)) {
@@ -33,6 +33,8 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     let rows = match options.suite {
         Suite::Exhaustive => exhaustive::run(&session, 1),
         Suite::Times => times::run(&session, options.inputs),
+        Suite::Amplitudes => amplitudes::run(&session, options.inputs),
+        Suite::Coefficients => coefficients::run(&session, options.inputs),
     };
     let text = summary(options, &session, &rows, begin.elapsed().as_secs());
     println!("{text}");

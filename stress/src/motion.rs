@@ -15,7 +15,7 @@
 mod paper;
 mod start;
 
-pub use start::Start;
+pub use start::{Start, number};
 
 use crate::big::Big;
 
@@ -80,8 +80,8 @@ fn agm(mut a: Big, mut b: Big) -> Big {
     &(&a + &b) * &half
 }
 
-/// K(k) and K(k′).
-fn quarters([modulus, complement]: &[Big; 2]) -> [Big; 2] {
+/// K(k) and K(k′) of k and k′.
+pub fn quarters([modulus, complement]: &[Big; 2]) -> [Big; 2] {
     let half_pi = Big::pi() / 2.0.into();
     [&half_pi / &agm(1.0.into(), complement.clone()), &half_pi / &agm(1.0.into(), modulus.clone())]
 }

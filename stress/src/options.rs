@@ -16,16 +16,22 @@ pub enum Suite {
     Exhaustive,
     /// Many `f64` times.
     Times,
+    /// Many release angles.
+    Amplitudes,
+    /// Many constants.
+    Coefficients,
 }
 
 impl Suite {
-    const ALL: [Self; 2] = [Self::Exhaustive, Self::Times];
+    const ALL: [Self; 4] = [Self::Exhaustive, Self::Times, Self::Amplitudes, Self::Coefficients];
 
     /// As it is written on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exhaustive => "exhaustive",
             Self::Times => "times",
+            Self::Amplitudes => "amplitudes",
+            Self::Coefficients => "coefficients",
         }
     }
 
@@ -34,6 +40,7 @@ impl Suite {
         match self {
             Self::Exhaustive => 1 << 32,
             Self::Times => 1_000_000_000,
+            Self::Amplitudes | Self::Coefficients => 10_000,
         }
     }
 }

@@ -16,7 +16,7 @@ use moments::{BATCH, Moments};
 /// One batch in so many is followed by one of times beyond the horizon.
 const BEYOND: u64 = 16;
 /// One batch in so many has a time that is compared with multiple precision.
-const DIRECT: u64 = 2;
+const DIRECT: u64 = 8;
 /// What fast truth and multiple precision may differ by, relative to the largest value; see [`Truth`].
 const AGREEMENT: f64 = 1.0 / (1_u64 << 57) as f64;
 /// The paper's θ̂ is compared where the derivative of the arcsine is at most this: away from the turning points.

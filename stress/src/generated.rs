@@ -1,0 +1,116 @@
+//! A few hundred compiled plans; `build.rs` says which.
+
+use crate::motion::{Motion, Start, number};
+use crate::truth::Output;
+
+/// Evaluates an output; positions have two numbers, others a 0.
+type Evaluate = fn(f64) -> [f64; 2];
+
+/// One output of one compiled item.
+pub struct Generated {
+    /// The release angle as it is written.
+    pub theta0: &'static str,
+    /// `"f64"` or `"f32"`.
+    pub float: &'static str,
+    /// The rest of the invocation.
+    pub asked: &'static str,
+    /// The output.
+    pub output: Output,
+    /// The bound proven at compile time.
+    pub proven: f64,
+    /// k, K, K′, q and T.
+    pub constants: [f64; 5],
+    /// b₂ₙ₋₁ of a plan with `n`.
+    pub coefficients: &'static [f64],
+    /// The plan, at times rounded to its type.
+    pub evaluate: Evaluate,
+}
+
+/// Numbers of either type, and pairs of them.
+trait Pair {
+    fn pair(self) -> [f64; 2];
+}
+
+impl<T: Into<f64>> Pair for T {
+    fn pair(self) -> [f64; 2] {
+        [self.into(), 0.0]
+    }
+}
+
+/// A position.
+impl<T: Into<f64>> Pair for Both<T> {
+    fn pair(self) -> [f64; 2] {
+        [self.0.into(), self.1.into()]
+    }
+}
+
+/// Distinguishes a pair from a number.
+struct Both<T>(T, T);
+
+macro_rules! generated {
+    (@evaluate $plan:ident position $float:ident) => {
+        |t| {
+            let (x, y) = $plan::position(t as $float);
+            Both(x, y).pair()
+        }
+    };
+    (@evaluate $plan:ident $output:ident $float:ident) => { |t| $plan::$output(t as $float).pair() };
+    (@is theta) => { Output::Theta };
+    (@is velocity) => { Output::Velocity };
+    (@is acceleration) => { Output::Acceleration };
+    (@is position) => { Output::Position };
+    (@bound $plan:ident theta) => { $plan::MAX_ERROR };
+    (@bound $plan:ident velocity) => { $plan::MAX_VELOCITY_ERROR };
+    (@bound $plan:ident acceleration) => { $plan::MAX_ACCELERATION_ERROR };
+    (@bound $plan:ident position) => { $plan::MAX_POSITION_ERROR };
+    (@coefficients $plan:ident n = $n:literal,) => { &$plan::COEFFICIENTS };
+    (@coefficients $plan:ident $($other:tt)*) => { &[] };
+    ($all:ident, $plan:ident, $written:literal, ($($theta0:tt)*), $float:ident, $output:ident, {$($asked:tt)*}) => {
+        pendula::pendulum! {
+            struct $plan;
+            theta0 = $($theta0)*, float = $float, outputs = [$output], $($asked)*
+        }
+        $all.push(Generated {
+            theta0: $written,
+            float: stringify!($float),
+            asked: stringify!($($asked)*),
+            output: generated!(@is $output),
+            proven: generated!(@bound $plan $output).into(),
+            constants: [$plan::MODULUS, $plan::K, $plan::K_PRIME, $plan::NOME, $plan::PERIOD].map(f64::from),
+            coefficients: generated!(@coefficients $plan $($asked)*),
+            evaluate: generated!(@evaluate $plan $output $float),
+        });
+    };
+}
+
+/// All of them.
+pub fn generated() -> Vec<Generated> {
+    include!(concat!(env!("OUT_DIR"), "/plans.rs"))
+}
+
+impl Generated {
+    /// The exact motion.
+    ///
+    /// # Panics
+    /// If the angle isn't a number.
+    pub fn motion(&self) -> Motion {
+        Motion::new(Start::at_rest(number(self.theta0).expect("build.rs writes numbers")))
+    }
+
+    /// The value of a parameter.
+    fn parameter(&self, name: &str) -> Option<f64> {
+        let asked = self.asked.split(',').filter_map(|one| one.split_once('='));
+        asked.filter(|(key, _)| key.trim() == name).find_map(|(_, value)| value.trim().parse().ok())
+    }
+
+    /// The horizon; 2⁵³ periods where none was asked for.
+    pub fn horizon(&self) -> f64 {
+        const ANY_TIME: f64 = 9_007_199_254_740_992.0;
+        self.parameter("t_max").unwrap_or(ANY_TIME * self.constants[4])
+    }
+
+    /// `tol`, if it was asked for.
+    pub fn tolerance(&self) -> Option<f64> {
+        self.parameter("tol")
+    }
+}
