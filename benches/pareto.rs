@@ -1,7 +1,8 @@
 //! Run time against error, and error against time elapsed; see `docs/BENCHMARKS.md`.
 //!
 //! `cargo bench --bench pareto` measures for some minutes and writes to `target/benchmarks/`; `-- --quick` takes less than
-//! one; `-- --bless` writes to `docs/benchmarks/` and renews the table of the frontier in `docs/BENCHMARKS.md`.
+//! one; `-- --bless` writes to `docs/benchmarks/` and renews the tables of the frontier and
+//! of the promises in `docs/BENCHMARKS.md`.
 
 use std::error::Error;
 use std::fs;
@@ -17,7 +18,7 @@ use pendula_benches::ours::{Planned, ours};
 use pendula_benches::peers::{self, Precision, peers};
 use pendula_benches::race::Effort;
 use pendula_benches::session::{Field, Outcome, Session};
-use pendula_benches::{figures, machine, report};
+use pendula_benches::{figures, machine, promises, report};
 use pendula_plot::Figure;
 
 /// Steps of the time stepping in the picture of the drift: 10⁵ periods at T/100.
@@ -92,12 +93,20 @@ fn measure(options: &Options) -> Result<(), Box<dyn Error>> {
     eprintln!();
     write(&options.directory, &outcomes, &drifts)?;
     if let Some(document) = &options.document {
-        let section = format!("frontier {}", machine::target());
-        let renewed = report::with_section(&fs::read_to_string(document)?, &section, &report::summary(&outcomes));
-        fs::write(document, renewed.ok_or_else(|| format!("{} has no mark `{section}`", document.display()))?)?;
+        renew(document, "frontier", &report::summary(&outcomes))?;
+        renew(document, "promises", &promises::table(&outcomes))?;
     }
     print!("{}", report::markdown(&outcomes, &peers::missing(), &peers::versions()));
+    println!("## Promises about cost, at 7π/8\n\n{}", promises::table(&outcomes));
     println!("written to {} after {:.0} s", options.directory.display(), start.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// Replaces this target's section of a document.
+fn renew(document: &Path, section: &str, text: &str) -> Result<(), Box<dyn Error>> {
+    let section = format!("{section} {}", machine::target());
+    let renewed = report::with_section(&fs::read_to_string(document)?, &section, text);
+    fs::write(document, renewed.ok_or_else(|| format!("{} has no mark `{section}`", document.display()))?)?;
     Ok(())
 }
 

@@ -1,5 +1,6 @@
 //! What is compared: anything that gives the angle of a pendulum released at rest with ω = 1.
 
+use std::cell::RefCell;
 use std::hint::black_box;
 
 use crate::real::Real;
@@ -84,6 +85,43 @@ impl<R: Real, F: Fn(R) -> R> AnyTime<R> for Function<F> {
     fn chain(&self, times: &[R]) -> R {
         let nothing = black_box(0);
         times.iter().fold(R::zero(), |last, &time| (self.0)(time.after(last, nothing)))
+    }
+}
+
+/// A function of time with two values, both of which are stored, and waited for.
+pub struct Pair<R, F> {
+    function: F,
+    /// Where the array loop leaves the second values.
+    second: RefCell<Vec<R>>,
+}
+
+impl<R: Real, F: Fn(R) -> (R, R)> Pair<R, F> {
+    /// Of a function that gives the angle first.
+    pub fn new(function: F) -> Self {
+        Self { function, second: RefCell::new(vec![R::zero(); COUNT]) }
+    }
+
+    #[inline(never)]
+    fn fill_both(&self, times: &[R], angles: &mut [R], second: &mut [R]) {
+        for ((angle, second), &time) in angles.iter_mut().zip(second).zip(times) {
+            (*angle, *second) = (self.function)(time);
+        }
+    }
+}
+
+impl<R: Real, F: Fn(R) -> (R, R)> AnyTime<R> for Pair<R, F> {
+    fn fill(&self, times: &[R], angles: &mut [R]) {
+        let mut second = self.second.borrow_mut();
+        second.resize(times.len(), R::zero());
+        self.fill_both(times, angles, &mut second);
+        black_box(&second);
+    }
+
+    #[inline(never)]
+    fn chain(&self, times: &[R]) -> R {
+        let nothing = black_box(0);
+        let call = |(a, b), &time: &R| (self.function)(time.after(a, nothing).after(b, nothing));
+        times.iter().fold((R::zero(), R::zero()), call).0
     }
 }
 

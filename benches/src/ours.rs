@@ -1,9 +1,9 @@
-//! Our own entries: what the macro makes of every decade of tolerance, compiled in.
+//! Our own entries: what the macro makes of every decade of tolerance, and of methods that are forced; compiled in.
 
 use pendula::{Pendulum, Scalar, pendulum};
 
 use crate::amplitude::Amplitude;
-use crate::contestant::{Contestant, Family};
+use crate::contestant::{Contestant, Family, Kind, Pair};
 use crate::real::Real;
 use crate::truth::Given;
 
@@ -11,32 +11,66 @@ use crate::truth::Given;
 pub const PLANNED: &str = "pendula, 100 periods";
 /// Name of the plans for any time.
 pub const ANY_TIME: &str = "pendula, any time";
+/// Name of the exact motion by the run-time crate.
+pub const RUNTIME: &str = "pendula, Pendulum::theta";
+/// Name of the paper's θ̂ by the macro.
+pub const PAPER: &str = "pendula, Eq. 22";
+/// Name of the plans that give θ and θ̇ with one reduction of the phase.
+pub const STATE: &str = "pendula, θ and θ̇";
+/// Setting of the plans in full precision, which serve any time.
+pub const FULL: &str = "full precision";
 
 /// A precision that the macro serves.
 pub trait Planned: Real + Scalar {
     /// The planner's choices for one amplitude.
     fn planned(amplitude: Amplitude) -> Vec<Contestant<Self>>;
+
+    /// Other methods than those it chooses, and θ together with θ̇.
+    fn forced(amplitude: Amplitude) -> Vec<Contestant<Self>>;
 }
 
 /// All of ours. The macro gets the exact amplitude, the run-time crate its nearest number.
 pub fn ours<R: Planned>(amplitude: Amplitude) -> Vec<Contestant<R>> {
     let mut all = R::planned(amplitude);
+    all.extend(R::forced(amplitude));
     // The amplitudes of the benchmark are well within the range of both precisions.
-    let pendulum = Pendulum::new(R::of(amplitude.theta0()), R::one());
-    all.extend(pendulum.map(|pendulum| {
-        Contestant::function(Family::Runtime, "pendula, Pendulum::theta", "", move |t| pendulum.theta(t))
-    }));
+    if let Ok(pendulum) = Pendulum::new(R::of(amplitude.theta0()), R::one()) {
+        all.push(Contestant::function(Family::Runtime, RUNTIME, "", move |t| pendulum.theta(t)));
+        all.extend(fourier::<R, 4>(&pendulum));
+        all.extend(fourier::<R, 24>(&pendulum));
+    }
     all
+}
+
+/// Eq. 22 by the run-time crate, where it can be had: too few terms are an error, and so are more than can be used.
+fn fourier<R: Planned, const N: usize>(pendulum: &Pendulum<R>) -> Option<Contestant<R>> {
+    let fourier = pendulum.fourier::<N>().ok()?;
+    let setting = format!("N = {N}");
+    Some(Contestant::function(Family::Forced, "pendula, Pendulum::fourier", &setting, move |t| fourier.theta(t)))
 }
 
 fn plan<R: Real>(name: &str, setting: &str, theta: impl Fn(R) -> R + 'static) -> Contestant<R> {
     Contestant::function(Family::Planned, name, setting, theta).given(Given::Exact)
 }
 
+fn forced<R: Real>(name: &str, setting: &str, theta: impl Fn(R) -> R + 'static) -> Contestant<R> {
+    Contestant::function(Family::Forced, name, setting, theta).given(Given::Exact)
+}
+
+fn state<R: Real>(setting: &str, state: impl Fn(R) -> (R, R) + 'static) -> Contestant<R> {
+    Contestant {
+        family: Family::Forced,
+        name: STATE.into(),
+        setting: setting.into(),
+        given: Given::Exact,
+        kind: Kind::AnyTime(Box::new(Pair::new(state))),
+    }
+}
+
 /// One entry per tolerance with a horizon of `$t_max`, 100 periods rounded up; then, for any time, one per tolerance and
 /// the one in full precision.
 macro_rules! plans {
-    ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*] $(, $full:ident)?) => {
+    ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*]) => {
         vec![
             $(plan(PLANNED, concat!("tol ", stringify!($tol)), pendulum!(
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float
@@ -44,10 +78,44 @@ macro_rules! plans {
             $(plan(ANY_TIME, concat!("tol ", stringify!($ever)), pendulum!(
                 theta0 = $theta0, tol = $ever, float = $float
             )),)*
-            $(plan::<$float>(ANY_TIME, plans!(@ $full), pendulum!(theta0 = $theta0, float = $float)),)?
+            plan::<$float>(ANY_TIME, FULL, pendulum!(theta0 = $theta0, float = $float)),
         ]
     };
-    (@ full) => { "full precision" };
+}
+
+/// The paper's θ̂ for each number of terms, and one entry per method and tolerance with a horizon of `$t_max`.
+macro_rules! methods {
+    ($float:ident, $theta0:tt, $t_max:literal, [$($n:literal)*] $(, $method:ident [$($tol:literal)*])*) => {
+        vec![
+            $(forced::<$float>(PAPER, concat!("n = ", stringify!($n)), pendulum!(
+                theta0 = $theta0, n = $n, float = $float
+            )),)*
+            $($(forced::<$float>(
+                concat!("pendula, ", stringify!($method), ", 100 periods"),
+                concat!("tol ", stringify!($tol)),
+                pendulum!(theta0 = $theta0, tol = $tol, t_max = $t_max, method = $method, float = $float)
+            ),)*)*
+        ]
+    };
+}
+
+/// θ and θ̇ with one reduction of the phase: with a horizon of `$t_max` to each tolerance, and at any time in full precision.
+macro_rules! states {
+    ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*]) => {
+        [
+            $({
+                pendulum! {
+                    struct Swing;
+                    theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float, outputs = [theta, velocity]
+                }
+                state::<$float>(concat!("tol ", stringify!($tol)), Swing::state)
+            },)*
+            {
+                pendulum! { struct Swing; theta0 = $theta0, float = $float, outputs = [theta, velocity] }
+                state::<$float>(FULL, Swing::state)
+            },
+        ]
+    };
 }
 
 impl Planned for f64 {
@@ -56,12 +124,12 @@ impl Planned for f64 {
             "pi_3" => plans!(
                 f64, (PI/3), 675,
                 [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14 1e-15],
-                [1e-3 1e-6 1e-9 1e-12], full
+                [1e-3 1e-6 1e-9 1e-12]
             ),
             "7pi_8" => plans!(
                 f64, (7π/8), 1217,
                 [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
-                [1e-3 1e-6 1e-9 1e-12], full
+                [1e-3 1e-6 1e-9 1e-12]
             ),
             "0.999pi" => plans!(
                 f64, (0.999π), 3137,
@@ -71,14 +139,48 @@ impl Planned for f64 {
             _ => Vec::new(),
         }
     }
+
+    fn forced(amplitude: Amplitude) -> Vec<Contestant<Self>> {
+        match amplitude.slug {
+            "pi_3" => methods!(
+                f64, (PI/3), 675, [1 2 4 6 8],
+                harmonic [1e-1], series [1e-3 1e-6 1e-9 1e-12], fourier [1e-3 1e-6 1e-9 1e-12]
+            ),
+            "7pi_8" => {
+                let mut all = methods!(
+                    f64, (7π/8), 1217, [2 3 4 6 8 12 16],
+                    harmonic [5e-1], series [1e-3 1e-6 1e-9 1e-12], fourier [1e-3 1e-6 1e-9 1e-12]
+                );
+                all.extend(states!(f64, (7π/8), 1217, [1e-6 1e-9 1e-12]));
+                all
+            }
+            // Eq. 22 needs 20 terms here before its arcsine has a value everywhere.
+            "0.999pi" => methods!(f64, (0.999π), 3137, [20 24 32], series [1e-3 1e-6 1e-9 1e-12], fourier [1e-3 1e-6]),
+            _ => Vec::new(),
+        }
+    }
 }
 
 impl Planned for f32 {
     fn planned(amplitude: Amplitude) -> Vec<Contestant<Self>> {
         match amplitude.slug {
-            "pi_3" => plans!(f32, (PI/3), 675, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4], full),
-            "7pi_8" => plans!(f32, (7π/8), 1217, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4], full),
+            "pi_3" => plans!(f32, (PI/3), 675, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
+            "7pi_8" => plans!(f32, (7π/8), 1217, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
             "0.999pi" => plans!(f32, (0.999π), 3137, [1e-1 1e-2 1e-3 1e-4 1e-5], [1e-2 1e-4]),
+            _ => Vec::new(),
+        }
+    }
+
+    fn forced(amplitude: Amplitude) -> Vec<Contestant<Self>> {
+        match amplitude.slug {
+            "pi_3" => methods!(f32, (PI/3), 675, [2 4], series [1e-3], fourier [1e-3]),
+            "7pi_8" => {
+                // Four times the tolerance of the promise, where one product with the rate is exact enough.
+                let mut all = methods!(f32, (7π/8), 1217, [4 8], series [1e-3], fourier [1e-3], polynomial [4e-4]);
+                all.extend(states!(f32, (7π / 8), 1217, [1e-4]));
+                all
+            }
+            "0.999pi" => methods!(f32, (0.999π), 3137, [20], series[1e-3], fourier[1e-2]),
             _ => Vec::new(),
         }
     }
@@ -118,6 +220,6 @@ mod tests {
                 count += 1;
             }
         }
-        assert!(count >= 39, "only {count} plans");
+        assert!(count >= 90, "only {count} plans");
     }
 }

@@ -49,6 +49,8 @@ pub struct Outcome {
     pub single_ratio: Spread,
     /// For a stepper, ns for the value at a random time within the horizon, reached from the release.
     pub random_access: Option<f64>,
+    /// What the spreads are of.
+    pub timed: Timed,
 }
 
 /// Contestants of both precisions.
@@ -191,15 +193,20 @@ impl<R: Real> Field<R> {
             array_ratio: Spread::of_ratios(&timed.array, &unit.array),
             single_ratio: Spread::of_ratios(&timed.single, &unit.single),
             random_access,
+            timed: timed.clone(),
         }
     }
 }
 
 /// The samples of one contestant, in ns per value, one per round.
-struct Timed {
-    array: Vec<f64>,
-    single: Vec<f64>,
-    cold: Vec<f64>,
+#[derive(Clone, Debug)]
+pub struct Timed {
+    /// In the array loop.
+    pub array: Vec<f64>,
+    /// One call after the other.
+    pub single: Vec<f64>,
+    /// In the array loop with cold caches.
+    pub cold: Vec<f64>,
 }
 
 /// Exact values, computed once per release angle and set of times.

@@ -11,6 +11,8 @@ use crate::contestant::{Contestant, Family};
 use crate::real::Real;
 use crate::truth::{Given, Truth};
 
+pub use paper::AS_WRITTEN;
+
 /// A peer that this build does not have, and why.
 #[derive(Clone, Debug)]
 pub struct Missing {

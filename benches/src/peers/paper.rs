@@ -4,6 +4,9 @@ use super::Motion;
 use crate::contestant::{Contestant, Family};
 use crate::real::Real;
 
+/// Name of the formula as it is written.
+pub const AS_WRITTEN: &str = "Eq. 22 as written";
+
 /// θ̂ = 2 arcsin(k Σ b₂ₙ₋₁ sin((2n−1)π(t + K)/(2K))), for N of 1 to 32.
 ///
 /// The argument of the arcsine is limited to 1, which it exceeds near the turning points for small N; without that the
@@ -29,7 +32,7 @@ fn as_written<R: Real, const N: usize>(motion: &Motion) -> Contestant<R> {
     let modulus = R::of(motion.modulus);
     let shift = R::of(quarter);
     let coefficients = coefficients::<N>(motion).map(R::of);
-    Contestant::function(Family::Paper, "Eq. 22 as written", &format!("N = {N}"), move |t: R| {
+    Contestant::function(Family::Paper, AS_WRITTEN, &format!("N = {N}"), move |t: R| {
         let x = rate * (t + shift);
         let mut sum = R::zero();
         for (n, &coefficient) in coefficients.iter().enumerate() {

@@ -1,0 +1,151 @@
+//! What the project promises about cost, beside what was reached.
+
+use std::fmt::Write as _;
+
+use crate::amplitude::Amplitude;
+use crate::machine;
+use crate::ours::{ANY_TIME, FULL, PAPER, PLANNED, RUNTIME, STATE};
+use crate::peers::AS_WRITTEN;
+use crate::race::Spread;
+use crate::session::{Outcome, Timed};
+
+/// How an entry is called.
+#[derive(Clone, Copy)]
+enum Call {
+    Array,
+    Single,
+}
+
+/// The most that the cost of an entry may be, as a multiple of another's, at 7π/8 in the same run.
+struct Promise {
+    precision: &'static str,
+    entry: (&'static str, &'static str),
+    unit: (&'static str, &'static str),
+    call: Call,
+    /// On the baseline of x86-64, and with AVX2.
+    targets: [f64; 2],
+}
+
+const fn promise(
+    entry: (&'static str, &'static str),
+    unit: (&'static str, &'static str),
+    call: Call,
+    targets: [f64; 2],
+) -> Promise {
+    Promise { precision: "f64", entry, unit, call, targets }
+}
+
+const SINE: (&str, &str) = ("f64::sin", "");
+/// A plan with a horizon of 100 periods, and θ with θ̇ to the same tolerance.
+const MICRO: &str = "tol 1e-6";
+const NANO: &str = "tol 1e-9";
+const PICO: &str = "tol 1e-12";
+/// θ and θ̇ together, in units of θ alone, are to cost at most this.
+const BOTH: [f64; 2] = [1.5; 2];
+/// The paper's θ̂ with four terms, in units of the formula as written.
+const GENERATED: [f64; 2] = [0.35; 2];
+
+const PROMISES: [Promise; 17] = [
+    promise((PLANNED, MICRO), SINE, Call::Array, [0.30, 0.17]),
+    promise((PLANNED, NANO), SINE, Call::Array, [0.42, 0.22]),
+    promise((PLANNED, PICO), SINE, Call::Array, [0.55, 0.30]),
+    promise((ANY_TIME, FULL), SINE, Call::Array, [1.1, 0.56]),
+    Promise {
+        precision: "f32",
+        entry: (PLANNED, "tol 1e-4"),
+        unit: ("f32::sin", ""),
+        call: Call::Array,
+        targets: [0.20, 0.08],
+    },
+    promise((PLANNED, MICRO), SINE, Call::Single, [0.8; 2]),
+    promise((PAPER, "n = 4"), (AS_WRITTEN, "N = 4"), Call::Array, GENERATED),
+    promise((PAPER, "n = 4"), (AS_WRITTEN, "N = 4"), Call::Single, GENERATED),
+    promise((STATE, MICRO), (PLANNED, MICRO), Call::Array, BOTH),
+    promise((STATE, MICRO), (PLANNED, MICRO), Call::Single, BOTH),
+    promise((STATE, NANO), (PLANNED, NANO), Call::Array, BOTH),
+    promise((STATE, NANO), (PLANNED, NANO), Call::Single, BOTH),
+    promise((STATE, PICO), (PLANNED, PICO), Call::Array, BOTH),
+    promise((STATE, PICO), (PLANNED, PICO), Call::Single, BOTH),
+    promise((STATE, FULL), (ANY_TIME, FULL), Call::Array, BOTH),
+    promise((STATE, FULL), (ANY_TIME, FULL), Call::Single, BOTH),
+    promise((RUNTIME, ""), ("GSL", ""), Call::Single, [0.7; 2]),
+];
+
+impl Promise {
+    fn target(&self) -> f64 {
+        self.targets[usize::from(machine::target() != "x86-64")]
+    }
+
+    /// `None` where one of the two was not measured.
+    fn reached(&self, outcomes: &[Outcome]) -> Option<Spread> {
+        let timed = |(name, setting)| {
+            let at = |one: &&Outcome| one.amplitude == Amplitude::LARGE && one.precision == self.precision;
+            let one = outcomes.iter().filter(at).find(|one| one.name == name && one.setting == setting)?;
+            Some(self.samples(&one.timed))
+        };
+        Some(Spread::of_ratios(timed(self.entry)?, timed(self.unit)?))
+    }
+
+    fn samples<'a>(&self, timed: &'a Timed) -> &'a [f64] {
+        match self.call {
+            Call::Array => &timed.array,
+            Call::Single => &timed.single,
+        }
+    }
+}
+
+/// A line per promise: its target, and the median and the quartiles over the rounds of what was reached.
+pub fn table(outcomes: &[Outcome]) -> String {
+    let mut text = String::from("| | in units of | called | at most | reached | |\n|---|---|---|--:|--:|---|\n");
+    for promise in &PROMISES {
+        let Some(reached) = promise.reached(outcomes) else { continue };
+        let label = |(name, setting): (&str, &str)| {
+            if setting.is_empty() { name.to_owned() } else { format!("{name}, {setting}") }
+        };
+        let call = match promise.call {
+            Call::Array => "array",
+            Call::Single => "single",
+        };
+        let _ = writeln!(
+            text,
+            "| {}{} | {} | {call} | {} | {:.3} ({:.3} to {:.3}) | {} |",
+            label(promise.entry),
+            if promise.precision == "f32" { ", f32" } else { "" },
+            label(promise.unit),
+            promise.target(),
+            reached.median,
+            reached.lower,
+            reached.upper,
+            if reached.median <= promise.target() { "kept" } else { "**missed**" },
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::PROMISES;
+    use crate::amplitude::Amplitude;
+    use crate::contestant::Contestant;
+    use crate::ours::ours;
+    use crate::peers::{missing, peers};
+
+    /// Whatever a promise names is an entry, so that no line is left out of the table unnoticed.
+    #[test]
+    fn promises_are_about_entries() {
+        let pair = |one: &Contestant<f64>| (one.name.clone(), one.setting.clone());
+        let single = |one: &Contestant<f32>| (one.name.clone(), one.setting.clone());
+        let mut doubles: Vec<_> = ours::<f64>(Amplitude::LARGE).iter().map(pair).collect();
+        doubles.extend(peers::<f64>(Amplitude::LARGE).iter().map(pair));
+        let mut singles: Vec<_> = ours::<f32>(Amplitude::LARGE).iter().map(single).collect();
+        singles.extend(peers::<f32>(Amplitude::LARGE).iter().map(single));
+        for promise in &PROMISES {
+            let entries = if promise.precision == "f32" { &singles } else { &doubles };
+            for (name, setting) in [promise.entry, promise.unit] {
+                let there = entries.iter().filter(|entry| (entry.0.as_str(), entry.1.as_str()) == (name, setting));
+                let absent = missing().iter().any(|peer| peer.name == name);
+                assert_eq!(there.count(), usize::from(!absent), "{name}, {setting}");
+            }
+        }
+    }
+}
