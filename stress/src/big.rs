@@ -165,6 +165,10 @@ fn power(exponent: i32) -> f64 {
 
 impl From<f64> for Big {
     fn from(value: f64) -> Self {
+        // The library misreads subnormal numbers (0.9.6).
+        if value.is_subnormal() {
+            return &Self::from(value * power(600)) * &Self::from(power(-600));
+        }
         Self(BigFloat::from_f64(value, BITS))
     }
 }
@@ -215,6 +219,14 @@ mod tests {
             ["1e-300", "4.9e-324", "7e-324", "2.4e-324", "3.3e-310", "2.2250738585072011e-308", "1.7e308", "-0.1"]
         {
             assert_eq!(decimal(text), text.parse().expect("a decimal"), "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_come_back() {
+        for value in [1.0, -0.1, 3e-300, 1e300, f64::MIN_POSITIVE, 1.3e-312, -5e-324, 2.2e-308] {
+            assert_eq!(Big::from(value).to_f64(), value);
+            assert_eq!((&Big::from(value) * &3.0.into()).to_f64(), value * 3.0);
         }
     }
 

@@ -30,6 +30,14 @@ impl Finding {
         }
     }
 
+    /// Takes note of an error that must not exceed `limit`, nor be NaN.
+    pub fn require(&mut self, error: f64, limit: f64, at: f64, describe: impl FnOnce() -> String) {
+        self.observe(error, at);
+        if error > limit || error.is_nan() {
+            self.fault(describe);
+        }
+    }
+
     /// Takes note of a broken promise.
     pub fn fault(&mut self, describe: impl FnOnce() -> String) {
         self.broken += 1;

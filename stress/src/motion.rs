@@ -107,7 +107,7 @@ impl Motion {
             let modulus = [&Big::from(1.0) / &root, &(-&complement).sqrt() / &root];
             let mut series = Series::rotation(modulus, &(&start.omega * &root));
             let theta0 = &start.theta0 * &if backwards { -1.0 } else { 1.0 }.into();
-            series.launch = series.solve(&theta0, |series, phase| series.turning(phase), [-0.5, 0.5]);
+            series.launch = series.solve(&theta0, Series::turning, [-0.5, 0.5]);
             return Self { start, regime: Regime::Rotation(series), sign: if backwards { -1.0 } else { 1.0 } };
         }
         let at_rest = start.velocity0.is_zero();
@@ -117,7 +117,7 @@ impl Motion {
         let mut series = Series::swing(modulus, &start.omega);
         if !at_rest {
             // θ falls while φ grows from 0 to ½.
-            let phase = series.solve(&start.theta0, |series, phase| series.swinging(phase), [0.5, 0.0]);
+            let phase = series.solve(&start.theta0, Series::swinging, [0.5, 0.0]);
             series.launch = if backwards { phase } else { -&phase };
         }
         Self { start, regime: Regime::Swing(series), sign }

@@ -59,6 +59,9 @@ impl Session {
     }
 
     /// Does `pieces` pieces of work, each by its number, in any order, on all threads.
+    ///
+    /// # Panics
+    /// If `work` does.
     pub fn share<T: Merge>(&self, title: &str, pieces: u64, work: impl Fn(u64, &mut T) + Sync) -> Outcome<T> {
         let bar = self.bar(title, pieces);
         let next = AtomicU64::new(0);

@@ -5,11 +5,12 @@ mod moments;
 
 pub use classes::{Class, classes};
 
+use crate::big::Big;
 use crate::finding::Finding;
 use crate::motion::{Motion, Regime, Series};
 use crate::random::Random;
 use crate::report::Row;
-use crate::session::Session;
+use crate::session::{Merge, Session};
 use crate::truth::Truth;
 use moments::{BATCH, Moments};
 
@@ -24,26 +25,52 @@ const STEEP: f64 = 6.0;
 
 /// All classes, each at `inputs` times within its horizon.
 pub fn run(session: &Session, inputs: u64) -> Vec<Row> {
-    let judge = |class: Class| {
-        let looker = Looker::new(class);
+    let judge = |class: &Class| {
+        let looker = Looker::new(class, true);
         let batches = inputs.div_ceil(BATCH as u64);
         let outcome = session.share(&looker.class.name, batches, |number, found| looker.examine(number, found));
         looker.class.row(outcome.found)
     };
-    classes().into_iter().take_while(|_| !session.stopped()).map(judge).collect()
+    classes().iter().take_while(|_| !session.stopped()).map(judge).collect()
+}
+
+/// A sample for tests: every class at `each` times of every kind, against multiple precision.
+pub fn sample(session: &Session, each: usize) -> Vec<Row> {
+    let classes = classes();
+    let outcome = session.share("sample", classes.len() as u64, |i, found: &mut Sample| {
+        let looker = Looker::new(&classes[i as usize], false);
+        let mut one = Finding::default();
+        for kind in 0..moments::KINDS {
+            looker.look_directly(kind, each, &mut one);
+        }
+        looker.examine_beyond(0, &mut one);
+        found.0.push(looker.class.row(one));
+    });
+    outcome.found.0
+}
+
+/// Rows in the order in which they were finished.
+#[derive(Default)]
+struct Sample(Vec<Row>);
+
+impl Merge for Sample {
+    fn merge(&mut self, other: Self) {
+        self.0.extend(other.0);
+    }
 }
 
 /// A class, its times, and its truth.
-struct Looker {
-    class: Class,
+struct Looker<'a> {
+    class: &'a Class,
     truth: Truth,
     moments: Moments,
     /// For the paper's θ̂, which is not the motion.
-    paper: Option<(Series, Vec<crate::big::Big>)>,
+    paper: Option<(Series, Vec<Big>)>,
 }
 
-impl Looker {
-    fn new(class: Class) -> Self {
+impl<'a> Looker<'a> {
+    /// With tables for fast truth, or without.
+    fn new(class: &'a Class, tables: bool) -> Self {
         let motion = Motion::new(class.start.clone());
         let launch = match &motion.regime {
             Regime::Swing(series) | Regime::Rotation(series) => series.launch.to_f64(),
@@ -55,31 +82,28 @@ impl Looker {
             (Regime::Swing(series), Some(terms)) => Some((series.clone(), series.paper_coefficients(terms))),
             _ => None,
         };
-        let truth = match paper {
-            Some(_) => Truth::without_tables(motion, class.output),
-            None => Truth::new(motion, class.output),
+        let truth = if tables && paper.is_none() {
+            Truth::new(motion, class.output)
+        } else {
+            Truth::without_tables(motion, class.output)
         };
         Self { moments: Moments { horizon, period, launch }, class, truth, paper }
     }
 
     fn examine(&self, number: u64, found: &mut Finding) {
-        let mut times = [0.0; BATCH];
+        let mut times = vec![0.0; BATCH];
         self.moments.batch(number, &mut times);
         if let Some((series, coefficients)) = &self.paper {
             // Each takes a hundred thousand times as long: a few of every batch do.
             self.examine_paper(series, coefficients, &times[..8], found);
             return;
         }
-        let mut values = [[0.0; 2]; BATCH];
+        let mut values = vec![[0.0; 2]; BATCH];
         (self.class.evaluate)(&times, &mut values);
         found.tried += BATCH as u64;
         for (&t, &value) in times.iter().zip(&values) {
             let error = self.truth.error(t, value);
-            found.observe(error, t);
-            // NaN too.
-            if !(error <= self.class.limit()) {
-                found.fault(|| format!("{} at {t:e}: {value:?}, off by {error:e}", self.class.name));
-            }
+            self.judge(t, value, error, found);
         }
         if number.is_multiple_of(DIRECT) {
             let i = Random::new(number).bits() as usize % BATCH;
@@ -88,6 +112,31 @@ impl Looker {
         if number.is_multiple_of(BEYOND) {
             self.examine_beyond(number, found);
         }
+    }
+
+    /// The first `count` times of a batch against multiple precision alone.
+    fn look_directly(&self, number: u64, count: usize, found: &mut Finding) {
+        let mut times = vec![0.0; BATCH];
+        self.moments.batch(number, &mut times);
+        let times = &times[..count];
+        if let Some((series, coefficients)) = &self.paper {
+            self.examine_paper(series, coefficients, times, found);
+            return;
+        }
+        let mut values = vec![[0.0; 2]; count];
+        (self.class.evaluate)(times, &mut values);
+        for (&t, &value) in times.iter().zip(&values) {
+            found.tried += 1;
+            found.direct += 1;
+            let error = self.truth.direct(t, value);
+            self.judge(t, value, error, found);
+        }
+    }
+
+    fn judge(&self, t: f64, value: [f64; 2], error: f64, found: &mut Finding) {
+        found.require(error, self.class.limit(), t, || {
+            format!("{} at {t:e}: {value:?}, off by {error:e}", self.class.name)
+        });
     }
 
     /// What one power of ω is in the output.
@@ -101,7 +150,7 @@ impl Looker {
         // What is promised is relative to this too.
         let scale = self.class.ceiling.min(value[0].abs().max(std::f64::consts::PI));
         found.direct += 1;
-        if !((fast - direct).abs() <= AGREEMENT * scale) {
+        if (fast - direct).abs() > AGREEMENT * scale || direct.is_nan() {
             found.fault(|| format!("truth at {t:e} is off: {fast:e}, {direct:e}"));
         }
     }
@@ -109,18 +158,18 @@ impl Looker {
     /// Beyond the horizon results are finite and within the motion's range.
     fn examine_beyond(&self, number: u64, found: &mut Finding) {
         let mut random = Random::new(!number);
-        let mut times = [0.0; BATCH];
+        let mut times = vec![0.0; BATCH];
         let (near, far) = (self.moments.horizon.to_bits(), f64::MAX.to_bits());
         for t in &mut times {
             let magnitude = f64::from_bits(near + random.bits() % (far - near + 1));
             *t = if random.bits() & 1 == 0 { magnitude } else { -magnitude };
         }
         times[0] = f64::MAX;
-        let mut values = [[0.0; 2]; BATCH];
+        let mut values = vec![[0.0; 2]; BATCH];
         (self.class.evaluate)(&times, &mut values);
         let most = (self.class.ceiling + self.class.limit()) * self.unit();
         for (&t, value) in times.iter().zip(&values) {
-            if !value.iter().all(|value| value.abs() <= most) {
+            if value.iter().any(|value| value.abs() > most || value.is_nan()) {
                 found.fault(|| format!("{} at {t:e}, beyond the horizon: {value:?}", self.class.name));
             }
         }
@@ -133,7 +182,7 @@ impl Looker {
         }
     }
 
-    fn examine_paper(&self, series: &Series, coefficients: &[crate::big::Big], times: &[f64], found: &mut Finding) {
+    fn examine_paper(&self, series: &Series, coefficients: &[Big], times: &[f64], found: &mut Finding) {
         for &t in times {
             let mut values = [[0.0; 2]];
             (self.class.evaluate)(&[t], &mut values);

@@ -128,7 +128,7 @@ impl Scene {
         let mut name = format!("{name}: θ0 = {}", bare(theta0));
         for (text, symbol, default) in [(velocity0, "θ̇0", "0"), (omega, "ω", "1")] {
             if text != default {
-                name += &format!(", {symbol} = {}", bare(text));
+                name.extend([", ", symbol, " = ", &bare(text)]);
             }
         }
         Self { name, largest: largest(&Motion::new(start.clone())), start, tol, t_max }
@@ -141,8 +141,7 @@ impl Scene {
             Output::Acceleration | Output::Position => 1.0,
             Output::Wrapped => std::f64::consts::PI,
         };
-        // A position's coordinates are products, which take three times as much.
-        let full = FULL * ceiling * if output == Output::Position { 3.0 } else { 1.0 };
+        let full = FULL * ceiling * room(output);
         Class {
             name: self.name.clone(),
             start: self.start.clone(),
@@ -156,6 +155,16 @@ impl Scene {
             terms: None,
             evaluate,
         }
+    }
+}
+
+/// How much more than [`FULL`] is allowed: three times for a position, whose coordinates are products of two; twice for an
+/// angle modulo a turn, which is joined from halves.
+fn room(output: Output) -> f64 {
+    match output {
+        Output::Position => 3.0,
+        Output::Wrapped => 2.0,
+        _ => 1.0,
     }
 }
 

@@ -3,24 +3,24 @@
 use crate::random::Random;
 
 /// So many times are of one kind.
-pub const BATCH: usize = 4096;
+pub(super) const BATCH: usize = 4096;
 
 /// The times of one motion within one horizon.
-pub struct Moments {
+pub(super) struct Moments {
     /// The promise holds for |t| up to this.
-    pub horizon: f64,
+    pub(super) horizon: f64,
     /// T, in two words; on the separatrix 1/ω.
-    pub period: [f64; 2],
+    pub(super) period: [f64; 2],
     /// Phase at t = 0, in periods.
-    pub launch: f64,
+    pub(super) launch: f64,
 }
 
 /// Kinds that batches take in turn.
-const KINDS: u64 = 8;
+pub(super) const KINDS: u64 = 8;
 
 impl Moments {
     /// The `number`-th batch; all within the horizon.
-    pub fn batch(&self, number: u64, times: &mut [f64; BATCH]) {
+    pub(super) fn batch(&self, number: u64, times: &mut [f64]) {
         let mut random = Random::new(number);
         for t in times.iter_mut() {
             *t = self.one(number % KINDS, &mut random).clamp(-self.horizon, self.horizon);
@@ -47,7 +47,7 @@ impl Moments {
             }
             // Powers of two and their neighbours.
             _ => {
-                let bits = random.bits() % (self.horizon.to_bits() + 1) & (0x7FF << 52);
+                let bits = (random.bits() % (self.horizon.to_bits() + 1)) & (0x7FF << 52);
                 shifted(f64::from_bits(bits), (random.bits() % 9) as i64 - 4) * sign(random)
             }
         }
@@ -88,7 +88,7 @@ mod tests {
     #[test]
     fn all_times_are_within_the_horizon_and_differ() {
         let moments = Moments { horizon: 1217.5, period: [12.1, 1e-16], launch: 0.1 };
-        let mut times = [0.0; BATCH];
+        let mut times = vec![0.0; BATCH];
         for number in 0..KINDS {
             moments.batch(number, &mut times);
             assert!(times.iter().all(|t| t.abs() <= moments.horizon), "{number}");
