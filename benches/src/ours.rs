@@ -78,9 +78,13 @@ fn state<R: Real>(
     }
 }
 
-/// Two copies of one function.
+/// Two copies of one function, for [`Function`](crate::contestant::Function).
 macro_rules! twice {
-    ($($request:tt)*) => { (pendulum!($($request)*), pendulum!($($request)*)) };
+    ($theta:ident: $($request:tt)*) => {{
+        pendulum! { struct Array; $($request)* }
+        pendulum! { struct Single; $($request)* }
+        (Array::$theta, Single::$theta)
+    }};
 }
 
 /// One entry per tolerance with a horizon of `$t_max`, 100 periods rounded up; then, for any time, one per tolerance and
@@ -88,13 +92,13 @@ macro_rules! twice {
 macro_rules! plans {
     ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*]) => {
         vec![
-            $(plan(PLANNED, concat!("tol ", stringify!($tol)), twice!(
+            $(plan(PLANNED, concat!("tol ", stringify!($tol)), twice!(theta:
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float
             )),)*
-            $(plan(ANY_TIME, concat!("tol ", stringify!($ever)), twice!(
+            $(plan(ANY_TIME, concat!("tol ", stringify!($ever)), twice!(theta:
                 theta0 = $theta0, tol = $ever, float = $float
             )),)*
-            plan::<$float>(ANY_TIME, FULL, twice!(theta0 = $theta0, float = $float)),
+            plan::<$float>(ANY_TIME, FULL, twice!(theta: theta0 = $theta0, float = $float)),
         ]
     };
 }
@@ -103,13 +107,13 @@ macro_rules! plans {
 macro_rules! methods {
     ($float:ident, $theta0:tt, $t_max:literal, [$($n:literal)*] $(, $method:ident [$($tol:literal)*])*) => {
         vec![
-            $(forced::<$float>(PAPER, concat!("n = ", stringify!($n)), twice!(
+            $(forced::<$float>(PAPER, concat!("n = ", stringify!($n)), twice!(theta:
                 theta0 = $theta0, n = $n, float = $float
             )),)*
             $($(forced::<$float>(
                 concat!("pendula, ", stringify!($method), ", 100 periods"),
                 concat!("tol ", stringify!($tol)),
-                twice!(theta0 = $theta0, tol = $tol, t_max = $t_max, method = $method, float = $float)
+                twice!(theta: theta0 = $theta0, tol = $tol, t_max = $t_max, method = $method, float = $float)
             ),)*)*
         ]
     };
@@ -119,17 +123,12 @@ macro_rules! methods {
 macro_rules! states {
     ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*]) => {
         [
-            $(state::<$float>(concat!("tol ", stringify!($tol)), states!(@
+            $(state::<$float>(concat!("tol ", stringify!($tol)), twice!(state:
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float, outputs = [theta, velocity]
             )),)*
-            state::<$float>(FULL, states!(@ theta0 = $theta0, float = $float, outputs = [theta, velocity])),
+            state::<$float>(FULL, twice!(state: theta0 = $theta0, float = $float, outputs = [theta, velocity])),
         ]
     };
-    (@ $($request:tt)*) => {{
-        pendulum! { struct Array; $($request)* }
-        pendulum! { struct Single; $($request)* }
-        (Array::state, Single::state)
-    }};
 }
 
 impl Planned for f64 {

@@ -26,6 +26,7 @@ struct Block<R>([R; COUNT]);
 
 /// The sum of `REPEATS` chains, each of which has x ↦ `step(x, y, i)` between two polynomials. y is another variable and
 /// i counts the chains.
+#[expect(clippy::inline_always, reason = "the loops are to vectorise whatever the step is")]
 #[inline(always)]
 fn body<R: Real>(x: R, step: impl Fn(R, R, usize) -> R) -> R {
     let y = x + R::of(0.125);
@@ -72,9 +73,9 @@ fn kind<'a, R: Real>(
 }
 
 /// Between 1 and 2, where none of the loops below overflows.
-fn inputs<R: Real>() -> Box<Block<R>> {
+fn inputs<R: Real>() -> Block<R> {
     let mut random = Random::new(0xC057);
-    let mut block = Box::new(Block([R::zero(); COUNT]));
+    let mut block = Block([R::zero(); COUNT]);
     block.0.fill_with(|| R::of(1.0 + random.unit()));
     block
 }
