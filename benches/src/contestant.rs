@@ -69,47 +69,55 @@ pub trait AnyTime<R> {
     fn chain(&self, times: &[R]) -> R;
 }
 
-/// Any function is one; the loops are compiled for each, so that what can be inlined is.
+/// Any function is one; the loops are compiled for each, so that what can be inlined is. The two loops have a copy of the
+/// function each, as it would be in a program with one loop: the compiler inlines a large function only where nothing
+/// else calls it, and only what is inlined vectorises.
 #[derive(Clone, Copy, Debug)]
-pub struct Function<F>(pub F);
+pub struct Function<F, G> {
+    /// For the array loop.
+    pub array: F,
+    /// For single calls.
+    pub single: G,
+}
 
-impl<R: Real, F: Fn(R) -> R> AnyTime<R> for Function<F> {
+impl<R: Real, F: Fn(R) -> R, G: Fn(R) -> R> AnyTime<R> for Function<F, G> {
     #[inline(never)]
     fn fill(&self, times: &[R], angles: &mut [R]) {
         for (angle, &time) in angles.iter_mut().zip(times) {
-            *angle = (self.0)(time);
+            *angle = (self.array)(time);
         }
     }
 
     #[inline(never)]
     fn chain(&self, times: &[R]) -> R {
         let nothing = black_box(0);
-        times.iter().fold(R::zero(), |last, &time| (self.0)(time.after(last, nothing)))
+        times.iter().fold(R::zero(), |last, &time| (self.single)(time.after(last, nothing)))
     }
 }
 
 /// A function of time with two values, both of which are stored, and waited for.
-pub struct Pair<R, F> {
-    function: F,
+pub struct Pair<R, F, G> {
+    array: F,
+    single: G,
     /// Where the array loop leaves the second values.
     second: RefCell<Vec<R>>,
 }
 
-impl<R: Real, F: Fn(R) -> (R, R)> Pair<R, F> {
-    /// Of a function that gives the angle first.
-    pub fn new(function: F) -> Self {
-        Self { function, second: RefCell::new(vec![R::zero(); COUNT]) }
+impl<R: Real, F: Fn(R) -> (R, R), G: Fn(R) -> (R, R)> Pair<R, F, G> {
+    /// Of two copies of a function that gives the angle first; see [`Function`].
+    pub fn new((array, single): (F, G)) -> Self {
+        Self { array, single, second: RefCell::new(vec![R::zero(); COUNT]) }
     }
 
     #[inline(never)]
     fn fill_both(&self, times: &[R], angles: &mut [R], second: &mut [R]) {
         for ((angle, second), &time) in angles.iter_mut().zip(second).zip(times) {
-            (*angle, *second) = (self.function)(time);
+            (*angle, *second) = (self.array)(time);
         }
     }
 }
 
-impl<R: Real, F: Fn(R) -> (R, R)> AnyTime<R> for Pair<R, F> {
+impl<R: Real, F: Fn(R) -> (R, R), G: Fn(R) -> (R, R)> AnyTime<R> for Pair<R, F, G> {
     fn fill(&self, times: &[R], angles: &mut [R]) {
         let mut second = self.second.borrow_mut();
         second.resize(times.len(), R::zero());
@@ -120,7 +128,7 @@ impl<R: Real, F: Fn(R) -> (R, R)> AnyTime<R> for Pair<R, F> {
     #[inline(never)]
     fn chain(&self, times: &[R]) -> R {
         let nothing = black_box(0);
-        let call = |(a, b), &time: &R| (self.function)(time.after(a, nothing).after(b, nothing));
+        let call = |(a, b), &time: &R| (self.single)(time.after(a, nothing).after(b, nothing));
         times.iter().fold((R::zero(), R::zero()), call).0
     }
 }
@@ -170,13 +178,23 @@ pub struct Contestant<R> {
 
 impl<R: Real> Contestant<R> {
     /// A function of time that was given the amplitude in this precision.
-    pub fn function(family: Family, name: &str, setting: &str, function: impl Fn(R) -> R + 'static) -> Self {
+    pub fn function(family: Family, name: &str, setting: &str, function: impl Fn(R) -> R + Clone + 'static) -> Self {
+        Self::copies(family, name, setting, (function.clone(), function))
+    }
+
+    /// The same of two copies of the function; see [`Function`].
+    pub fn copies(
+        family: Family,
+        name: &str,
+        setting: &str,
+        (array, single): (impl Fn(R) -> R + 'static, impl Fn(R) -> R + 'static),
+    ) -> Self {
         Self {
             family,
             name: name.into(),
             setting: setting.into(),
             given: if R::NAME == "f32" { Given::F32 } else { Given::F64 },
-            kind: Kind::AnyTime(Box::new(Function(function))),
+            kind: Kind::AnyTime(Box::new(Function { array, single })),
         }
     }
 

@@ -49,22 +49,42 @@ fn fourier<R: Planned, const N: usize>(pendulum: &Pendulum<R>) -> Option<Contest
     Some(Contestant::function(Family::Forced, "pendula, Pendulum::fourier", &setting, move |t| fourier.theta(t)))
 }
 
-fn plan<R: Real>(name: &str, setting: &str, theta: impl Fn(R) -> R + 'static) -> Contestant<R> {
-    Contestant::function(Family::Planned, name, setting, theta).given(Given::Exact)
+fn plan<R: Real>(
+    name: &str,
+    setting: &str,
+    copies: (impl Fn(R) -> R + 'static, impl Fn(R) -> R + 'static),
+) -> Contestant<R> {
+    Contestant::copies(Family::Planned, name, setting, copies).given(Given::Exact)
 }
 
-fn forced<R: Real>(name: &str, setting: &str, theta: impl Fn(R) -> R + 'static) -> Contestant<R> {
-    Contestant::function(Family::Forced, name, setting, theta).given(Given::Exact)
+fn forced<R: Real>(
+    name: &str,
+    setting: &str,
+    copies: (impl Fn(R) -> R + 'static, impl Fn(R) -> R + 'static),
+) -> Contestant<R> {
+    Contestant::copies(Family::Forced, name, setting, copies).given(Given::Exact)
 }
 
-fn state<R: Real>(setting: &str, state: impl Fn(R) -> (R, R) + 'static) -> Contestant<R> {
+fn state<R: Real>(
+    setting: &str,
+    copies: (impl Fn(R) -> (R, R) + 'static, impl Fn(R) -> (R, R) + 'static),
+) -> Contestant<R> {
     Contestant {
         family: Family::Forced,
         name: STATE.into(),
         setting: setting.into(),
         given: Given::Exact,
-        kind: Kind::AnyTime(Box::new(Pair::new(state))),
+        kind: Kind::AnyTime(Box::new(Pair::new(copies))),
     }
+}
+
+/// Two copies of one function, for [`Function`](crate::contestant::Function).
+macro_rules! twice {
+    ($theta:ident: $($request:tt)*) => {{
+        pendulum! { struct Array; $($request)* }
+        pendulum! { struct Single; $($request)* }
+        (Array::$theta, Single::$theta)
+    }};
 }
 
 /// One entry per tolerance with a horizon of `$t_max`, 100 periods rounded up; then, for any time, one per tolerance and
@@ -72,13 +92,13 @@ fn state<R: Real>(setting: &str, state: impl Fn(R) -> (R, R) + 'static) -> Conte
 macro_rules! plans {
     ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*]) => {
         vec![
-            $(plan(PLANNED, concat!("tol ", stringify!($tol)), pendulum!(
+            $(plan(PLANNED, concat!("tol ", stringify!($tol)), twice!(theta:
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float
             )),)*
-            $(plan(ANY_TIME, concat!("tol ", stringify!($ever)), pendulum!(
+            $(plan(ANY_TIME, concat!("tol ", stringify!($ever)), twice!(theta:
                 theta0 = $theta0, tol = $ever, float = $float
             )),)*
-            plan::<$float>(ANY_TIME, FULL, pendulum!(theta0 = $theta0, float = $float)),
+            plan::<$float>(ANY_TIME, FULL, twice!(theta: theta0 = $theta0, float = $float)),
         ]
     };
 }
@@ -87,13 +107,13 @@ macro_rules! plans {
 macro_rules! methods {
     ($float:ident, $theta0:tt, $t_max:literal, [$($n:literal)*] $(, $method:ident [$($tol:literal)*])*) => {
         vec![
-            $(forced::<$float>(PAPER, concat!("n = ", stringify!($n)), pendulum!(
+            $(forced::<$float>(PAPER, concat!("n = ", stringify!($n)), twice!(theta:
                 theta0 = $theta0, n = $n, float = $float
             )),)*
             $($(forced::<$float>(
                 concat!("pendula, ", stringify!($method), ", 100 periods"),
                 concat!("tol ", stringify!($tol)),
-                pendulum!(theta0 = $theta0, tol = $tol, t_max = $t_max, method = $method, float = $float)
+                twice!(theta: theta0 = $theta0, tol = $tol, t_max = $t_max, method = $method, float = $float)
             ),)*)*
         ]
     };
@@ -103,17 +123,10 @@ macro_rules! methods {
 macro_rules! states {
     ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*]) => {
         [
-            $({
-                pendulum! {
-                    struct Swing;
-                    theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float, outputs = [theta, velocity]
-                }
-                state::<$float>(concat!("tol ", stringify!($tol)), Swing::state)
-            },)*
-            {
-                pendulum! { struct Swing; theta0 = $theta0, float = $float, outputs = [theta, velocity] }
-                state::<$float>(FULL, Swing::state)
-            },
+            $(state::<$float>(concat!("tol ", stringify!($tol)), twice!(state:
+                theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float, outputs = [theta, velocity]
+            )),)*
+            state::<$float>(FULL, twice!(state: theta0 = $theta0, float = $float, outputs = [theta, velocity])),
         ]
     };
 }

@@ -13,12 +13,12 @@ use crate::contestant::{Contestant, Family};
 use crate::real::Real;
 
 /// θ from cn.
-fn angle<R: Real>(motion: &Motion, cn: impl Fn(R) -> R + 'static) -> impl Fn(R) -> R + 'static {
+fn angle<R: Real>(motion: &Motion, cn: impl Fn(R) -> R + Clone + 'static) -> impl Fn(R) -> R + Clone + 'static {
     let (modulus, complement) = (R::of(motion.modulus), R::of(motion.complement));
     move |t| R::of(2.0) * (modulus * cn(t)).atan2(complement)
 }
 
-fn entry<R: Real>(name: &str, setting: &str, function: impl Fn(R) -> R + 'static) -> Contestant<R> {
+fn entry<R: Real>(name: &str, setting: &str, function: impl Fn(R) -> R + Clone + 'static) -> Contestant<R> {
     Contestant::function(Family::Library, name, setting, function)
 }
 
