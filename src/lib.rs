@@ -107,7 +107,7 @@ struct Readme;
 /// | parameter | meaning | range | default |
 /// |---|---|---|---|
 /// | `theta0`, `θ0` | angle at t = 0 | 0 < \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
-/// | `velocity0` | θ̇ at t = 0, rad per unit of t | any | 0, released at rest |
+/// | `velocity0` | θ̇ at t = 0, rad per unit of t | any up to 10¹³⁵·ω | 0, released at rest |
 /// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0 | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing; θ and θ̇ only | from 1 to what `float` can use | |
@@ -192,8 +192,9 @@ struct Readme;
 /// motion over the horizon, wherever it is attained.
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of the largest value: of \|θ0\| for a release, of
-/// `AMPLITUDE` for any swing, of π for the angle of a rotation less its turns and on the separatrix, of the largest θ̇ and
-/// θ̈. Of a position it is thrice that, and of some accelerations near the top twice.
+/// `AMPLITUDE` for any swing, of π on the separatrix and for the angle of a rotation, to which the rounding of the wrapping
+/// or of the turns is added, of the largest θ̇ and θ̈; thrice that for a position. Where rounding takes more, as of some
+/// accelerations near the top, it is up to twice as much.
 ///
 /// # Greek letters
 /// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a
