@@ -121,10 +121,12 @@ fn long() {
     let currents: Vec<Mutex<String>> = (0..threads).map(|_| Mutex::default()).collect();
     std::thread::scope(|scope| {
         let threads: Vec<_> = (0..).zip(&currents).map(|(i, current)| scope.spawn(move || run(i, current))).collect();
-        while !threads.iter().all(|thread| thread.is_finished()) {
+        while !threads.iter().all(std::thread::ScopedJoinHandle::is_finished) {
             std::thread::sleep(Duration::from_secs(1));
             if Instant::now() > end + Duration::from_secs(20) {
-                currents.iter().for_each(|current| println!("hangs?\n    {}", current.lock().unwrap()));
+                for current in &currents {
+                    println!("hangs?\n    {}", current.lock().unwrap());
+                }
                 std::process::exit(1);
             }
         }

@@ -51,6 +51,7 @@ fn expression(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStream {
     quote!({
         #(#[doc = #docs])*
         #allowed
+        #[inline(always)]
         #(#functions)*
         #name
     })
@@ -78,7 +79,7 @@ fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> Tok
             #constants
             #(
                 #[doc = #doc_lines]
-                #[inline]
+                #[inline(always)]
                 #[must_use]
                 #functions
             )*
@@ -91,7 +92,8 @@ fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
     attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"))
 }
 
-/// `const fn name(t: f64) -> f64 { … }`
+/// `const fn name(t: f64) -> f64 { … }`, to be inlined wherever it is called: only then do loops over it vectorise, and the
+/// compiler by itself doesn't inline so long a function into more than one of them.
 fn function(scene: &Scene, function: &Function, root: &TokenStream) -> TokenStream {
     let float = format_ident!("{}", scene.float.word());
     let name = format_ident!("{}", function.name);

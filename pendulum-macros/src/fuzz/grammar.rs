@@ -74,7 +74,7 @@ fn angle(random: &mut Random) -> String {
         4 => power_of_ten(random, -307, 0),
         5 => digits(random, 1, 60),
         6 => format!("{:?}", std::f64::consts::PI.next_down() * random.unit()),
-        _ => format!("{:.4}", 3.1415 * random.unit()),
+        _ => format!("{:.4}", 3.1 * random.unit()),
     }
 }
 
@@ -114,7 +114,7 @@ fn outputs(random: &mut Random, expression: bool) -> String {
     let most = if expression { 1 } else { Output::WORDS.len() };
     let mut words: Vec<&str> = Output::WORDS.to_vec();
     let mut chosen = Vec::new();
-    for _ in 0..1 + random.below(most) {
+    for _ in 0..=random.below(most) {
         chosen.push(words.swap_remove(random.below(words.len())));
     }
     format!("[{}]", chosen.join(", "))

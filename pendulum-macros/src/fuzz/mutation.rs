@@ -100,7 +100,7 @@ const LITERALS: &[&str] = &[
 /// A valid invocation with one to four mutations.
 pub(crate) fn near_miss(random: &mut Random) -> String {
     let mut tokens = tokens(&invocation(random).text());
-    for _ in 0..1 + random.below(4) {
+    for _ in 0..=random.below(4) {
         mutate(random, &mut tokens);
     }
     tokens.join(if random.one_in(20) { "" } else { " " })

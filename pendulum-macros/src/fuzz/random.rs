@@ -1,4 +1,4 @@
-//! Reproducible randomness: SplitMix64 (Steele, Lea and Flood 2014), whose every seed is a good one.
+//! Reproducible randomness: `SplitMix64` (Steele, Lea and Flood 2014), whose every seed is a good one.
 
 pub(crate) struct Random(u64);
 

@@ -1,7 +1,7 @@
 //! What has to hold of every expansion.
 
 use crate::motion::Regime;
-use crate::parse::{Float, Form};
+use crate::parse::Float;
 use crate::plan::{Plan, Refusal, plan};
 use crate::report::Report;
 use crate::scene::{Goal, Scene};
@@ -215,12 +215,6 @@ fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-/// Whether an invocation is of the item form, for those who write it into a file.
-pub(crate) fn is_item(text: &str) -> bool {
-    let request = text.parse().ok().and_then(|tokens| parse::parse(tokens, &mut Report::default()));
-    request.is_some_and(|request| matches!(request.form, Form::Item(_)))
 }
 
 pub(crate) fn debug(text: &str) {

@@ -24,7 +24,7 @@ fn random_scene(random: &mut Random) -> String {
         5 => format!("velocity0 = 2 {} 1e-{}", random.choose(&["+", "-"]), random.between(1, 12)),
         6 => format!("theta0 = {}, velocity0 = -{}", digits(random, 3.0), 2.0 + 20.0 * random.unit()),
         7 => random.choose(&["velocity0 = -2", "theta0 = π/2, velocity0 = sqrt(2)"]).to_owned(),
-        _ => format!("theta0 = {}", digits(random, 3.14)),
+        _ => format!("theta0 = {}", digits(random, 3.1)),
     };
     let single = random.one_in(3);
     let goal = match (random.below(5), single) {

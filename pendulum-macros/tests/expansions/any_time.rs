@@ -59,7 +59,7 @@ impl Forever {
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 1.4149089785044297e-15;
     /// θ(t), rad; NaN if t is not finite. 69 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
         let v = if 1.0715086071862673e301_f64 < t {

@@ -65,7 +65,7 @@ impl Clock {
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
     pub const MAX_VELOCITY_ERROR: f64 = 4.95892697341548e-10;
     /// θ(t), rad; NaN if t is not finite. 39 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
         let magic = t * 0.516665045200957 + 6755399441055744.0;
@@ -86,7 +86,7 @@ impl Clock {
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
     /// θ̇(t), rad per unit of t; NaN if t is not finite. 37 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn velocity(t: f64) -> f64 {
         let magic = t * 0.516665045200957 + 6755399441055744.0;
@@ -110,7 +110,7 @@ impl Clock {
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
     /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 64 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn state(t: f64) -> (f64, f64) {
         let magic = t * 0.516665045200957 + 6755399441055744.0;

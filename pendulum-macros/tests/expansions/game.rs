@@ -62,7 +62,7 @@ impl Lamp {
     /// Proven bound of the position's distance from the exact one, in lengths.
     pub const MAX_POSITION_ERROR: f32 = 6.864503e-5;
     /// θ(t), rad; NaN if t is not finite. 19 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn theta(t: f32) -> f32 {
         let x = t * 0.23952805;
@@ -78,7 +78,7 @@ impl Lamp {
         f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
     }
     /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 36 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn position(t: f32) -> (f32, f32) {
         let x = t * 0.23952805;

@@ -62,7 +62,7 @@ impl Pushed {
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
     pub const MAX_ACCELERATION_ERROR: f64 = 4.884385675056919e-7;
     /// θ(t), rad; NaN if t is not finite. 62 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
         let v = if 1.0715086071862673e301_f64 < t {
@@ -106,7 +106,7 @@ impl Pushed {
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
     /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared; NaN if t is not finite. 64 operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn acceleration(t: f64) -> f64 {
         let v = if 1.0715086071862673e301_f64 < t {

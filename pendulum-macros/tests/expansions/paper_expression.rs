@@ -29,6 +29,7 @@ fn expression() -> impl Copy {
         clippy::missing_docs_in_private_items,
         clippy::single_call_fn
     )]
+    #[inline(always)]
     const fn theta(t: f64) -> f64 {
         let head = f64::from_bits(t.to_bits() & 0xfffffffffc000000);
         let tail = t - head;
