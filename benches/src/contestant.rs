@@ -70,8 +70,7 @@ pub trait AnyTime<R> {
 }
 
 /// Any function is one; the loops are compiled for each, so that what can be inlined is. The two loops have a copy of the
-/// function each, as it would be in a program with one loop: the compiler inlines a large function only where nothing
-/// else calls it, and only what is inlined vectorises.
+/// function each, so that neither is inlined at the expense of the other: only what is inlined vectorises.
 #[derive(Clone, Copy, Debug)]
 pub struct Function<F, G> {
     /// For the array loop.
