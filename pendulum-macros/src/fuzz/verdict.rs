@@ -149,6 +149,7 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
         Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
             Err(format!("unasked-for n: {message}"))
         }
+        Refusal::Broken { .. } => Err(message),
         _ => Ok(()),
     }
 }
