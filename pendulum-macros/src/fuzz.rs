@@ -9,6 +9,7 @@
 //!
 //! `PENDULA_FUZZ_SEED` starts another sequence, `PENDULA_FUZZ_THREADS` (2) sets the number of threads.
 
+mod findings;
 mod grammar;
 mod mutation;
 pub(crate) mod random;

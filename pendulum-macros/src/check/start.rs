@@ -8,6 +8,10 @@ use crate::parse::{Float, Form, Given, Output};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
+/// Below these the products of a plan lose digits to underflow.
+const SMALLEST_AMPLITUDE: f64 = 1e-300;
+const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
+
 impl Checker<'_> {
     /// The motion, at a working precision that outlasts every cancellation in it.
     ///
@@ -181,7 +185,31 @@ impl Checker<'_> {
             Regime::Separatrix(_) => return Ok(()),
         };
         self.representable_result(period, name)?;
+        self.swings_visibly(motion)?;
         self.turns_unevenly(motion)
+    }
+
+    /// Refuses amplitudes whose products with coefficients would be subnormal.
+    fn swings_visibly(&mut self, motion: &Motion) -> Checked<()> {
+        let Regime::Swing(swing) = &motion.regime else { return Ok(()) };
+        let (least, shown) = match self.float() {
+            Float::F64 => (SMALLEST_AMPLITUDE, "1e-300"),
+            Float::F32 => (SMALLEST_AMPLITUDE_F32, "1e-35"),
+        };
+        let request = self.request;
+        match request.theta0.as_ref().or(request.velocity0.as_ref()) {
+            Some(given) if swing.amplitude.to_f64() < least => {
+                let message = format!(
+                    "`{} = {}` makes an amplitude below {shown}, where `{}` loses digits: choose a larger one, or a unit in \
+                     which it is larger, since so small a motion is θ0·cos ωt",
+                    given.name,
+                    source::value(&given.tokens),
+                    self.float().word()
+                );
+                Err(self.refuse(&given.tokens, message))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Refuses a rotation whose κ² underflows: its angle is linear in time beyond any precision.

@@ -139,23 +139,21 @@ fn errors_are_placed(errors: &[syn::Error], text: &str) -> Result<(), String> {
 fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
     let message = refusal.explain(scene).to_string();
     match refusal {
-        Refusal::Unreachable { best } if best.is_infinite() && (scene.method.is_some() || is_minute(scene)) => Ok(()),
+        Refusal::Unreachable { best } if best.is_infinite() && scene.method.is_some() => Ok(()),
         Refusal::Unreachable { best } if !(best.is_finite() && *best > 0.0) => Err(format!("offers {best}: {message}")),
         Refusal::Unreachable { best } => match scene.goal {
             Goal::Tolerance(tol) if *best <= tol => Err(format!("refuses {tol:e} and offers {best:e}")),
             Goal::Tolerance(_) => offer_is_kept(&message, scene),
+            // A forced method does what it can.
+            _ if scene.method.is_some() => Ok(()),
             _ => Err(format!("refuses full precision: {message}")),
         },
         Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
             Err(format!("unasked-for n: {message}"))
         }
+        Refusal::Broken { .. } => Err(message),
         _ => Ok(()),
     }
-}
-
-/// An amplitude so small that products with it are subnormal.
-fn is_minute(scene: &Scene) -> bool {
-    matches!(&scene.motion.regime, Regime::Swing(swing) if swing.amplitude.to_f64() < 1e-300)
 }
 
 /// The tolerance that a message names can be had.

@@ -137,8 +137,8 @@ pub(super) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
     let parts: Vec<f64> = parts.collect();
     let scaled = |factor: f64| parts.iter().map(|x| x * factor).map(|x| x * x).sum::<f64>().sqrt() / factor;
     match parts.iter().fold(0.0, |most: f64, x| most.max(x.abs())) {
-        most if most > FAR => scaled(1.0 / FAR),
-        most if most < 1.0 / FAR => scaled(FAR),
+        most if most > FAR => scaled(1.0 / (FAR * FAR)),
+        most if most < 1.0 / FAR => scaled(FAR * FAR),
         _ => scaled(1.0),
     }
 }
@@ -185,4 +185,20 @@ pub(super) fn functions(reduction: &Reduction, parts: &[Part]) -> Vec<Function> 
         functions.push(Function { name: "state", program });
     }
     functions
+}
+
+#[cfg(test)]
+mod tests {
+    use super::norm;
+
+    #[test]
+    fn norms_of_all_sizes() {
+        for scale in [1e-316, 1e-200, 1.0, 1e200, 1e300] {
+            let found = norm([3.0 * scale, 4.0 * scale].into_iter());
+            // A subnormal has few digits.
+            assert!((found / (5.0 * scale) - 1.0).abs() < 1e-8, "{scale:e}: {found:e}");
+        }
+        assert_eq!(norm([].into_iter()), 0.0);
+        assert_eq!(norm([f64::INFINITY].into_iter()), f64::INFINITY);
+    }
 }

@@ -164,7 +164,9 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let full = cheapest(&Scene { goal: Goal::Full, ..scene.clone() }).map_or(f64::INFINITY, |plan| plan.worst());
     let reached = if *best < full { [*best, full] } else { [full, *best] };
     let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
-    let decades = (1..10).map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
+    // A forced method is refused as such.
+    let decades = if scene.method.is_some() { 1..1 } else { 1..10 };
+    let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
     let mut offers = offers.chain(decades);
     Err(Refusal::Unreachable { best: offers.find(kept).unwrap_or(f64::INFINITY) })
 }

@@ -24,8 +24,8 @@ const SLACK: f64 = 1e-3;
 
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
-    let mut refusal = None;
-    // The terms are chosen for θ; its derivatives may need some more.
+    let mut reached = f64::INFINITY;
+    // The terms are chosen for θ; its derivatives may need some more, as long as these help.
     for more in 0..MOST_MORE {
         let sum = Sum::choose(scene, swing, method, more)?;
         if sum.weights.len() >= MOST_HARMONICS && !matches!(scene.goal, Goal::Terms(_)) {
@@ -33,7 +33,10 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         }
         match sum.plan(scene, swing) {
             Err(Refusal::Unreachable { best }) if matches!(method, Method::Fourier | Method::Series) => {
-                refusal = Some(Refusal::Unreachable { best });
+                if best > reached * 0.9 {
+                    break;
+                }
+                reached = best;
             }
             other => return other,
         }
@@ -41,7 +44,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
             break;
         }
     }
-    Err(refusal.unwrap_or(Refusal::Unreachable { best: f64::INFINITY }))
+    Err(Refusal::Unreachable { best: reached })
 }
 
 /// How many terms more than θ needs are tried.
@@ -115,6 +118,11 @@ impl Sum {
         };
         let simple = |kept: usize| terms.iter().skip(kept).map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted();
         let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
+        if fewest >= MOST_HARMONICS {
+            let weights = terms[..MOST_HARMONICS].iter().map(|&(_, a)| a).collect();
+            let bias = simple(MOST_HARMONICS);
+            return Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias };
+        }
         let sup =
             |kept: usize| if kept + 40 < terms.len() { simple(kept) } else { tail(&terms[kept..]) + theta.omitted() };
         let kept = (fewest..=terms.len()).find(|&kept| sup(kept) <= aim).unwrap_or(terms.len());

@@ -71,6 +71,7 @@ struct Probe<'a> {
     /// The time of the first anchor.
     first: f64,
     horizon: f64,
+    bound: f64,
     worst: (f64, f64),
 }
 
@@ -84,7 +85,16 @@ impl<'a> Probe<'a> {
         let unlimited = 2f64.powi(54) * step;
         let horizon = scene.t_max.as_ref().map_or(unlimited, Real::to_f64);
         let (program, output) = (&plan.functions[0].program, plan.parts[0].output);
-        Self { scene, program, output, step, first: -launch * step, horizon, worst: (0.0, 0.0) }
+        Self {
+            scene,
+            program,
+            output,
+            step,
+            first: -launch * step,
+            horizon,
+            bound: plan.parts[0].bound.total() * (1.0 + 1e-9),
+            worst: (0.0, 0.0),
+        }
     }
 
     /// The error at the time of the scene's type nearest to `t` within the horizon.
@@ -95,7 +105,13 @@ impl<'a> Probe<'a> {
             t = if t > 0.0 { inner } else { -f64::from((-t as f32).next_down()) };
         }
         let exact = State::at(&self.scene.motion, t).output(self.output);
-        let error = distance(self.scene.motion.omega.context(), &self.program.run(t), &exact);
+        let values = self.program.run(t);
+        let mut error = distance(self.scene.motion.omega.context(), &values, &exact);
+        if self.output == Output::Wrapped {
+            // At the top π and −π are one angle.
+            assert!(values[0].abs() <= std::f64::consts::PI + self.bound, "{t}: {values:?}");
+            error = error.min((std::f64::consts::TAU - error).abs());
+        }
         if error > self.worst.1 {
             self.worst = (t, error);
         }

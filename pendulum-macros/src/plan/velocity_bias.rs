@@ -17,10 +17,15 @@ pub(super) fn bound(weights: &[Double], method: Method, rate: &Real, drift: f64,
         theta.terms().iter().map(|&(m, a)| (f64::from(m) * PI, a.hi)).collect()
     };
     let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
+    let largest = |terms: &[(f64, f64)]| terms.iter().map(|(m, a)| m * a.abs()).sum::<f64>();
+    if exact.len() > MOST_TERMS {
+        let fastest = (&swing.elliptic.modulus * &scene.motion.omega).scale(1).to_f64();
+        let slopes = if method == Method::Fourier { f64::INFINITY } else { largest(&ours) };
+        return (slopes * rate.to_f64() + fastest) * (1.0 + 1e-9);
+    }
     let curves = Curves { ours, exact, arcsine: method == Method::Fourier };
     // Both at the same phase and rate; then the other rate, and the other phase.
     let at_same_phase = curves.supremum() * exact_rate;
-    let largest = |terms: &[(f64, f64)]| terms.iter().map(|(m, a)| m * a.abs()).sum::<f64>();
     let faster = (rate.to_f64() - exact_rate).abs() * largest(&curves.ours);
     let steepest = curves.exact.iter().map(|(m, a)| m * m * a.abs()).sum::<f64>();
     let shifted = (exact_rate * steepest * drift).min(2.0 * exact_rate * largest(&curves.exact));
@@ -33,6 +38,9 @@ struct Curves {
     exact: Vec<(f64, f64)>,
     arcsine: bool,
 }
+
+/// So near the top that θ has more harmonics the two velocities are as far apart as they are large.
+const MOST_TERMS: usize = 400;
 
 /// Cells of the half wave.
 const CELLS: u32 = 2048;

@@ -1,0 +1,77 @@
+//! What fuzzing found, each once: invocations that panicked, hung, promised what they didn't keep or explained it wrongly.
+
+use super::verdict::{Verdict, judge, mistakes};
+
+fn planned(text: &str) {
+    assert_eq!(judge(text).map(|(verdict, _)| verdict), Ok(Verdict::Planned), "{text}");
+}
+
+fn refused(text: &str, reason: &str) {
+    assert_eq!(judge(text).map(|(verdict, _)| verdict), Ok(Verdict::Refused), "{text}");
+    let messages = mistakes(text.parse().unwrap());
+    assert!(messages.iter().any(|message| message.contains(reason)), "{text}: {messages:#?}");
+}
+
+#[test]
+fn nesting_and_length_are_limited() {
+    let nested = |depth| format!("theta0 = {}1{}", "(".repeat(depth), ")".repeat(depth));
+    planned(&nested(60));
+    refused(&nested(100), "nested more than 64 deep");
+    refused(&nested(20_000), "nested more than 64 deep");
+    planned(&format!("theta0 = {}1, tol = 1e-3", "-".repeat(400)));
+    refused(&format!("theta0 = {}1", "-".repeat(3000)), "more than 500 tokens");
+    refused(&format!("theta0 = {}0.1", "0.1 + ".repeat(3000)), "more than 500 tokens");
+}
+
+/// Kernels were built for any tolerance, however small, with more levels than names.
+#[test]
+fn tolerances_far_out_of_reach() {
+    refused("theta0 = 7π/9, tol = 1e-40", "the best is");
+    refused("struct A; theta0 = 1.77, tol = 1e-36, outputs = [wrapped]", "the best is");
+    refused("velocity0 = -(2 - 1e-207), tol = 1e-39, float = f32", "the best is");
+}
+
+/// `judge` asks for the tolerance that the message offers.
+#[test]
+fn the_best_tolerance_can_be_had() {
+    refused("velocity0 = 2*sqrt(0.555), tol = 3.6e-12, t_max = 68.3, float = f32", "the best is");
+    refused("velocity0 = 3.2732, tol = 5.6e-8, t_max = 3.2e5, float = f32", "the best is");
+    refused("theta0 = 1.5633898237141728, velocity0 = 2, tol = 1e-15", "the best is");
+    refused("θ0 = π - 1e-228, ω = 7.27389676, tol = 6.97e-9, float = f32", "the best is");
+}
+
+/// `f32` times were multiplied with rates above 1 until they overflowed; a negative word made ∞ − ∞.
+#[test]
+fn the_largest_times_are_finite() {
+    planned("theta0 = 1, omega = 4, t_max = 10, float = f32, tol = 1e-3");
+    planned("theta0 = 7.69deg, g = 5.6358715, length = 0.474820684422141, t_max = 1e-297, float = f32");
+    planned("struct A; theta0 = 0.9006, velocity0 = 2, ω = 2.253e3, t_max = 1e-161");
+}
+
+/// The squares of small errors underflowed, and the bound was 0; those of large ones overflowed.
+#[test]
+fn errors_of_all_sizes_have_bounds() {
+    planned("struct A; θ0 = -(1e-259), omega = 8.1777e-3, t_max = 1e-115, outputs = [acceleration, position, theta]");
+    planned("theta0 = 1e-300");
+    planned("struct A; theta0 = 6π/14, omega = 1e80, tol = 0.3, outputs = [position, velocity, acceleration, theta]");
+    refused("theta0 = 1e-301", "below 1e-300");
+    refused("velocity0 = 1e-36, float = f32", "below 1e-35");
+}
+
+/// Series whose amplitudes overflow or vanish had no end.
+#[test]
+fn the_fastest_rotations() {
+    planned("struct A; θ0 = 85.34deg, velocity0 = 1e119, tol = 1e-6, outputs = [position]");
+    refused("velocity0 = -(1e211), tol = 1e-11", "so fast, beside ω");
+    refused("struct A; velocity0 = 1e160, omega = 1e140, outputs = [acceleration]", "largest velocity");
+}
+
+/// n was searched where none works, and offered where the next message refused it.
+#[test]
+fn the_paper_near_the_top() {
+    refused("theta0 = π - 1e-15, n = 3", "no number of terms that `f64` can use works");
+    refused("θ0 = -(π - 1e-146), n = 3, float = f32", "no number of terms that `f32` can use works");
+    refused("theta0 = π - 1e-298, tol = 1e-12, method = fourier", "leave `method` out");
+    refused("θ0 = π - 1e-284, tol = 2.4e-4, method = series", "leave `method` out");
+    refused("struct A; θ0 = π - 1e-188, tol = 4e-6, method = small_angle, outputs = [velocity]", "the best is");
+}
