@@ -120,7 +120,7 @@ mod tests {
     fn all_times_are_within_the_horizon_and_differ() {
         let moments =
             Moments { horizon: 1217.5, period: [12.1, 1e-16], launch: 0.1, hardest: hardest(&12.1.into(), 1217.5) };
-        assert!(moments.hardest.len() > 1000);
+        assert!(moments.hardest.len() > 100);
         let mut times = vec![0.0; BATCH];
         for number in 0..KINDS {
             moments.batch(number, &mut times);
