@@ -29,5 +29,5 @@ fn compiled_constants_are_correctly_rounded() {
 
 #[test]
 fn constants_at_run_time_are_within_an_ulp() {
-    kept(&coefficients::runtime(&Session::quiet(), 200));
+    kept(&coefficients::runtime(&Session::quiet(), 60));
 }

@@ -3,7 +3,10 @@
 mod classes;
 mod moments;
 
+use std::ops::RangeInclusive;
+
 pub use classes::{Class, classes};
+pub use moments::HARDEST;
 
 use crate::big::Big;
 use crate::finding::Finding;
@@ -34,13 +37,13 @@ pub fn run(session: &Session, inputs: u64) -> Vec<Row> {
     classes().iter().take_while(|_| !session.stopped()).map(judge).collect()
 }
 
-/// A sample for tests: every class at `each` times of every kind, against multiple precision.
-pub fn sample(session: &Session, each: usize) -> Vec<Row> {
+/// A sample for tests: every class at `each` times of every kind among `kinds`, against multiple precision.
+pub fn sample(session: &Session, each: usize, kinds: RangeInclusive<u64>) -> Vec<Row> {
     let classes = classes();
     let outcome = session.share("sample", classes.len() as u64, |i, found: &mut Sample| {
         let looker = Looker::new(&classes[i as usize], false);
         let mut one = Finding::default();
-        for kind in 0..moments::KINDS {
+        for kind in kinds.clone() {
             looker.look_directly(kind, each, &mut one);
         }
         looker.examine_beyond(0, &mut one);
@@ -78,6 +81,7 @@ impl<'a> Looker<'a> {
         };
         let period = motion.period().to_pair();
         let horizon = class.horizon.min(class.periods * period[0]);
+        let hardest = moments::hardest(&motion.period(), horizon);
         let paper = match (&motion.regime, class.terms) {
             (Regime::Swing(series), Some(terms)) => Some((series.clone(), series.paper_coefficients(terms))),
             _ => None,
@@ -87,7 +91,7 @@ impl<'a> Looker<'a> {
         } else {
             Truth::without_tables(motion, class.output)
         };
-        Self { moments: Moments { horizon, period, launch }, class, truth, paper }
+        Self { moments: Moments { horizon, period, launch, hardest }, class, truth, paper }
     }
 
     fn examine(&self, number: u64, found: &mut Finding) {
