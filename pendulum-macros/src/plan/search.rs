@@ -11,6 +11,7 @@ use super::turning::Turning;
 use super::variables::Variables;
 use super::{Bound, Part, Plan, Refusal, alternatives, verify};
 use crate::parse::Output;
+use crate::program::cost::QUOTIENT;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
@@ -177,8 +178,9 @@ impl Aim {
         let left = self.share(self.limit - self.phase_error(reduction));
         let one = |(curve, approximation): (&Curve, &Approximation)| {
             let terms = approximation.terms_for(left, reduction.overshoot)? as f64;
-            let quotient = if divided && self.power > 0 { 4.0 } else { 0.0 };
-            let signs = if curve.alternates && reduction.origin == Origin::Lowest { 2.0 } else { 0.0 };
+            // The division, and the three operations of a pole.
+            let quotient = if divided && self.power > 0 { QUOTIENT + 3.0 } else { 0.0 };
+            let signs = if curve.alternates && reduction.origin == Origin::Lowest { 1.3 } else { 0.0 };
             Some(2.0 * terms + terms.log2().floor() + quotient + signs)
         };
         self.curves.iter().zip(approximations).map(one).sum()
@@ -216,7 +218,8 @@ impl Aim {
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
             let kernel = self.kernel(scene, task, reduction, polynomials);
             let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
-            let turns = if scene.goal == Goal::Full { 0.0 } else { kernel.rounding_of_turns(reduction) };
+            let grows = scene.goal == Goal::Full && self.output == Output::Theta;
+            let turns = if grows { 0.0 } else { kernel.rounding_of_turns(reduction) };
             evaluation = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
                 Ok(part) => return Ok(part),
@@ -282,7 +285,8 @@ impl Aim {
     fn accept(&self, scene: &Scene, kernel: Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
         let turns = kernel.rounding_of_turns(reduction);
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
-        let judged = if scene.goal == Goal::Full { bound } else { whole };
+        let grows = scene.goal == Goal::Full && self.output == Output::Theta;
+        let judged = if grows { bound } else { whole };
         if judged.total() > self.limit {
             return Err(judged.total() / self.unit);
         }

@@ -1,6 +1,7 @@
 //! What a program costs.
 
-use super::{Op, Program};
+use super::{Node, Op, Program};
+use crate::parse::Float;
 
 impl Program {
     /// The number of operations (constants and the input are free).
@@ -8,20 +9,28 @@ impl Program {
         self.nodes.iter().filter(|node| !matches!(node.op, Op::Input | Op::Constant { .. })).count()
     }
 
-    /// Relative cost in an array loop, one addition or multiplication being 1.
+    /// Relative cost in an array loop, one addition or multiplication of the input's type being 1. Wide operations in a
+    /// narrow program have half the lanes.
     pub(crate) fn cost(&self) -> f64 {
-        self.nodes.iter().map(|node| weight(node.op)).sum()
+        let float = self.nodes.first().map_or(Float::F64, |node| node.float);
+        let lanes = |node: &Node| if node.float == float { 1.0 } else { 2.0 };
+        self.nodes.iter().map(|node| lanes(node) * weight(node.op)).sum()
     }
 }
 
+/// What a division costs beside a multiplication.
+pub(crate) const QUOTIENT: f64 = 2.5;
+
+/// Measured on x86-64, without and with AVX2, `f64` and `f32`, by `cargo run --release -p pendula-benches --bin weights`;
+/// docs/BENCHMARKS.md has the figures. Only their order matters to the planner, and that they are about right.
 fn weight(op: Op) -> f64 {
     match op {
         Op::Input | Op::Constant { .. } => 0.0,
-        Op::Div(..) => 5.0,
-        // Two steps of ten operations, the seed and the product.
-        Op::Root(_) => 24.0,
-        Op::Alternate { .. } | Op::Against { .. } | Op::PowerOfTwo { .. } | Op::Select { .. } => 2.0,
-        Op::Widen(_) | Op::Narrow(_) => 1.5,
+        Op::Div(..) => QUOTIENT,
+        Op::Root(_) => 36.0,
+        Op::Against { .. } | Op::Min { .. } | Op::Max { .. } => 1.3,
+        Op::Select { .. } => 3.0,
+        Op::Widen(_) | Op::Narrow(_) => 2.0,
         _ => 1.0,
     }
 }

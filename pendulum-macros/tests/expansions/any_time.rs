@@ -13,7 +13,7 @@
 ///
 /// * phase: exact products with the rate in 4 words, wrong by at most 1.1e-16 anchors
 /// * theta: polynomial of 17 terms in s²; proven error ≤ 1.415e-15 rad (7.3e-17 of truncation, 5.8e-16 of phase, 7.6e-16 of rounding); 69 operations
-/// * not a polynomial in 8s² − 1, phase by exact products with the rate in 4 words: it costs about 72 operations
+/// * not a polynomial in 8s² − 1, phase by exact products with the rate in 4 words: it costs about 73 operations
 /// * not `harmonic`: it is wrong by about 5e-2
 /// * not `series`: 11 harmonics, about 81 operations
 /// * not `fourier`: about 12 harmonics and an arcsine, about 129 operations

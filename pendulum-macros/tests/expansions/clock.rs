@@ -17,7 +17,7 @@
 /// * phase: Cody and Waite's remainder of 2 words, wrong by at most 2.9e-17 anchors
 /// * theta: polynomial of 14 terms in s²; proven error ≤ 2.692e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 1.6e-15 of rounding); 39 operations
 /// * velocity: polynomial of 9 terms in s² over one of 3; proven error ≤ 4.959e-10 rad·ω (5.0e-10 of truncation, 1.7e-16 of phase, 1.7e-15 of rounding); 37 operations
-/// * not a polynomial in 8s² − 1 over the nearest poles, phase by Cody and Waite's remainder of 2 words: it costs about 68 operations
+/// * not a polynomial in 8s² − 1 over the nearest poles, phase by Cody and Waite's remainder of 2 words: it costs about 70 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 61 operations
 /// * not `fourier`: about 13 harmonics and an arcsine, about 109 operations

@@ -14,7 +14,7 @@
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
 /// * theta: polynomial of 6 terms in s²; proven error ≤ 3.729e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 4.2e-16 of rounding); 62 operations
 /// * acceleration: polynomial of 7 terms in s²; proven error ≤ 4.884e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 3.8e-16 of rounding); 64 operations
-/// * not a polynomial in 8s² − 1, phase by exact products with the rate in 3 words: it costs about 81 operations
+/// * not a polynomial in 8s² − 1, phase by exact products with the rate in 3 words: it costs about 82 operations
 /// * not `harmonic`: it is wrong by about 1e-2
 /// * not `series`: 3 harmonics, about 74 operations
 /// * not `fourier`: about 4 harmonics and an arcsine, about 122 operations
