@@ -19,7 +19,6 @@ fn double_precision_at_all_kinds_of_times() {
 /// The fourth part of the phase is left out of the sum that is rounded, so that n can be the wrong neighbour of a tie by
 /// more than the limits of |s| allow.
 #[test]
-#[ignore = "plans for any time exceed their bound beside ties of the rounding"]
 fn double_precision_beside_ties() {
     kept(&times::sample(&Session::quiet(), 16, times::HARDEST..=times::HARDEST));
 }

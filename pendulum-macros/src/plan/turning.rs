@@ -87,8 +87,8 @@ impl Turning {
     pub(super) fn own_rounding(&self, reduction: &Reduction) -> f64 {
         let float = reduction.float;
         if self.wrapped {
-            // The mean and its constant, two sums, and the distance from π of the largest number below it.
-            return 6.0 * half_ulp(3.2, float);
+            // The mean and its constant, two sums, a turn, and the distance from π of the largest number below it.
+            return 7.0 * half_ulp(3.2, float);
         }
         let largest = 7.0 * (self.turns + 1.0);
         let sums = 5.0 * half_ulp(6.3, float) + 2.0 * half_ulp(largest, Float::F64);
@@ -96,7 +96,7 @@ impl Turning {
     }
 }
 
-/// Within [−π, π), of which rounding may have put the angle on the wrong end.
+/// Within [−π, π): beside the top the phase may have been counted from the turn before or after.
 fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
     let (most, least) = match b.float() {
         Float::F64 => (std::f64::consts::PI.next_down(), -std::f64::consts::PI),
@@ -105,7 +105,19 @@ fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
             (below, -below)
         }
     };
+    let half = std::f64::consts::PI;
+    let (half, minus) = (b.exact(half, 0.0), b.exact(-half, 0.0));
+    let turn = Double::PI * 2.0;
+    let turn = b.exact(turn.hi, turn.lo);
+    let back = b.sub(angle, turn);
+    let angle = b.push(Op::Select { a: angle, b: half, then: angle, otherwise: back });
+    b.name(angle, "angle");
+    let forth = b.add(angle, turn);
+    let angle = b.push(Op::Select { a: angle, b: minus, then: forth, otherwise: angle });
+    b.name(angle, "angle");
+    // Rounding may put it on the wrong end.
     let (most, least) = (b.constant(most), b.constant(least));
     let angle = b.push(Op::Min { limit: most, x: angle });
+    b.name(angle, "angle");
     b.push(Op::Max { limit: least, x: angle })
 }

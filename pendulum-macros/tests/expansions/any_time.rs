@@ -57,7 +57,7 @@ impl Forever {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 69;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.4149089785044297e-15;
+    pub const MAX_ERROR: f64 = 1.4152040950981288e-15;
     /// θ(t), rad; NaN if t is not finite. 69 operations.
     #[inline(always)]
     #[must_use]
@@ -81,7 +81,7 @@ impl Forever {
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_4 = s * s;
-        let p = if 0.2500000000000011_f64 < v_4 { 0.2500000000000011_f64 } else { v_4 };
+        let p = if 0.2500009536752261_f64 < v_4 { 0.2500009536752261_f64 } else { v_4 };
         let p2 = p * p;
         let p4 = p2 * p2;
         let p8 = p4 * p4;

@@ -12,8 +12,8 @@
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
-/// * theta: polynomial of 6 terms in s²; proven error ≤ 3.729e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 4.2e-16 of rounding); 62 operations
-/// * acceleration: polynomial of 7 terms in s²; proven error ≤ 4.884e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 3.8e-16 of rounding); 64 operations
+/// * theta: polynomial of 6 terms in s²; proven error ≤ 3.737e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 4.2e-16 of rounding); 62 operations
+/// * acceleration: polynomial of 7 terms in s²; proven error ≤ 4.898e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 3.8e-16 of rounding); 64 operations
 /// * not a polynomial in 8s² − 1, phase by exact products with the rate in 3 words: it costs about 82 operations
 /// * not `harmonic`: it is wrong by about 1e-2
 /// * not `series`: 3 harmonics, about 74 operations
@@ -58,9 +58,9 @@ impl Pushed {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 62;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 3.7286001626200833e-7;
+    pub const MAX_ERROR: f64 = 3.736824363812908e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.884385675056919e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 4.897844494892662e-7;
     /// θ(t), rad; NaN if t is not finite. 62 operations.
     #[inline(always)]
     #[must_use]
@@ -93,8 +93,8 @@ impl Pushed {
                 + (v_5 - (v_7 - v_8) + (third - v_8))
                 + (v_7 - (v_9 - v_10) + (0.05858762081443536 - v_10)));
         let v_11 = s * s;
-        let p = if 0.2500000000000011_f64 < v_11 {
-            0.2500000000000011_f64
+        let p = if 0.2500009536752261_f64 < v_11 {
+            0.2500009536752261_f64
         } else {
             v_11
         };
@@ -137,8 +137,8 @@ impl Pushed {
                 + (v_5 - (v_7 - v_8) + (third - v_8))
                 + (v_7 - (v_9 - v_10) + (0.05858762081443536 - v_10)));
         let v_11 = s * s;
-        let p = if 0.2500000000000011_f64 < v_11 {
-            0.2500000000000011_f64
+        let p = if 0.2500009536752261_f64 < v_11 {
+            0.2500009536752261_f64
         } else {
             v_11
         };

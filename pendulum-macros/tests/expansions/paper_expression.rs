@@ -12,7 +12,7 @@ fn expression() -> impl Copy {
     /// Planned for the paper's θ̂ with 4 terms (Eq. 22), over 2⁵³ periods:
     ///
     /// * phase: exact products with the rate in 4 words, wrong by at most 1.1e-16 anchors
-    /// * theta: 4 harmonics folded into a polynomial of 18 terms in 8s² − 1, an arcsine by a polynomial of 19 terms; proven error ≤ 1.098e-2 rad (1.1e-2 of truncation, 1.3e-15 of phase, 9.5e-15 of rounding); 115 operations
+    /// * theta: 4 harmonics folded into a polynomial of 18 terms in 8s² − 1, an arcsine by a polynomial of 19 terms; proven error ≤ 1.098e-2 rad (1.1e-2 of truncation, 1.3e-15 of phase, 9.6e-15 of rounding); 115 operations
     /// * coefficients of sn: b1 = 1.1523081413695546, b3 = 0.18163662447513268, b5 = 0.03502170732398364, b7 = 0.0067987238779056575
     #[allow(
         dead_code,
@@ -43,7 +43,7 @@ fn expression() -> impl Copy {
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_3 = s * s;
-        let p = if 0.2500000000000011_f64 < v_3 { 0.2500000000000011_f64 } else { v_3 };
+        let p = if 0.2500009536752261_f64 < v_3 { 0.2500009536752261_f64 } else { v_3 };
         let u = p * 8.0 - 1.0;
         let u2 = u * u;
         let u4 = u2 * u2;

@@ -61,6 +61,8 @@ impl Clock<'_> {
         let wide = matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. });
         let added_in = if wide { Float::F64 } else { self.float };
         let launch_error = if exact { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
+        // A launch phase is rounded before n is: the remainder may pass half an anchor by as much.
+        let overshoot = if exact { overshoot } else { overshoot.max(4.0 * (error + launch_error)) };
         Reduction {
             method,
             float: self.float,
@@ -171,7 +173,8 @@ impl Clock<'_> {
             Origin::Anchor => [drift + 2f64.powi(-53), 0.0],
             Origin::Lowest => [drift, 2.001 * Float::F64.unit()],
         };
-        self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-50))
+        // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
+        self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20))
     }
 
     fn exact(&self, x: f64) -> Real {
