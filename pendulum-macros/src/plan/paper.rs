@@ -19,21 +19,25 @@ use pendulum_runtime::fourier_analysis::FourierAnalysis;
 /// More harmonics than this make a program too long to be of use.
 const MOST_HARMONICS: usize = 400;
 
+/// Nor are more than this chosen for a tolerance: the analysis of longer ones takes the compiler longer than a second.
+const MOST_CHOSEN: usize = 128;
+
 /// How far certified suprema may exceed the true ones.
 const SLACK: f64 = 1e-3;
 
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
     let mut reached = f64::INFINITY;
+    let mut terms = None;
     // The terms are chosen for θ; its derivatives may need some more, as long as these help.
     for more in 0..MOST_MORE {
-        let sum = Sum::choose(scene, swing, method, more)?;
-        if sum.weights.len() >= MOST_HARMONICS && !matches!(scene.goal, Goal::Terms(_)) {
+        let sum = Sum::choose(scene, swing, method, more, &mut terms)?;
+        if sum.weights.len() >= MOST_CHOSEN && !matches!(scene.goal, Goal::Terms(_)) {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
         }
         match sum.plan(scene, swing) {
             Err(Refusal::Unreachable { best }) if matches!(method, Method::Fourier | Method::Series) => {
-                if best > reached * 0.9 {
+                if best > reached * 0.9 || best.is_infinite() && more > 2 {
                     break;
                 }
                 reached = best;
@@ -64,11 +68,17 @@ struct Sum {
 }
 
 impl Sum {
-    fn choose(scene: &Scene, swing: &Swing, method: Method, more: usize) -> Result<Self, Refusal> {
+    fn choose(
+        scene: &Scene,
+        swing: &Swing,
+        method: Method,
+        more: usize,
+        terms: &mut Option<usize>,
+    ) -> Result<Self, Refusal> {
         let rate = swing_rate(swing);
         let amplitude = || vec![swing.amplitude.to_double()];
         match method {
-            Method::Fourier => Self::fourier(scene, swing, rate, more),
+            Method::Fourier => Self::fourier(scene, swing, rate, more, terms),
             Method::Series => Ok(Self::series(scene, swing, rate, more)),
             Method::SmallAngle => {
                 let small = &scene.motion.omega / scene.motion.omega.context().pi();
@@ -87,13 +97,19 @@ impl Sum {
         }
     }
 
-    /// k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
-    fn fourier(scene: &Scene, swing: &Swing, rate: Real, more: usize) -> Result<Self, Refusal> {
+    /// k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22). `terms` keeps how many θ needs.
+    fn fourier(
+        scene: &Scene,
+        swing: &Swing,
+        rate: Real,
+        more: usize,
+        terms: &mut Option<usize>,
+    ) -> Result<Self, Refusal> {
         let elliptic = &swing.elliptic;
         let analysis = FourierAnalysis::new(elliptic.modulus.to_double(), elliptic.complementary.to_double());
         let n = match scene.goal {
             Goal::Terms(n) => n,
-            Goal::Tolerance(tol) => more + fewest(&analysis, scene, swing, tol * 0.99),
+            Goal::Tolerance(tol) => more + *terms.get_or_insert_with(|| fewest(&analysis, scene, swing, tol * 0.99)),
             Goal::Full => fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
         };
         if let Some(overshoot) = analysis.overshoot(n) {
@@ -118,15 +134,15 @@ impl Sum {
         };
         let simple = |kept: usize| terms.iter().skip(kept).map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted();
         let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
-        if fewest >= MOST_HARMONICS {
-            let weights = terms[..MOST_HARMONICS].iter().map(|&(_, a)| a).collect();
-            let bias = simple(MOST_HARMONICS);
+        if fewest >= MOST_CHOSEN {
+            let weights = terms[..MOST_CHOSEN].iter().map(|&(_, a)| a).collect();
+            let bias = simple(MOST_CHOSEN);
             return Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias };
         }
         let sup =
             |kept: usize| if kept + 40 < terms.len() { simple(kept) } else { tail(&terms[kept..]) + theta.omitted() };
         let kept = (fewest..=terms.len()).find(|&kept| sup(kept) <= aim).unwrap_or(terms.len());
-        let kept = (kept + more).min(MOST_HARMONICS).min(terms.len());
+        let kept = (kept + more).min(MOST_CHOSEN).min(terms.len());
         let weights = terms[..kept].iter().map(|&(_, a)| a).collect();
         Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias: sup(kept) }
     }
@@ -175,8 +191,8 @@ fn smallest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing) -> Option<
 fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
     let Some(mut fails) = smallest(analysis, scene, swing) else { return 1 };
     let mut serves = fails;
-    while serves < MOST_HARMONICS && analysis.supremum(serves) >= tol {
-        (fails, serves) = (serves, (serves * 2).min(MOST_HARMONICS));
+    while serves < MOST_CHOSEN && analysis.supremum(serves) >= tol {
+        (fails, serves) = (serves, (serves * 2).min(MOST_CHOSEN));
     }
     while serves > fails + 1 {
         let middle = usize::midpoint(fails, serves);
