@@ -52,7 +52,8 @@ fn timed(tokens: &TokenStream) -> Result<(TokenStream, Duration), String> {
     let tokens = tokens.clone();
     let (clock, busy) = (Instant::now(), processor_time());
     let expansion = catch_unwind(AssertUnwindSafe(|| expand(&quote!(::pendula), tokens)));
-    let time = processor_time().zip(busy).map_or_else(|| clock.elapsed(), |(after, before)| after - before);
+    let time =
+        processor_time().zip(busy).map_or_else(|| clock.elapsed(), |(after, before)| after.saturating_sub(before));
     expansion.map(|expansion| (expansion, time)).map_err(|panic| {
         let message = panic.downcast_ref::<String>().map(String::as_str);
         let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
