@@ -192,8 +192,8 @@ struct Readme;
 /// motion over the horizon, wherever it is attained.
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of the largest value: of \|θ0\| for a release, of
-/// `AMPLITUDE` for any swing, of π on the separatrix and for the angle of a rotation, to which the rounding of the wrapping
-/// or of the turns is added, of the largest θ̇ and θ̈; thrice that for a position. Where rounding takes more, as of some
+/// `AMPLITUDE` for any swing, of π on the separatrix and for the angle of a rotation, to which the rounding of its turns
+/// is added unless it is wrapped, of the largest θ̇ and θ̈; thrice that for a position. Where rounding takes more, as of some
 /// accelerations near the top, it is up to twice as much.
 ///
 /// # Greek letters

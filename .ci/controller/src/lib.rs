@@ -28,7 +28,7 @@ motion::pendulum! {
 }
 
 motion::pendulum! {
-    /// The paper's approximation, with its square root.
+    /// The paper's approximation.
     #[derive(Clone, Copy, Debug)]
     pub struct Paper;
     theta0 = 7π/8, n = 4, outputs = [theta, velocity]

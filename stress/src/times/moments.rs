@@ -20,7 +20,7 @@ pub(super) struct Moments {
 
 /// Kinds that batches take in turn.
 const KINDS: u64 = HARDEST + 1;
-/// The kind of [`hardest`] times, the last.
+/// The kind of the hardest times, the last.
 pub const HARDEST: u64 = 8;
 
 /// The denominators q of the convergents of the continued fraction of 8·2^e/T: q·2^e is nearer to a multiple of T/8 than
