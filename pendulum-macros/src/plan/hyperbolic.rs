@@ -10,7 +10,9 @@
 //! solved for tan((π − θ)/4); the terms left out are below q′⁶ relative to Q and P. From it, with sin(θ/2) = (P² − Q²)/N
 //! and cos(θ/2) = 2QP/N, N = P² + Q², follow position and acceleration. The velocity's numerator is a theta function too:
 //!
-//! |θ̇| = F·Σ (−σ)ᵐ q′^(m²) E^(2m+1)/N = F·(E − σG)(1 − q′² − σq′M + q′⁴M²)/N up to q′⁹,
+//! |θ̇| = F·Σ (−σ)ᵐ q′^(m²) E^(2m+1)/N = F·(E − σG)(1 − q′² − q′⁶ − σq′(1 − q′⁴)M + q′⁴M²)/N up to q′⁹,
+//!
+//! since E³ − σG³ = (E − σG)(M + σq′) and E⁵ − σG⁵ = (E − σG)(M² + σq′M − q′²), EG being q′;
 //!
 //! F being such that the velocity at the lowest point, E = 1, is the exact one.
 //!
@@ -239,12 +241,14 @@ impl Hyperbolic {
         b.sub(pi, angle)
     }
 
-    /// F·(E − σG)(1 − q′² − σq′M + q′⁴M²)/N.
+    /// F·(E − σG)(1 − q′² − q′⁶ − σq′(1 − q′⁴)M + q′⁴M²)/N.
     fn velocity(&self, b: &mut Builder, quotient: &Quotient) -> Id {
         let (sigma, q) = (self.passage.sigma, self.passage.q());
         let mut top = quotient.counterpart;
         if let Some(squares) = quotient.squares {
-            let mut series = linear(b, 1.0 - q * q, -sigma * q, squares);
+            let correction = if self.correction { q.powi(4) } else { 0.0 };
+            let constant = 1.0 - q * q * (1.0 + correction);
+            let mut series = linear(b, constant, -sigma * q * (1.0 - correction), squares);
             if self.correction {
                 let square = b.mul(squares, squares);
                 let last = b.constant(q.powi(4));
@@ -275,7 +279,7 @@ impl Hyperbolic {
             (Double::ONE + sigma * q) * (Double::ONE + part(self.correction, sigma * q * q * q * m - q * q * q * q));
         let series = Double::ONE
             + part(self.denominator, -(q * q) - sigma * q * m)
-            + part(self.correction, q * q * q * q * m * m);
+            + part(self.correction, q * q * q * q * (m * m + sigma * q * m - q * q));
         (p * p + numerator * numerator) / ((Double::ONE - sigma * q) * series)
     }
 

@@ -182,6 +182,30 @@ fn no_bound_is_exceeded() {
     assert!(run(50, 0, 3).len() > 15);
 }
 
+/// Also those of the plans that lose keep theirs: which one wins is a matter of cost alone.
+#[test]
+fn no_bound_of_a_dearer_plan_is_exceeded() {
+    let starts = ["theta0 = 7π/8", "theta0 = 3.1", "velocity0 = 2.01", "velocity0 = 2.3"];
+    let goals = ["tol = 1e-5, t_max = 1e4", "tol = 1e-11, t_max = 1e4", "t_max = 1e4"];
+    let outputs = ["theta", "velocity", "acceleration", "position"];
+    let mut random = Random::new(3);
+    for (index, (start, goal)) in starts.iter().flat_map(|start| goals.map(|goal| (start, goal))).enumerate() {
+        let text = format!("struct Motion; {start}, {goal}, outputs = [{}]", outputs[index % outputs.len()]);
+        let scene = scene(&text);
+        let mut plans = search::every(&scene);
+        assert!(plans.len() > 1, "{text}");
+        // Of each method the dearest.
+        plans.reverse();
+        plans.dedup_by_key(|plan| plan.method);
+        for plan in plans {
+            let mut probe = Probe::new(&scene, &plan);
+            probe.everywhere(&mut random, 2);
+            let ((t, error), part) = (probe.worst, &plan.parts[0]);
+            assert!(error <= part.bound.total(), "{text}: {error:e} at {t:e}, {}", part.description);
+        }
+    }
+}
+
 /// The same, densely, and how tight the bounds are.
 #[test]
 #[ignore = "minutes: PENDULA_SCENES scenes from PENDULA_FUZZ_SEED"]

@@ -105,6 +105,16 @@ fn cheapest(scene: &Scene, task: &Task) -> Result<Plan, Refusal> {
     Err(Refusal::Unreachable { best: closest })
 }
 
+/// All plans that keep the promise, whatever they cost.
+#[cfg(test)]
+pub(super) fn every(scene: &Scene) -> Vec<Plan> {
+    let task = Task::new(scene);
+    let approximations: Vec<Approximations> = task.aims.iter().map(Approximations::new).collect();
+    let reductions = task.reductions(scene);
+    let candidates = candidates(scene, &reductions, &task, &approximations);
+    candidates.iter().filter_map(|candidate| candidate.plan(scene, &task, &approximations).ok()).collect()
+}
+
 /// Every combination that might serve, cheapest first.
 fn candidates<'a>(
     scene: &Scene,
