@@ -36,10 +36,6 @@ pub(crate) struct Harmonics {
 }
 
 impl Harmonics {
-    pub(super) fn centre(&self) -> f64 {
-        self.folded.as_ref().unwrap_or(&self.cosine).form.centre()
-    }
-
     pub(super) fn is_odd(&self) -> bool {
         self.sine.is_some()
     }

@@ -39,16 +39,6 @@ impl Kernel {
         }
     }
 
-    /// The centre of the variable it is a polynomial of.
-    fn centre(&self) -> f64 {
-        match self {
-            Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.form.centre(),
-            Self::Harmonics(harmonics) => harmonics.centre(),
-            Self::Hyperbolic(_) => 1.0,
-            Self::Turning(turning) => turning.angle.centre(),
-        }
-    }
-
     /// Whether it needs the sign of the phase.
     fn is_odd(&self) -> bool {
         match self {
@@ -168,8 +158,7 @@ pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
     let t = b.input();
     let phase = reduction.lower(&mut b, t);
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
-    let centre = kernels.first().map_or(1.0, |kernel| kernel.centre());
-    let variables = Variables::lower(&mut b, phase, reduction, centre, odd);
+    let variables = Variables::lower(&mut b, phase, reduction, odd);
     let names = if kernels.len() == 1 { ["result"; 2] } else { NAMES };
     let results = kernels.iter().zip(names).flat_map(|(kernel, name)| kernel.lower(&mut b, &variables, name)).collect();
     b.finish(results)

@@ -1,14 +1,17 @@
 //! [`Scene`] → [`Plan`]: the cheapest program found that provably keeps the promise.
 
+mod adapted;
 mod aim;
 mod alternatives;
 mod arcsine;
 pub(crate) mod curve;
 mod fit;
+mod form;
 mod harmonics;
 mod hyperbolic;
 pub(crate) mod kernel;
 mod paper;
+mod part;
 pub(crate) mod polynomial;
 pub(crate) mod reduction;
 mod search;

@@ -2,9 +2,10 @@
 
 use super::arcsine::Arcsine;
 use super::curve::{Curve, SwingCurves};
+use super::form::Form;
 use super::harmonics::Harmonics;
 use super::kernel::{self, Kernel};
-use super::polynomial::{Approximation, Form, Polynomial};
+use super::polynomial::{Approximation, Polynomial};
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal, velocity_bias};
 use crate::check::most_useful_terms;
@@ -252,7 +253,7 @@ impl Sum {
         let base = |curve: &Curve| {
             let approximation = Approximation::entire(curve, precision / 16.0);
             let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
-            approximation.polynomial(terms, Form::Plain, reduction, true)
+            approximation.in_powers(terms, Form::Plain, reduction, true)
         };
         let one = scene.motion.omega.context().integer(1);
         let cosine = base(&Curve::cosine(&one));
@@ -280,9 +281,9 @@ impl Sum {
         let precision = scene.float.unit() / 2.0;
         let approximation = Approximation::entire(&Curve::harmonics(&self.weights), precision / 16.0);
         let terms = approximation.terms_for(precision, reduction.overshoot)?;
-        [Form::Plain, Form::Centred { centre: 1.0 }].into_iter().find_map(|form| {
-            let polynomial = approximation.polynomial(terms, form, reduction, true);
-            let cap = 12.0 * scene.float.unit();
+        let cap = 12.0 * scene.float.unit();
+        Form::ALL.into_iter().find_map(|form| {
+            let polynomial = approximation.polynomial(terms, form, reduction, true, cap)?;
             (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
         })
     }

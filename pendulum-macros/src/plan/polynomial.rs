@@ -11,6 +11,8 @@
 //! coefficients beyond the degree d adds at most the sum of their magnitudes. M is chosen so that the former is negligible;
 //! the latter, explicitly known, is the truncation error.
 
+use super::adapted::{Adapted, Choices};
+use super::form::Form;
 use crate::chebyshev::{CosineTable, scale, shift, to_powers};
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Reduction;
@@ -18,6 +20,8 @@ use crate::plan::variables::Variables;
 use crate::program::{Builder, Id};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 /// A curve's Chebyshev coefficients on p ∈ [0, ¼], in 8p − 1; of curve/s if it is odd, times a power of the pole's
 /// polynomial if that is divided out.
@@ -28,6 +32,8 @@ pub(crate) struct Approximation {
     series: Vec<Double>,
     /// Error of the whole series.
     remainder: f64,
+    /// The shifts found, by terms and chunk.
+    choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
 }
 
 /// ((8p − place)² + height²)^power, which vanishes at the nearest pair of singularities. θ̇ has simple poles there, θ̈ and
@@ -80,33 +86,6 @@ impl Pole {
     }
 }
 
-/// The variable of the polynomial.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Form {
-    /// Powers of p: the cheapest, for few terms.
-    Plain,
-    /// Powers of u = 8p − centre: well conditioned, most so where the centre is near the end where the curve bends.
-    Centred { centre: f64 },
-}
-
-impl Form {
-    /// The variable, for the reader; s is the phase in half periods (turns).
-    pub(crate) fn variable(self) -> String {
-        match self {
-            Self::Plain => "s²".to_owned(),
-            Self::Centred { centre } => format!("8s² − {centre}"),
-        }
-    }
-
-    /// The centre of the centred variable, which the division by a pole needs in any case.
-    pub(crate) fn centre(self) -> f64 {
-        match self {
-            Self::Plain => 1.0,
-            Self::Centred { centre } => centre,
-        }
-    }
-}
-
 /// A polynomial, or a quotient, to be evaluated.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Polynomial {
@@ -116,6 +95,8 @@ pub(crate) struct Polynomial {
     pub(crate) alternates: bool,
     /// Powers of the form's variable, lowest first.
     pub(crate) coefficients: Vec<Double>,
+    /// How it is evaluated if not by its powers.
+    adapted: Option<Adapted>,
     /// sup |approximation − curve|.
     pub(crate) truncation: f64,
 }
@@ -154,7 +135,7 @@ impl Approximation {
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
         }
-        Self { parity: curve.parity(), pole, series, remainder }
+        Self { parity: curve.parity(), pole, series, remainder, choices: RefCell::default() }
     }
 
     /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
@@ -175,13 +156,24 @@ impl Approximation {
         self.series.len()
     }
 
-    /// The polynomial with that many terms, in the variable of `form` scaled to the reduction's unit.
-    pub(crate) fn polynomial(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
-        let powers = to_powers(&self.series[..terms.min(self.series.len())]);
+    /// The polynomial with that many terms, in the variable of `form` (p + `shift` if adapted) scaled to the reduction's
+    /// unit.
+    fn shifted_powers(
+        &self,
+        terms: usize,
+        form: Form,
+        shifted: f64,
+        reduction: &Reduction,
+        alternates: bool,
+    ) -> Polynomial {
+        let powers = self.powers(terms);
         let unit = reduction.unit;
         let mut coefficients = match form {
             Form::Centred { centre } => shift(&powers, Double::new(centre - 1.0)),
-            Form::Plain => scale(shift(&powers, Double::new(-1.0)), unit * unit * 8.0),
+            Form::Plain | Form::Adapted { .. } => {
+                let eighth = unit * unit * 8.0;
+                scale(shift(&powers, -Double::ONE - eighth * shifted), eighth)
+            }
         };
         if self.parity == Parity::Odd {
             for coefficient in &mut coefficients {
@@ -189,7 +181,54 @@ impl Approximation {
             }
         }
         let truncation = self.truncation(terms, reduction.overshoot);
-        Polynomial { form, pole: self.pole, parity: self.parity, alternates, coefficients, truncation }
+        Polynomial { form, pole: self.pole, parity: self.parity, alternates, coefficients, adapted: None, truncation }
+    }
+
+    /// As [`Self::polynomial`], evaluated by its powers.
+    pub(crate) fn in_powers(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
+        self.shifted_powers(terms, form, 0.0, reduction, alternates)
+    }
+
+    /// In powers of 8p − 1.
+    fn powers(&self, terms: usize) -> Vec<Double> {
+        to_powers(&self.series[..terms.min(self.series.len())])
+    }
+
+    /// The polynomial with that many terms, evaluated as `form` says; `None` if its coefficients can't be adapted without
+    /// rounding by more than about `limit`.
+    pub(crate) fn polynomial(
+        &self,
+        terms: usize,
+        form: Form,
+        reduction: &Reduction,
+        alternates: bool,
+        limit: f64,
+    ) -> Option<Polynomial> {
+        let Form::Adapted { chunk } = form else {
+            return Some(self.in_powers(terms, form, reduction, alternates));
+        };
+        let choice = self.choices(terms, chunk)?.within(limit / (reduction.float.unit() * self.weight()))?;
+        let quarter = (Double::new(0.25) / (reduction.unit * reduction.unit)).hi;
+        let shift = reduction.float.round(choice.shift * 4.0 * quarter);
+        let mut polynomial = self.shifted_powers(terms, form, shift, reduction, alternates);
+        let reach = shift.abs().max((shift + quarter).abs()) * 1.01;
+        let adapted = Adapted::new(&polynomial.coefficients, shift, chunk, reach)?;
+        let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
+        polynomial.truncation += adapted.mismatch * self.weight() / unit;
+        polynomial.adapted = Some(adapted);
+        Some(polynomial)
+    }
+
+    /// The shifts, looked for once.
+    fn choices(&self, terms: usize, chunk: usize) -> Option<Choices> {
+        let look = || Choices::new(&scale(shift(&self.powers(terms), -Double::ONE), Double::new(8.0)), chunk);
+        *self.choices.borrow_mut().entry((terms, chunk)).or_insert_with(look)
+    }
+
+    /// What an error of the polynomial is multiplied with in the value, at most.
+    fn weight(&self) -> f64 {
+        let odd = if self.parity == Parity::Odd { 0.5 } else { 1.0 };
+        odd / self.pole.map_or(1.0, Pole::least)
     }
 }
 
@@ -232,19 +271,31 @@ impl Polynomial {
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
     pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let (x, powers) = match self.form {
-            Form::Plain => (variables.square, &PLAIN_POWERS),
-            Form::Centred { .. } => (variables.centred, &CENTRED_POWERS),
+        let mut value = match &self.adapted {
+            Some(adapted) => {
+                let y = variables.shifted(b, adapted.shift);
+                adapted.lower(b, y)
+            }
+            None => self.by_powers(b, variables),
         };
-        let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
-        let mut value = estrin(b, x, &coefficients, powers);
         if let Some(pole) = self.pole {
-            value = pole.divide(b, value, variables.centred, variables.centre);
+            let centre = self.form.centre();
+            let centred = variables.centred(b, centre);
+            value = pole.divide(b, value, centred, centre);
         }
         if self.parity == Parity::Odd {
             value = b.mul(variables.distance, value);
         }
         value
+    }
+
+    fn by_powers(&self, b: &mut Builder, variables: &Variables) -> Id {
+        let (x, powers) = match self.form {
+            Form::Centred { centre } => (variables.centred(b, centre), &CENTRED_POWERS),
+            Form::Plain | Form::Adapted { .. } => (variables.square, &PLAIN_POWERS),
+        };
+        let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
+        estrin(b, x, &coefficients, powers)
     }
 
     /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
@@ -254,16 +305,20 @@ impl Polynomial {
 
     pub(crate) fn negate(&mut self) {
         self.coefficients.iter_mut().for_each(|c| *c = -*c);
+        if let Some(adapted) = &mut self.adapted {
+            adapted.negate();
+        }
     }
 
     /// For the reader.
     pub(crate) fn describe(&self) -> String {
         let terms = self.coefficients.len();
-        let variable = self.form.variable();
-        match self.pole {
-            None => format!("polynomial of {terms} terms in {variable}"),
-            Some(pole) => format!("polynomial of {terms} terms in {variable} over one of {}", 2 * pole.power + 1),
-        }
+        let over = self.pole.map_or(String::new(), |pole| format!(" over one of {}", 2 * pole.power + 1));
+        let (variable, how) = match &self.adapted {
+            Some(adapted) => (adapted.variable(), adapted.describe()),
+            None => (self.form.variable(), String::new()),
+        };
+        format!("polynomial of {terms} terms in {variable}{over}{how}")
     }
 }
 

@@ -15,9 +15,11 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: Cody and Waite's remainder of 2 words, wrong by at most 2.9e-17 anchors
-/// * theta: polynomial of 14 terms in s²; proven error ≤ 2.692e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 1.6e-15 of rounding); 39 operations
-/// * velocity: polynomial of 9 terms in s² over one of 3; proven error ≤ 4.959e-10 rad·ω (5.0e-10 of truncation, 1.7e-16 of phase, 1.7e-15 of rounding); 37 operations
-/// * not a polynomial in 8s² − 1 over the nearest poles, phase by Cody and Waite's remainder of 2 words: it costs about 70 operations
+/// * theta: polynomial of 14 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.692e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 7.6e-15 of rounding); 36 operations
+/// * velocity: polynomial of 15 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.217e-10 rad·ω (2.2e-10 of truncation, 1.7e-16 of phase, 1.2e-14 of rounding); 40 operations
+/// * not a polynomial in s² with coefficients adapted by up to 8 for `theta`: about 2 operations more
+/// * not a polynomial in s² with coefficients adapted by up to 8 for `velocity`: about 2 operations more
+/// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 151 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 61 operations
 /// * not `fourier`: about 13 harmonics and an arcsine, about 109 operations
@@ -59,12 +61,12 @@ impl Clock {
     /// The number of terms of the approximation.
     pub const TERMS: usize = 14;
     /// Operations that one call of the first function executes.
-    pub const OPERATIONS: usize = 39;
+    pub const OPERATIONS: usize = 36;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 2.692342010160369e-10;
+    pub const MAX_ERROR: f64 = 2.692401668104248e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.95892697341548e-10;
-    /// θ(t), rad; NaN if t is not finite. 39 operations.
+    pub const MAX_VELOCITY_ERROR: f64 = 2.2169327957925062e-10;
+    /// θ(t), rad; NaN if t is not finite. 36 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
@@ -72,20 +74,20 @@ impl Clock {
         let n = magic - 6755399441055744.0;
         let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
         let v = s * s;
-        let p = if 0.9365303320242175_f64 < v { 0.9365303320242175_f64 } else { v };
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let p8 = p4 * p4;
-        let result = 2.7488935719798935 - 1.8883926235569592 * p
-            + (-1.4348564309150027 - 0.21167013757405648 * p) * p2
-            + (0.3313949886908615 + 0.32907224706840266 * p
-                + (0.11075453720109249 - 0.014536551913868474 * p) * p2) * p4
-            + (-0.4024503443709057 + 0.699172070968626 * p
-                + (-1.268908267964459 + 1.3639956024941755 * p) * p2
-                + (-0.6978265091858055 + 0.13693109967750627 * p) * p4) * p8;
+        let y = if 0.9365303320242175_f64 < v { 0.9365303320242175_f64 } else { v };
+        let w = y * y;
+        let w2 = w * w;
+        let w4 = w2 * w2;
+        let result = (-0.21167013757405648 * y - 1.4348564309150027)
+            * (w + 8.92139366090917) + 15.549812639059756
+            + ((-0.014536551913868474 * y + 0.11075453720109249)
+                * (w - 22.63757244621774) + 2.8386088483279104) * w2
+            + ((1.3639956024941755 * y - 1.268908267964459) * (w + 0.5125911474275531)
+                + 0.24798080068530537
+                + (0.13693109967750627 * y - 0.6978265091858055) * w2) * w4;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
-    /// θ̇(t), rad per unit of t; NaN if t is not finite. 37 operations.
+    /// θ̇(t), rad per unit of t; NaN if t is not finite. 40 operations.
     #[inline(always)]
     #[must_use]
     pub const fn velocity(t: f64) -> f64 {
@@ -94,19 +96,19 @@ impl Clock {
         let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
         let v = if 0.9677449726163487_f64 < s { 0.9677449726163487_f64 } else { s };
         let clamped = if v < -0.9677449726163487 { -0.9677449726163487 } else { v };
-        let p = clamped * clamped;
-        let u = p * 2.1355421514600557 - 1.0;
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let p8 = p4 * p4;
-        let v_2 = u - 0.4556591510772705;
-        let d = v_2 * v_2 + 4.354726791381836;
+        let y = clamped * clamped;
+        let w = y * y;
+        let w2 = w * w;
+        let w4 = w2 * w2;
         let result = clamped
-            * ((-24.449662282599686 - 13.674006012384664 * p
-                + (10.239058074927913 - 1.136468466707285 * p) * p2
-                + (-0.8644355480913442 + 0.3994262522709981 * p
-                    + (-0.030581859606830908 - 0.020812668069882755 * p) * p2) * p4
-                + 0.005482180422705785 * p8) / d);
+            * ((2.6488841332868325 * y - 1.2698057634701574) * (w - 2.1667361230103306)
+                - 6.528119199908748
+                + ((2.997051261956164 * y - 2.031808632869422) * (w + 0.5040447776874944)
+                    + 4.315902499775383) * w2
+                + ((78.52226084770291 * y - 66.64024150477209) * (w + 0.5161634292097182)
+                    + 16.451611120654647
+                    + ((-3.66307272572286 * y + 22.3742386625538) * y
+                        - 56.93922034441709) * w2) * w4);
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
     /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 64 operations.
@@ -118,26 +120,26 @@ impl Clock {
         let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
         let v = if 0.9677449726163487_f64 < s { 0.9677449726163487_f64 } else { s };
         let clamped = if v < -0.9677449726163487 { -0.9677449726163487 } else { v };
-        let p = clamped * clamped;
-        let u = p * 2.1355421514600557 - 1.0;
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let p8 = p4 * p4;
-        let first_result = 2.7488935719798935 - 1.8883926235569592 * p
-            + (-1.4348564309150027 - 0.21167013757405648 * p) * p2
-            + (0.3313949886908615 + 0.32907224706840266 * p
-                + (0.11075453720109249 - 0.014536551913868474 * p) * p2) * p4
-            + (-0.4024503443709057 + 0.699172070968626 * p
-                + (-1.268908267964459 + 1.3639956024941755 * p) * p2
-                + (-0.6978265091858055 + 0.13693109967750627 * p) * p4) * p8;
-        let v_2 = u - 0.4556591510772705;
-        let d = v_2 * v_2 + 4.354726791381836;
+        let y = clamped * clamped;
+        let w = y * y;
+        let w2 = w * w;
+        let w4 = w2 * w2;
+        let first_result = (-0.21167013757405648 * y - 1.4348564309150027)
+            * (w + 8.92139366090917) + 15.549812639059756
+            + ((-0.014536551913868474 * y + 0.11075453720109249)
+                * (w - 22.63757244621774) + 2.8386088483279104) * w2
+            + ((1.3639956024941755 * y - 1.268908267964459) * (w + 0.5125911474275531)
+                + 0.24798080068530537
+                + (0.13693109967750627 * y - 0.6978265091858055) * w2) * w4;
         let second_result = clamped
-            * ((-24.449662282599686 - 13.674006012384664 * p
-                + (10.239058074927913 - 1.136468466707285 * p) * p2
-                + (-0.8644355480913442 + 0.3994262522709981 * p
-                    + (-0.030581859606830908 - 0.020812668069882755 * p) * p2) * p4
-                + 0.005482180422705785 * p8) / d);
+            * ((2.6488841332868325 * y - 1.2698057634701574) * (w - 2.1667361230103306)
+                - 6.528119199908748
+                + ((2.997051261956164 * y - 2.031808632869422) * (w + 0.5040447776874944)
+                    + 4.315902499775383) * w2
+                + ((78.52226084770291 * y - 66.64024150477209) * (w + 0.5161634292097182)
+                    + 16.451611120654647
+                    + ((-3.66307272572286 * y + 22.3742386625538) * y
+                        - 56.93922034441709) * w2) * w4);
         (
             f64::from_bits(first_result.to_bits() ^ (magic.to_bits() << 63)),
             f64::from_bits(second_result.to_bits() ^ (magic.to_bits() << 63)),

@@ -12,9 +12,11 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
 /// * phase: one product with the rate, wrong by at most 8.2e-6 anchors
-/// * theta: polynomial of 6 terms in s²; proven error ≤ 6.753e-5 rad (9.6e-6 of truncation, 5.8e-5 of phase, 3.3e-7 of rounding); 19 operations
-/// * position: sin(θ/2) by a polynomial of 6 terms in s², cos(θ/2) by a polynomial of 7 terms in s², squared; proven error ≤ 6.865e-5 lengths (1.0e-5 of truncation, 5.8e-5 of phase, 9.0e-7 of rounding); 36 operations
-/// * not a polynomial in 8s² − 1, phase by one product with the rate: it costs about 52 operations
+/// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 7.293e-5 rad (9.6e-6 of truncation, 5.8e-5 of phase, 5.7e-6 of rounding); 17 operations
+/// * position: sin(θ/2) by a polynomial of 6 terms in s² + c, coefficients adapted, cos(θ/2) by a polynomial of 7 terms in s² + c, coefficients adapted, squared; proven error ≤ 7.016e-5 lengths (1.0e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 34 operations
+/// * not a polynomial in s² with coefficients adapted by up to 4 for `theta`: about 1 operations more
+/// * not a polynomial in s² with coefficients adapted by up to 4 for `position`: about 3 operations more
+/// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 124 operations
 /// * not `harmonic`: it is wrong by about 1e-1
 /// * not `series`: 4 harmonics, about 34 operations
 /// * not `fourier`: about 5 harmonics and an arcsine, about 82 operations
@@ -56,12 +58,12 @@ impl Lamp {
     /// The number of terms of the approximation.
     pub const TERMS: usize = 6;
     /// Operations that one call of the first function executes.
-    pub const OPERATIONS: usize = 19;
+    pub const OPERATIONS: usize = 17;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f32 = 6.7525565e-5;
+    pub const MAX_ERROR: f32 = 7.292951e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
-    pub const MAX_POSITION_ERROR: f32 = 6.864503e-5;
-    /// θ(t), rad; NaN if t is not finite. 19 operations.
+    pub const MAX_POSITION_ERROR: f32 = 7.0160524e-5;
+    /// θ(t), rad; NaN if t is not finite. 17 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f32) -> f32 {
@@ -71,13 +73,13 @@ impl Lamp {
         let s = x - n;
         let v = s * s;
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let result = 1.9999936 - 7.9226475 * p + (-4.8570848 + 16.267666 * p) * p2
-            + (21.038925 - 53.390053 * p) * p4;
+        let y = p - 0.40625;
+        let w = y * y;
+        let result = ((-53.390053 * y - 87.40962) * (w + 0.5024183) + 61.660236)
+            * (w + 0.2029289) - 4.547996;
         f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
     }
-    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 36 operations.
+    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 34 operations.
     #[inline(always)]
     #[must_use]
     pub const fn position(t: f32) -> (f32, f32) {
@@ -87,15 +89,17 @@ impl Lamp {
         let s = x - n;
         let v = s * s;
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let half_sine = 0.8414755 - 2.1425302 * p + (-7.7870884 - 0.8430019 * p) * p2
-            + (76.8612 - 108.77086 * p) * p4;
-        let half_cosine = 0.5403021 + 3.3342159 * p + (-2.243186 - 19.701836 * p) * p2
-            + (-16.064404 + 205.16774 * p - 259.7864 * p2) * p4;
+        let y = p + 0.0625;
+        let w = y * y;
+        let half_sine = ((-108.77086 * y + 110.85209) * (w + 0.14138316) - 30.334295)
+            * (w + 0.08208813) + 2.1499972;
+        let y_2 = p - 0.25;
+        let w_2 = y_2 * y_2;
+        let half_cosine = (((-259.7864 * y_2 - 184.51187) * y_2 - 19.036827)
+            * (w_2 - 0.0610918) - 7.3712487) * (w_2 - 4.435978e-5) + 0.9997235;
         let v_2 = half_sine * half_cosine;
         let x_2 = v_2 + v_2;
-        let y = half_sine * half_sine - half_cosine * half_cosine;
-        (f32::from_bits(x_2.to_bits() ^ (magic.to_bits() << 31)), y)
+        let y_3 = half_sine * half_sine - half_cosine * half_cosine;
+        (f32::from_bits(x_2.to_bits() ^ (magic.to_bits() << 31)), y_3)
     }
 }

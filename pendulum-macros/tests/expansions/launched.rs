@@ -12,9 +12,10 @@
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
-/// * theta: polynomial of 6 terms in s²; proven error ≤ 3.737e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 4.2e-16 of rounding); 62 operations
-/// * acceleration: polynomial of 7 terms in s²; proven error ≤ 4.898e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 3.8e-16 of rounding); 64 operations
-/// * not a polynomial in 8s² − 1, phase by exact products with the rate in 3 words: it costs about 82 operations
+/// * theta: polynomial of 6 terms in s², coefficients adapted; proven error ≤ 3.737e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 5.2e-15 of rounding); 59 operations
+/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.898e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 5.3e-16 of rounding); 62 operations
+/// * not a polynomial in s² with coefficients adapted by up to 4 for `theta`: about 1 operations more
+/// * not a polynomial in s² with coefficients adapted by up to 4 for `acceleration`: about 1 operations more
 /// * not `harmonic`: it is wrong by about 1e-2
 /// * not `series`: 3 harmonics, about 74 operations
 /// * not `fourier`: about 4 harmonics and an arcsine, about 122 operations
@@ -56,12 +57,12 @@ impl Pushed {
     /// The number of terms of the approximation.
     pub const TERMS: usize = 6;
     /// Operations that one call of the first function executes.
-    pub const OPERATIONS: usize = 62;
+    pub const OPERATIONS: usize = 59;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 3.736824363812908e-7;
+    pub const MAX_ERROR: f64 = 3.7368244115610617e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.897844494892662e-7;
-    /// θ(t), rad; NaN if t is not finite. 62 operations.
+    pub const MAX_ACCELERATION_ERROR: f64 = 4.897844496313658e-7;
+    /// θ(t), rad; NaN if t is not finite. 59 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
@@ -93,19 +94,18 @@ impl Pushed {
                 + (v_5 - (v_7 - v_8) + (third - v_8))
                 + (v_7 - (v_9 - v_10) + (0.05858762081443536 - v_10)));
         let v_11 = s * s;
-        let p = if 0.2500009536752261_f64 < v_11 {
+        let y = if 0.2500009536752261_f64 < v_11 {
             0.2500009536752261_f64
         } else {
             v_11
         };
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let result = 1.016419299012521 - 4.791635175055922 * p
-            + (2.363828705509041 + 3.300416638416726 * p) * p2
-            + (-5.103848096429926 + 2.168637214712001 * p) * p4;
+        let w = y * y;
+        let result = ((2.168637214712001 * y - 5.103848096429926)
+            * (w + 2.4308371409494347) + 10.131299015035149) * (w - 0.9089520529196106)
+            - 1.0517415758942732;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
-    /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared; NaN if t is not finite. 64 operations.
+    /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared; NaN if t is not finite. 62 operations.
     #[inline(always)]
     #[must_use]
     pub const fn acceleration(t: f64) -> f64 {
@@ -142,11 +142,11 @@ impl Pushed {
         } else {
             v_11
         };
-        let p2 = p * p;
-        let p4 = p2 * p2;
-        let result = -7.652055704602534 + 22.70088851612033 * p
-            + (76.68336812636133 - 190.0297432887093 * p) * p2
-            + (-107.97143339418473 + 783.5605760911033 * p - 778.645022161528 * p2) * p4;
+        let y = p - 0.375;
+        let w = y * y;
+        let result = (((-778.645022161528 * y - 968.3907237723347) * y
+            - 223.8944276347536) * (w + 0.18553289723015637) - 45.63480108102437)
+            * (w - 0.11187254164043381) - 6.6189819462163735;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
 }

@@ -28,7 +28,7 @@ impl Clock<'_> {
     /// Every reduction that is valid over the horizon.
     pub(crate) fn reductions(&self) -> Vec<Reduction> {
         use Origin::{Anchor, Lowest};
-        let common = [self.one_word()];
+        let common = [self.one_word(), self.scaled()];
         let cody_waite = [(2, Anchor), (3, Anchor), (2, Lowest), (3, Lowest)];
         let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
         let last = match self.float {
@@ -48,11 +48,16 @@ impl Clock<'_> {
         [error, relative_error]: [f64; 2],
         overshoot: f64,
     ) -> Reduction {
-        let cody_waite = matches!(method, Method::CodyWaite { .. });
+        let unit = match method {
+            Method::CodyWaite { .. } => self.rate.to_double(),
+            Method::Scaled { anchor, .. } => Double::ONE / Double::new(anchor),
+            _ => Double::ONE,
+        };
         // Where a product can overflow: of `f32` times only that with a single `f32` word, the others being of `f64`.
         let (overflows, most) = match (self.float, &method) {
+            (_, Method::CodyWaite { .. }) => (false, 0.0),
             (Float::F64, _) => (self.rate.to_f64() > 0.25, 2f64.powi(1000)),
-            (Float::F32, Method::OneWord { .. }) => (self.rate.to_f64() > 1.0, 2f64.powi(120)),
+            (Float::F32, Method::OneWord { .. } | Method::Scaled { .. }) => (self.rate.to_f64() > 0.5, 2f64.powi(120)),
             (Float::F32, _) => (false, 0.0),
         };
         // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
@@ -71,8 +76,8 @@ impl Clock<'_> {
             error: error + launch_error,
             relative_error,
             overshoot,
-            unit: if cody_waite { self.rate.to_double() } else { Double::ONE },
-            cap: (overflows && !cody_waite).then(|| self.float.round(most / self.rate.to_f64().max(1.0))),
+            unit,
+            cap: overflows.then(|| self.float.round(most / self.rate.to_f64().max(1.0))),
         }
     }
 
@@ -85,6 +90,33 @@ impl Clock<'_> {
             let error = drift + half_ulp(anchors * 1.001, self.float);
             self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], 0.0)
         })
+    }
+
+    /// |t|·|AR − R′|, the rounding of the product t·R′ (least for its digits where the last of them stands just below a power
+    /// of two), and that of the difference, if |t| is about half an anchor; in units of which an anchor has A.
+    fn scaled(&self) -> Option<Reduction> {
+        const TRIED: u32 = 64;
+        let anchors = self.horizon() * self.rate.to_f64();
+        let bits = self.float.bits() - (anchors + 2.0).log2().ceil() as i32;
+        if self.launch != Double::ZERO || bits < 8 {
+            return None;
+        }
+        // The last product is to stay below a power of two.
+        let least = 2f64.powi(1 - bits);
+        let top = 0.998 * 2f64.powi(anchors.log2().ceil() as i32) / anchors;
+        let top = (top.clamp(1.0, 2.0) / least).floor();
+        let rate = self.rate.to_double();
+        let off = |anchor: f64| {
+            let product = rate * anchor;
+            (product - Double::new(self.float.round(product.hi))).hi.abs() / anchor
+        };
+        let anchor = (0..TRIED).map(|index| (top - f64::from(index)) * least).filter(|&anchor| anchor >= 1.0);
+        let anchor = anchor.min_by(|&a, &b| off(a).total_cmp(&off(b)))?;
+        let scaled = self.float.round((rate * anchor).hi);
+        let rounding = half_ulp(anchors * anchor * 1.001, self.float) + half_ulp(anchor, self.float);
+        let error = self.horizon() * off(anchor) * 1.001 + rounding / anchor;
+        let method = Method::Scaled { rate: self.float.round(rate.hi), scaled, anchor };
+        Some(self.reduction(method, Origin::Anchor, [error, 0.0], 4.0 * anchors * self.float.unit()))
     }
 
     /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.

@@ -11,6 +11,7 @@ impl Reduction {
         let t = self.capped(b, t);
         let phase = match &self.method {
             Method::OneWord { rate } => self.direct(b, t, *rate),
+            Method::Scaled { rate, scaled, anchor } => self.scaled(b, t, [*rate, *scaled, *anchor]),
             Method::CodyWaite { rate, words } => self.cody_waite(b, t, *rate, words),
             Method::Wide { rate } => {
                 let wide = b.convert(t, Float::F64);
@@ -94,6 +95,14 @@ impl Reduction {
         let rest = b.sub(x, n);
         let remainder = offset_by(b, rest, self.offset());
         self.numbered(b, remainder, magic, n)
+    }
+
+    fn scaled(&self, b: &mut Builder, t: Id, constants: [f64; 3]) -> Phase {
+        let [rate, scaled, anchor] = constants.map(|constant| b.constant(constant));
+        let x = b.mul(t, rate);
+        let (magic, count) = self.round(b, x);
+        let (distance, whole) = (b.mul(t, scaled), b.mul(count, anchor));
+        Phase { remainder: b.sub(distance, whole), magic, count }
     }
 
     fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {

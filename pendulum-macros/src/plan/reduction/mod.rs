@@ -53,6 +53,9 @@ pub(crate) enum Origin {
 pub(crate) enum Method {
     /// s = t·R − n with R in one word.
     OneWord { rate: f64 },
+    /// s = t·R′ − n·A, in units of which an anchor has A: a number of few bits such that nA is exact, R′ = AR to far beyond
+    /// its last place, and the product is rounded as little as its digits allow.
+    Scaled { rate: f64, scaled: f64, anchor: f64 },
     /// s = t − n·T₁ − n·T₂ …, every nTᵢ but the last exact (Cody and Waite 1980); s is a time.
     CodyWaite { rate: f64, words: Vec<f64> },
     /// An `f32` time, R in one `f64` word.
@@ -98,6 +101,7 @@ impl Reduction {
         let from = if self.origin == Origin::Lowest { " from the lowest point" } else { "" };
         let how = match &self.method {
             Method::OneWord { .. } => "one product with the rate".to_owned(),
+            Method::Scaled { .. } => "one product with the rate, in a unit that suits both".to_owned(),
             Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
             Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
             Method::WideAnyTime { .. } => "exact products with the rate in three words of `f64`".to_owned(),

@@ -1,0 +1,217 @@
+//! Polynomials with adapted coefficients: three operations for two terms instead of four.
+//!
+//! With y = p + c and w = y², write a polynomial as E(w) + y·O(w). Where all roots α of O are real, dividing it by w − α
+//! leaves a number β and no multiple of y, and the quotient is of the same kind. So it equals
+//!
+//! ((z·(w − α₁) + β₁)·(w − α₂) + β₂)…, with z linear or quadratic in y,
+//!
+//! a multiplication and two additions for two terms, of which w − α waits for nothing (Knuth, *The Art of Computer
+//! Programming* 2, 4.6.4, theorem E). Some c makes the roots real (Eve 1964). What it costs is conditioning: the factors
+//! may be large where the value is small. Hence c is chosen among many by estimated rounding, and long polynomials are cut
+//! into blocks, Σ Bⱼ(y)·y^(chunk·j), each of which is adapted. The proof of the rounding is that of any program.
+
+mod shifts;
+
+pub(crate) use shifts::Choices;
+
+use super::polynomial::estrin;
+use crate::program::{Builder, Id};
+use pendulum_runtime::double::Double;
+use shifts::{roots, value};
+
+/// A polynomial in y = p + c.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Adapted {
+    pub(crate) shift: f64,
+    chunk: usize,
+    blocks: Vec<Block>,
+    /// Bounds its distance from the polynomial that it was made of.
+    pub(crate) mismatch: f64,
+}
+
+/// One block: z, and the (α, β) in the order of evaluation.
+#[derive(Clone, Debug, PartialEq)]
+struct Block {
+    /// Powers of y, lowest first: at most three.
+    head: Vec<Double>,
+    factors: Vec<(Double, Double)>,
+}
+
+/// The chain of dependent operations, in cycles, of a polynomial of `terms` in blocks of `chunk`, given y: four operations
+/// of a block's head or two of a factor at a time; then the blocks are joined.
+pub(crate) fn chain(terms: usize, chunk: usize) -> usize {
+    let longest = terms.min(chunk);
+    let joints = terms.div_ceil(chunk).next_power_of_two().ilog2() as usize;
+    STEP * (longest / 2 + longest % 2 + joints)
+}
+
+/// Cycles of a multiplication and an addition in sequence.
+pub(crate) const STEP: usize = 5;
+
+/// Operations of a polynomial of `terms` in blocks of `chunk`; y and w, which other polynomials may share, apart.
+pub(crate) fn operations(terms: usize, chunk: usize) -> usize {
+    let block = |terms: usize| match terms {
+        0..=3 => 2 * terms.saturating_sub(1),
+        _ if terms.is_multiple_of(2) => 2 + 3 * (terms / 2 - 1),
+        _ => 4 + 3 * ((terms - 3) / 2),
+    };
+    let (whole, rest) = (terms / chunk, terms % chunk);
+    let blocks = terms.div_ceil(chunk);
+    let powers = if blocks > 1 { chunk.ilog2() - 1 + (blocks - 1).ilog2() } else { 0 };
+    whole * block(chunk) + block(rest) + 2 * (blocks - 1) + powers as usize
+}
+
+impl Adapted {
+    /// Adapts a polynomial, given in powers of y, for |y| ≤ `reach`.
+    pub(crate) fn new(powers: &[Double], shift: f64, chunk: usize, reach: f64) -> Option<Self> {
+        let blocks = powers.chunks(chunk).map(Block::new).collect::<Option<Vec<Block>>>()?;
+        let expanded = blocks.iter().flat_map(Block::expanded);
+        let differences: Vec<f64> = powers.iter().zip(expanded).map(|(c, found)| (*c - found).hi.abs()).collect();
+        Some(Self { shift, chunk, blocks, mismatch: value(&differences, reach) })
+    }
+
+    /// For the reader.
+    pub(crate) fn variable(&self) -> String {
+        if self.shift == 0.0 { "s²".to_owned() } else { "s² + c".to_owned() }
+    }
+
+    /// For the reader: how it is evaluated.
+    pub(crate) fn describe(&self) -> String {
+        match self.blocks.len() {
+            1 => ", coefficients adapted".to_owned(),
+            _ => format!(", coefficients adapted in blocks of {}", self.chunk),
+        }
+    }
+
+    pub(crate) fn negate(&mut self) {
+        for block in &mut self.blocks {
+            block.head.iter_mut().for_each(|c| *c = -*c);
+            block.factors.iter_mut().for_each(|(_, beta)| *beta = -*beta);
+        }
+    }
+
+    /// Evaluates it at y.
+    pub(crate) fn lower(&self, b: &mut Builder, y: Id) -> Id {
+        const POWERS: [&str; 8] = ["y", "w", "w2", "w4", "w8", "w16", "w32", "w64"];
+        b.name(y, POWERS[0]);
+        let w = if self.blocks.iter().any(|block| !block.factors.is_empty()) || self.blocks.len() > 1 {
+            let w = b.mul(y, y);
+            b.name(w, POWERS[1])
+        } else {
+            y
+        };
+        let values: Vec<Id> = self.blocks.iter().map(|block| block.lower(b, y, w)).collect();
+        if values.len() == 1 {
+            return values[0];
+        }
+        let level = self.chunk.ilog2() as usize;
+        let power = POWERS[2..=level].iter().fold(w, |power, name| {
+            let square = b.mul(power, power);
+            b.name(square, name)
+        });
+        estrin(b, power, &values, &POWERS[level..])
+    }
+}
+
+impl Block {
+    /// Divides by one factor after the other, the smallest root first: it stands last in the evaluation.
+    fn new(powers: &[Double]) -> Option<Self> {
+        let rough: Vec<f64> = powers.iter().map(|c| c.hi).collect();
+        let mut left = powers.to_vec();
+        let mut factors = Vec::new();
+        for root in roots(&rough)? {
+            let alpha = polished(powers, root);
+            for i in (2..left.len()).rev() {
+                left[i - 2] = left[i - 2] + alpha * left[i];
+            }
+            factors.push((alpha, left[0]));
+            left.drain(..2);
+        }
+        factors.reverse();
+        Some(Self { head: left, factors })
+    }
+
+    /// Its powers of y.
+    fn expanded(&self) -> Vec<Double> {
+        self.factors.iter().fold(self.head.clone(), |powers, &(alpha, beta)| {
+            let lower = powers.iter().map(|c| -(*c * alpha)).chain([Double::ZERO; 2]);
+            let higher = [Double::ZERO; 2].into_iter().chain(powers.iter().copied());
+            let mut product: Vec<Double> = lower.zip(higher).map(|(low, high)| low + high).collect();
+            product[0] = product[0] + beta;
+            product
+        })
+    }
+
+    fn lower(&self, b: &mut Builder, y: Id, w: Id) -> Id {
+        let head: Vec<Id> = self.head.iter().map(|c| b.exact(c.hi, c.lo)).collect();
+        let Some((&last, rest)) = head.split_last() else { return b.constant(0.0) };
+        let z = rest.iter().rev().fold(last, |value, &c| {
+            let product = b.mul(value, y);
+            b.add(product, c)
+        });
+        self.factors.iter().fold(z, |value, (alpha, beta)| {
+            let (alpha, beta) = (b.exact(-alpha.hi, -alpha.lo), b.exact(beta.hi, beta.lo));
+            let factor = b.add(w, alpha);
+            let product = b.mul(value, factor);
+            b.add(product, beta)
+        })
+    }
+}
+
+/// A root of the odd part of `powers` to the precision of [`Double`], by Newton's method.
+fn polished(powers: &[Double], root: f64) -> Double {
+    let odd: Vec<Double> = powers.iter().skip(1).step_by(2).copied().collect();
+    let mut w = Double::new(root);
+    for _ in 0..3 {
+        let zero = (Double::ZERO, Double::ZERO);
+        let (at, slope) = odd.iter().rev().fold(zero, |(at, slope), c| (at * w + *c, slope * w + at));
+        if slope.hi == 0.0 || at.hi == 0.0 {
+            break;
+        }
+        w = w - at / slope;
+    }
+    w
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse::Float;
+
+    /// cos and more: coefficients of either sign, of a polynomial in p on [0, ¼].
+    fn sample(terms: usize) -> Vec<Double> {
+        let mut term = Double::new(2.7);
+        (0..terms)
+            .map(|j| {
+                let this = term;
+                term = -(term * 5.0) / Double::new(1.0 + j as f64);
+                this
+            })
+            .collect()
+    }
+
+    /// Evaluated in `f64`, it is the polynomial but for the rounding estimated; and it takes as many operations as said.
+    #[test]
+    fn it_is_the_polynomial() {
+        for terms in 4..=20 {
+            for chunk in [4, 8, 16] {
+                let powers = sample(terms);
+                let Some(Choices { best: choice, .. }) = Choices::new(&powers, chunk) else { continue };
+                let shifted = crate::chebyshev::shift(&powers, Double::new(-choice.shift));
+                let adapted = Adapted::new(&shifted, choice.shift, chunk, 1.0).unwrap();
+                assert!(adapted.mismatch < 1e-25, "{terms} {chunk}: {}", adapted.mismatch);
+                let mut b = Builder::new(Float::F64);
+                let y = b.input();
+                let result = adapted.lower(&mut b, y);
+                let program = b.finish(vec![result]);
+                let shared = usize::from(terms > 3);
+                assert_eq!(program.operations(), operations(terms, chunk) + shared, "{terms} {chunk}");
+                for p in [0.0, 0.1, 0.25] {
+                    let exact = powers.iter().rev().fold(Double::ZERO, |sum, c| sum * p + *c);
+                    let error = (Double::new(program.run(p + choice.shift)[0]) - exact).hi.abs();
+                    assert!(error <= choice.rounding * f64::EPSILON, "{terms} {chunk} {p}: {error:e} {choice:?}");
+                }
+            }
+        }
+    }
+}

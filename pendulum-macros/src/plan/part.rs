@@ -1,0 +1,203 @@
+//! One output's kernel: its variants by cost, and the fewest terms of each that keep the promise.
+
+use super::aim::{Aim, Task};
+use super::curve::Curve;
+use super::form::Form;
+use super::hyperbolic::{Hyperbolic, Passage};
+use super::kernel::{Kernel, norm};
+use super::polynomial::{Approximation, Polynomial};
+use super::reduction::{Origin, Reduction};
+use super::turning::Turning;
+use super::{Bound, Part};
+use crate::parse::Output;
+use crate::scene::{Goal, Scene};
+use pendulum_runtime::double::Double;
+
+/// How a curve is approximated: in which form, and whether poles are divided out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Variant {
+    pub(super) form: Form,
+    pub(super) divided: bool,
+}
+
+impl Variant {
+    /// For the reader.
+    pub(super) fn describe(self) -> String {
+        let poles = if self.divided { " over the nearest poles" } else { "" };
+        format!("a polynomial in {}{poles}", self.form.variable())
+    }
+}
+
+/// An output's approximations, without and with its poles divided out.
+pub(super) struct Approximations {
+    plain: Vec<Approximation>,
+    divided: Vec<Approximation>,
+}
+
+impl Approximations {
+    pub(super) fn new(aim: &Aim) -> Self {
+        // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
+        let negligible = |curve: &Curve| (aim.truncation.min(curve.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0);
+        let all = |power| aim.curves.iter().filter_map(|c| Approximation::new(c, power, negligible(c))).collect();
+        Self { plain: all(0), divided: if aim.power > 0 { all(aim.power) } else { Vec::new() } }
+    }
+
+    /// Those of a candidate; outputs without poles have no choice.
+    pub(super) fn choose(&self, divided: bool) -> &[Approximation] {
+        if divided && !self.divided.is_empty() { &self.divided } else { &self.plain }
+    }
+}
+
+impl Aim {
+    /// The truncation allowed to each of the curves.
+    fn share(&self, left: f64) -> f64 {
+        left.min(self.truncation) / self.error((self.curves.len() as f64).sqrt())
+    }
+
+    /// The output's error where that of its curves is `error`: a position is the square of a number on the unit circle.
+    fn error(&self, error: f64) -> f64 {
+        if self.output == Output::Position { error * (2.0 + error) } else { error }
+    }
+
+    /// The variants that might serve, and their cost in this reduction, cheapest first.
+    pub(super) fn variants(&self, all: &Approximations, reduction: &Reduction) -> Vec<(Variant, f64)> {
+        let divisions: &[bool] = if self.power > 0 { &[false, true] } else { &[false] };
+        let variants =
+            Form::ALL.iter().flat_map(|&form| divisions.iter().map(move |&divided| Variant { form, divided }));
+        let cost = |variant: Variant| Some((variant, self.estimate(all.choose(variant.divided), reduction, variant)?));
+        let mut costs: Vec<(Variant, f64)> = variants.filter_map(cost).collect();
+        costs.sort_by(|a, b| a.1.total_cmp(&b.1));
+        costs
+    }
+
+    /// The cost of the kernels with the fewest terms; `None` if no number of them serves.
+    fn estimate(&self, approximations: &[Approximation], reduction: &Reduction, variant: Variant) -> Option<f64> {
+        if self.curves.is_empty() || approximations.len() < self.curves.len() {
+            return None;
+        }
+        let left = self.share(self.limit - self.phase_error(reduction));
+        let one = |(curve, approximation): (&Curve, &Approximation)| {
+            let terms =
+                approximation.terms_for(left, reduction.overshoot).filter(|&terms| variant.form.suits(terms))?;
+            let signs = if curve.alternates && reduction.origin == Origin::Lowest { 1.3 } else { 0.0 };
+            Some(variant.form.cost(terms, variant.divided) + signs)
+        };
+        let kernels: Option<f64> = self.curves.iter().zip(approximations).map(one).sum();
+        Some(kernels? + variant.form.variables(variant.divided))
+    }
+
+    /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them.
+    pub(super) fn passage_estimate(&self) -> f64 {
+        let bits = -(self.limit / self.unit.max(self.largest)).log2().min(-4.0);
+        let angle = matches!(self.output, Output::Theta | Output::Wrapped);
+        30.0 + 2.0 * (3.0 + bits / 5.0) + if angle { bits / 1.3 } else { 16.0 }
+    }
+
+    /// The fewest terms that keep the promise, or what was reached.
+    pub(super) fn part(
+        &self,
+        scene: &Scene,
+        task: &Task,
+        approximations: &[Approximation],
+        reduction: &Reduction,
+        form: Form,
+    ) -> Result<Part, f64> {
+        let phase = self.phase_error(reduction);
+        let mut evaluation = 0.0;
+        let mut reached = f64::INFINITY;
+        for _ in 0..3 {
+            let left = self.share(self.limit - phase - evaluation);
+            let mut polynomials = Vec::new();
+            for (curve, approximation) in self.curves.iter().zip(approximations) {
+                let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
+                    let least = approximation.truncation(approximation.terms(), reduction.overshoot);
+                    return Err(reached.min((phase + evaluation + least) / self.unit));
+                };
+                let polynomial = approximation.polynomial(terms, form, reduction, curve.alternates, self.limit);
+                polynomials.push(polynomial.ok_or(reached)?);
+            }
+            let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
+            let kernel = self.kernel(scene, task, reduction, polynomials);
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
+            let grows = scene.goal == Goal::Full && self.output == Output::Theta;
+            let turns = if grows { 0.0 } else { kernel.rounding_of_turns(reduction) };
+            evaluation = bound.evaluation + turns;
+            match self.accept(scene, kernel, bound, reduction) {
+                Ok(part) => return Ok(part),
+                Err(total) => reached = reached.min(total),
+            }
+        }
+        Err(reached)
+    }
+
+    /// Puts the polynomials together.
+    fn kernel(&self, scene: &Scene, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
+        if task.direction < 0.0 {
+            // A mirror image leaves the height as it is, and cos(θ/2) with it, or sin where the angle is from the top.
+            let mirrored =
+                |polynomial: &Polynomial| self.output != Output::Position || polynomial.mirrors(task.turning);
+            polynomials.iter_mut().filter(|polynomial| mirrored(polynomial)).for_each(Polynomial::negate);
+        }
+        match <[Polynomial; 2]>::try_from(polynomials) {
+            Ok([sine, cosine]) => Kernel::Circle { sine, cosine },
+            Err(mut single) => self.turned(scene, task, Kernel::Polynomial(single.swap_remove(0)), Some(reduction)),
+        }
+    }
+
+    /// The angle of a rotation, wrapped or with its turns; anything else as it is.
+    fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
+        let wrapped = self.output == Output::Wrapped;
+        if !task.turning || !matches!(self.output, Output::Theta | Output::Wrapped) {
+            return kernel;
+        }
+        let (direction, turns) = (task.direction, task.turns(scene));
+        let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
+        let (angle, from_top) = (Box::new(kernel), from_top.is_some());
+        Kernel::Turning(Turning { angle, from_top, unit, wrapped, direction, turns })
+    }
+
+    /// The kernel of the passage through the lowest point, or what it reaches.
+    pub(super) fn passage_part(
+        &self,
+        scene: &Scene,
+        task: &Task,
+        reduction: &Reduction,
+        passage: &Passage,
+    ) -> Result<Part, f64> {
+        let phase = self.passage_error(reduction, passage);
+        let factor = match self.output {
+            Output::Velocity => Task::fastest(scene),
+            Output::Acceleration => scene.motion.omega.square().to_double(),
+            _ => Double::ONE,
+        };
+        let scaled = Passage { rate: passage.rate * reduction.unit, half: reduction.half(), ..passage.clone() };
+        let mut limit = self.limit.min(self.truncation) / factor.hi;
+        let mut reached = f64::INFINITY;
+        for _ in 0..3 {
+            let kernel = Hyperbolic::new(self.output, scaled.clone(), factor, limit);
+            let truncation = kernel.truncation * factor.hi;
+            let kernel = self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), None);
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
+            match self.accept(scene, kernel, bound, reduction) {
+                Ok(part) => return Ok(part),
+                Err(total) => reached = reached.min(total),
+            }
+            limit *= 0.125;
+        }
+        Err(reached)
+    }
+
+    /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns of
+    /// an angle that grows without bound cost what they cost: the promise is about the rest.
+    fn accept(&self, scene: &Scene, kernel: Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
+        let turns = kernel.rounding_of_turns(reduction);
+        let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
+        let grows = scene.goal == Goal::Full && self.output == Output::Theta;
+        let judged = if grows { bound } else { whole };
+        if judged.total() > self.limit {
+            return Err(judged.total() / self.unit);
+        }
+        let (output, unit, largest) = (self.output, self.unit, self.largest);
+        Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest })
+    }
+}
