@@ -281,8 +281,11 @@ impl Sum {
         let precision = scene.float.unit() / 2.0;
         let approximation = Approximation::entire(&Curve::harmonics(&self.weights), precision / 16.0);
         let terms = approximation.terms_for(precision, reduction.overshoot)?;
-        let cap = 12.0 * scene.float.unit();
+        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
         Form::ALL.into_iter().find_map(|form| {
+            // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
+            let most = if let Form::Adapted { .. } = form { 6.0 * sum.min(1.0) } else { 12.0 };
+            let cap = most * scene.float.unit();
             let polynomial = approximation.polynomial(terms, form, reduction, true, cap)?;
             (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
         })

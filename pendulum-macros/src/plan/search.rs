@@ -2,7 +2,7 @@
 //! estimated cost, until one keeps the promise.
 
 use super::aim::{Aim, Task};
-use super::part::Approximations;
+use super::part::{Approximations, Variant};
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use super::{Part, Plan, Refusal, alternatives, kernel, verify};
@@ -40,8 +40,7 @@ pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
         // The best that can be promised is what full precision promises.
         (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) => {
             task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
-            let best = cheapest(scene, &task).map_or(best, |plan| plan.worst());
-            Err(Refusal::Unreachable { best })
+            Err(Refusal::Unreachable { best: best.min(most_accurate(scene, &task)) })
         }
         (result, _) => result,
     }
@@ -77,6 +76,23 @@ fn cheapest(scene: &Scene, task: &Task) -> Result<Plan, Refusal> {
     Err(Refusal::Unreachable { best: closest })
 }
 
+/// The least that can be promised of the worst output.
+fn most_accurate(scene: &Scene, task: &Task) -> f64 {
+    let worst_output = |reduction: &Reduction| {
+        let least = |aim: &Aim| {
+            let all = Approximations::new(aim);
+            let polynomial =
+                |variant: Variant| aim.part(scene, task, all.choose(variant.divided), reduction, variant.form).ok();
+            let parts = aim.variants(&all, reduction).into_iter().filter_map(|(variant, _)| polynomial(variant));
+            let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
+            let passage = passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage).ok());
+            parts.chain(passage).map(|part| part.bound.total() / part.unit).fold(f64::INFINITY, f64::min)
+        };
+        task.aims.iter().map(least).fold(0.0, f64::max)
+    };
+    task.reductions(scene).iter().map(worst_output).fold(f64::INFINITY, f64::min)
+}
+
 /// All plans of a scene with one output that keep the promise, whatever they cost.
 #[cfg(test)]
 pub(super) fn every(scene: &Scene) -> Vec<Plan> {
@@ -84,7 +100,7 @@ pub(super) fn every(scene: &Scene) -> Vec<Plan> {
     let (aim, all) = (&task.aims[0], &Approximations::new(&task.aims[0]));
     let reductions = task.reductions(scene);
     let plans = reductions.iter().flat_map(|reduction| {
-        let polynomial = |(variant, _): (super::part::Variant, f64)| {
+        let polynomial = |(variant, _): (Variant, f64)| {
             let part = aim.part(scene, &task, all.choose(variant.divided), reduction, variant.form).ok()?;
             Some((Way::Polynomials, part))
         };
