@@ -90,7 +90,13 @@ fn most_accurate(scene: &Scene, task: &Task) -> f64 {
         };
         task.aims.iter().map(least).fold(0.0, f64::max)
     };
-    task.reductions(scene).iter().map(worst_output).fold(f64::INFINITY, f64::min)
+    // The most accurate reduction from either origin is among the best.
+    let reductions = task.reductions(scene);
+    let of = |origin: Origin| {
+        let from_there = reductions.iter().filter(move |reduction| reduction.origin == origin);
+        from_there.min_by(|a, b| (a.error + a.relative_error).total_cmp(&(b.error + b.relative_error)))
+    };
+    [Origin::Anchor, Origin::Lowest].into_iter().filter_map(of).map(worst_output).fold(f64::INFINITY, f64::min)
 }
 
 /// All plans of a scene with one output that keep the promise, whatever they cost.
