@@ -61,7 +61,7 @@ impl Form {
         match self {
             Self::Plain => "s²".to_owned(),
             Self::Centred { centre } => format!("8s² − {centre}"),
-            Self::Adapted { chunk } => format!("s² with coefficients adapted by up to {chunk}"),
+            Self::Adapted { chunk } => format!("s², adapted in blocks of {chunk}"),
         }
     }
 

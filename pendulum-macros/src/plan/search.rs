@@ -210,7 +210,7 @@ impl Candidate<'_> {
             match aim.part(scene, task, all.choose(variant.divided), self.reduction, variant.form) {
                 Ok(part) => {
                     let next = variants.get(index + 1).map(|(next, dearer)| {
-                        format!("{} for `{word}`: about {:.0} operations more", next.describe(), dearer - cost)
+                        format!("{} for `{word}`: it costs about {:.1} operations more", next.describe(), dearer - cost)
                     });
                     rejected.extend(next);
                     return Ok(part);

@@ -17,8 +17,8 @@
 /// * phase: Cody and Waite's remainder of 2 words, wrong by at most 2.9e-17 anchors
 /// * theta: polynomial of 14 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.692e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 7.6e-15 of rounding); 36 operations
 /// * velocity: polynomial of 15 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.217e-10 rad·ω (2.2e-10 of truncation, 1.7e-16 of phase, 1.2e-14 of rounding); 40 operations
-/// * not a polynomial in s² with coefficients adapted by up to 8 for `theta`: about 2 operations more
-/// * not a polynomial in s² with coefficients adapted by up to 8 for `velocity`: about 2 operations more
+/// * not a polynomial in s², adapted in blocks of 8 for `theta`: it costs about 1.5 operations more
+/// * not a polynomial in s², adapted in blocks of 8 for `velocity`: it costs about 1.5 operations more
 /// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 151 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 61 operations

@@ -14,8 +14,8 @@
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
 /// * theta: polynomial of 6 terms in s², coefficients adapted; proven error ≤ 3.737e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 5.2e-15 of rounding); 59 operations
 /// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.898e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 5.3e-16 of rounding); 62 operations
-/// * not a polynomial in s² with coefficients adapted by up to 4 for `theta`: about 1 operations more
-/// * not a polynomial in s² with coefficients adapted by up to 4 for `acceleration`: about 1 operations more
+/// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
+/// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
 /// * not `harmonic`: it is wrong by about 1e-2
 /// * not `series`: 3 harmonics, about 74 operations
 /// * not `fourier`: about 4 harmonics and an arcsine, about 122 operations
