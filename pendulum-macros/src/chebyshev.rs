@@ -1,6 +1,7 @@
 //! Chebyshev series on [−1, 1] in double-double arithmetic: sampling, truncation, conversion to powers.
 
 use pendulum_runtime::double::Double;
+use std::ops::{Add, Mul};
 
 /// cos(πj/(2m)) for every j, from one table of a quarter wave.
 pub(crate) struct CosineTable {
@@ -95,7 +96,7 @@ pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
 }
 
 /// Coefficients in powers of x of Σ cⱼ (x + by)ʲ, by repeated synthetic division.
-pub(crate) fn shift(powers: &[Double], by: Double) -> Vec<Double> {
+pub(crate) fn shift<T: Copy + Add<Output = T> + Mul<Output = T>>(powers: &[T], by: T) -> Vec<T> {
     let mut shifted = powers.to_vec();
     for i in 0..shifted.len() {
         for j in (i..shifted.len() - 1).rev() {

@@ -194,7 +194,7 @@ impl Aim {
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
         let grows = scene.goal == Goal::Full && self.output == Output::Theta;
         let judged = if grows { bound } else { whole };
-        if judged.total() > self.limit {
+        if judged.total().is_nan() || judged.total() > self.limit {
             return Err(judged.total() / self.unit);
         }
         let (output, unit, largest) = (self.output, self.unit, self.largest);

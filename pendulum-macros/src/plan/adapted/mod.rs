@@ -17,7 +17,7 @@ pub(crate) use shifts::Choices;
 use super::polynomial::estrin;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
-use shifts::{roots, value};
+use shifts::{divide, roots, value};
 
 /// A polynomial in y = p + c.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +67,8 @@ impl Adapted {
         let blocks = powers.chunks(chunk).map(Block::new).collect::<Option<Vec<Block>>>()?;
         let expanded = blocks.iter().flat_map(Block::expanded);
         let differences: Vec<f64> = powers.iter().zip(expanded).map(|(c, found)| (*c - found).hi.abs()).collect();
-        Some(Self { shift, chunk, blocks, mismatch: value(&differences, reach) })
+        let mismatch = value(&differences, reach);
+        mismatch.is_finite().then_some(Self { shift, chunk, blocks, mismatch })
     }
 
     /// For the reader.
@@ -121,11 +122,7 @@ impl Block {
         let mut factors = Vec::new();
         for root in roots(&rough)? {
             let alpha = polished(powers, root);
-            for i in (2..left.len()).rev() {
-                left[i - 2] = left[i - 2] + alpha * left[i];
-            }
-            factors.push((alpha, left[0]));
-            left.drain(..2);
+            factors.push((alpha, divide(&mut left, alpha)));
         }
         factors.reverse();
         Some(Self { head: left, factors })

@@ -1,6 +1,7 @@
 //! Which shift makes the roots of the odd parts real, and with how much rounding: estimates, which proofs follow.
 
 use pendulum_runtime::double::Double;
+use std::ops::{Add, Mul};
 
 /// A shift that makes all roots real, and what rounding does to the value with it, in units of rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,12 +43,7 @@ impl Choices {
 /// Estimates the rounding of the value, by a running error analysis of the first order at some points.
 fn rounding(powers: &[f64], shift: f64, chunk: usize) -> Option<f64> {
     const POINTS: u32 = 12;
-    let mut shifted = powers.to_vec();
-    for i in 0..shifted.len() {
-        for j in (i..shifted.len() - 1).rev() {
-            shifted[j] -= shifted[j + 1] * shift;
-        }
-    }
+    let shifted = crate::chebyshev::shift(powers, -shift);
     let blocks: Option<Vec<_>> = shifted.chunks(chunk).map(rough_block).collect();
     let blocks = blocks?;
     let at = |index: u32| {
@@ -73,14 +69,21 @@ fn rough_block(powers: &[f64]) -> Option<Rough> {
     let mut left = powers.to_vec();
     let mut factors = Vec::new();
     for root in roots(powers)? {
-        for i in (2..left.len()).rev() {
-            left[i - 2] += root * left[i];
-        }
-        factors.push((root, left[0]));
-        left.drain(..2);
+        factors.push((root, divide(&mut left, root)));
     }
     factors.reverse();
     Some(Rough { head: left, factors })
+}
+
+/// Divides powers of y by y² − α; the constant of the remainder, whose other coefficient is nought where α is a root of the
+/// odd part.
+pub(super) fn divide<T: Copy + Add<Output = T> + Mul<Output = T>>(powers: &mut Vec<T>, alpha: T) -> T {
+    for i in (2..powers.len()).rev() {
+        powers[i - 2] = powers[i - 2] + alpha * powers[i];
+    }
+    let remainder = powers[0];
+    powers.drain(..2);
+    remainder
 }
 
 /// The value at y, and the sum of its roundings in units of rounding.
