@@ -77,6 +77,20 @@ fn accelerations_of_the_fastest_rates() {
     planned("struct A; velocity0 = 6e37, omega = 1e18, float = f32, outputs = [acceleration]");
 }
 
+/// Products in two words overflow before their values do: a series of NaN had no end and took all memory.
+#[test]
+fn series_of_almost_infinite_amplitudes_end() {
+    refused(
+        "theta0 = 1.36, velocity0 = -(2*sqrt(0.454)), ω = 1e153, tol = 8.73e-13, outputs = [acceleration]",
+        "the steepest change",
+    );
+    for omega in ["1e299", "1e301", "1e303", "1e305", "1e307"] {
+        let text = format!("theta0 = 1, ω = {omega}, outputs = [velocity], tol = 1e-9");
+        let verdict = judge(&text);
+        assert!(verdict.is_ok(), "{text}: {verdict:?}");
+    }
+}
+
 /// n was searched where none works, and offered where the next message refused it.
 #[test]
 fn the_paper_near_the_top() {
