@@ -19,23 +19,37 @@ fn the_separatrix_at_any_rate() {
     }
 }
 
-/// The first passage of an angle, from the lowest point and from elsewhere.
+/// Where θ² underflows cos(θ/2) is 1: as near to the lowest point as that, a speed of 2ω is still the separatrix, and keeps
+/// the angle it starts from: near the lowest point θ = θ0 + 2ωt.
+#[test]
+fn the_separatrix_from_beside_the_lowest_point() {
+    for (omega, start) in [(1.0, 1e-170), (3.0, -1e-200), (1e-6, 1e-280)] {
+        let p = Pendulum::<f64>::from_state(start, 2.0 * omega, omega).unwrap();
+        assert_eq!(p.regime(), Regime::Separatrix);
+        for t in [0.0, start.abs() / omega, -3.0 * start.abs() / omega] {
+            let expected = start + 2.0 * omega * t;
+            assert!((p.theta(t) - expected).abs() <= 4.0 * f64::EPSILON * start.abs(), "{omega} {start} {t}");
+        }
+        let back = p.time_at(0.0);
+        if start < 0.0 {
+            assert!((back.unwrap() * 2.0 * omega / -start - 1.0).abs() <= 4.0 * f64::EPSILON);
+        } else {
+            assert!(matches!(back, Err(Error::NeverReached { .. })));
+        }
+    }
+}
+
+/// The first passage of an angle: sinh ωt = tan(θ/2).
 #[test]
 fn times_on_the_separatrix() {
     for omega in [1e-3, 3.0] {
-        for start in [0.0, -1.0] {
-            // The separatrix passes −1 with 2ω cos ½, which has to be rounded so that the regime is decided alike.
-            let speed = 2.0 * omega * (start / 2.0f64).cos();
-            let near = [speed.next_down(), speed, speed.next_up()];
-            let found = near.iter().filter_map(|&v| Pendulum::<f64>::from_state(start, v, omega).ok());
-            let Some(p) = found.into_iter().find(|p| p.regime() == Regime::Separatrix) else { continue };
-            for angle in [FRAC_PI_2, 3.0] {
-                let t = p.time_at(angle).unwrap();
-                let since_bottom = |angle: f64| (angle / 2.0).sin().atanh() / omega;
-                let expected = since_bottom(angle) - since_bottom(start);
-                assert!((t - expected).abs() <= 1e-13 * expected, "{omega} {start} {angle}: {t} {expected}");
-            }
+        let p = Pendulum::<f64>::from_state(0.0, 2.0 * omega, omega).unwrap();
+        for angle in [1e-9, FRAC_PI_2, 3.0] {
+            let expected = (angle / 2.0).tan().asinh() / omega;
+            let t = p.time_at(angle).unwrap();
+            assert!((t - expected).abs() <= 8.0 * f64::EPSILON * expected, "{omega} {angle}: {t} {expected}");
         }
+        assert!(p.time_at(-1e-9).is_err());
     }
 }
 
@@ -47,6 +61,7 @@ fn the_fastest_launch_is_relative_to_omega() {
         let refused = Pendulum::<f64>::from_state(0.0, 1.01e290 * omega, omega);
         assert!(matches!(refused, Err(Error::Velocity { .. })), "{omega}");
     }
+    assert!(Pendulum::<f64>::from_state(0.0, 1e290, 1.0).is_ok());
 }
 
 /// θ grows by 2π a period, as far as there are floats.
@@ -69,4 +84,23 @@ fn the_nome_of_tiny_moduli() {
         let expected = k * k / 16.0;
         assert!((pendula::elliptic::nome(k) / expected - 1.0).abs() <= 3.0 * f64::EPSILON, "{k}");
     }
+}
+
+/// Zero, not minus zero, which some formatters show.
+#[test]
+fn a_pendulum_at_rest_stays_at_zero() {
+    let p = Pendulum::<f64>::new(0.0, 1.0).unwrap();
+    assert_eq!(p.regime(), Regime::Rest);
+    for t in [0.0, 0.3, 1.57, 1e6] {
+        assert_eq!((p.theta(t), p.velocity(t)), (0.0, 0.0), "{t}");
+    }
+    assert!(p.theta(0.0).is_sign_positive());
+}
+
+/// v²/2ω², as long as there are floats for it.
+#[test]
+fn energies_of_the_fastest() {
+    let energy = |velocity: f64| Pendulum::<f64>::from_state(0.0, velocity, 1.0).unwrap().energy();
+    assert!((energy(1e150) / 0.5e300 - 1.0).abs() <= 2.0 * f64::EPSILON);
+    assert_eq!([energy(1e151), energy(1e200), energy(1e290)], [f64::INFINITY; 3]);
 }

@@ -134,7 +134,6 @@ impl State {
             regime: Regime::Swing,
             shape: Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset)),
             amplitude,
-            k,
             moduli: Moduli { k, kc, mean },
             ..self.outline(k)
         }
