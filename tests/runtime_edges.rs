@@ -104,3 +104,14 @@ fn energies_of_the_fastest() {
     assert!((energy(1e150) / 0.5e300 - 1.0).abs() <= 2.0 * f64::EPSILON);
     assert_eq!([energy(1e151), energy(1e200), energy(1e290)], [f64::INFINITY; 3]);
 }
+
+/// Eq. 3 from any state, where ω isn't 1: θ cos ωt + (θ̇/ω) sin ωt.
+#[test]
+fn small_angles_in_motion() {
+    let (theta, velocity, omega) = (0.02, 0.07, 2.5);
+    let p = Pendulum::<f64>::from_state(theta, velocity, omega).unwrap();
+    for t in [0.0, 0.1, 0.7, -1.3] {
+        let (sine, cosine) = f64::sin_cos(omega * t);
+        assert!((p.small_angle(t) - (theta * cosine + velocity / omega * sine)).abs() <= 1e-16, "{t}");
+    }
+}
