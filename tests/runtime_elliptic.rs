@@ -103,3 +103,23 @@ fn outside_the_domain_all_is_nan() {
         assert!(values.iter().all(|x| x.is_nan()), "{bad}: {values:?}");
     }
 }
+
+/// F is odd to the bit, and next to the quarter turn it is K less what Legendre's F(φ) + F(ψ) = K leaves, where
+/// k′ tan φ tan ψ = 1: both angles are near π/2 for a small k′, and each needs its small cosine to the last digit.
+#[test]
+fn incomplete_integrals_next_to_the_quarter_turn() {
+    for kc in [1e-3, 1e-8, 1e-14] {
+        let jacobi = Jacobi::from_complementary_modulus(kc).expect("in [0, 1]");
+        for part in [0.1, 0.5, 0.9] {
+            // tan φ = k′^(−part), and φ as near as an `f64` comes: what it misses counts by dF/dφ.
+            let phi = kc.powf(-part).atan();
+            let psi = (phi.tan() * kc).recip().atan();
+            let [f, g] = [phi, psi].map(|angle| jacobi.incomplete(angle));
+            let slope = |angle: f64| 1.0 / angle.cos().hypot(kc);
+            let slack = U * (slope(phi) * phi + slope(psi) * psi) * 2.0 + 16.0 * U * f.max(g);
+            assert!((f + g - jacobi.quarter_period()).abs() <= slack, "{kc} {part}");
+            assert_eq!(jacobi.incomplete(-phi).to_bits(), (-f).to_bits(), "{kc} {part}");
+            assert_eq!(jacobi.incomplete(-psi).to_bits(), (-g).to_bits(), "{kc} {part}");
+        }
+    }
+}

@@ -94,19 +94,31 @@ fn setting(name: &str, default: u64) -> u64 {
     std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(default)
 }
 
+/// Longer than the judgement of any invocation takes, on a loaded machine.
+const HANG: Duration = Duration::from_secs(20);
+
+/// Much more than the judgements of all threads take.
+const MEMORY: u64 = 2 << 30;
+
+/// What this process holds, on Linux.
+fn resident_memory() -> Option<u64> {
+    let pages: u64 = std::fs::read_to_string("/proc/self/statm").ok()?.split(' ').nth(1)?.parse().ok()?;
+    Some(pages * 4096)
+}
+
 /// Half of the inputs are invocations, a third near misses.
 #[test]
 #[ignore = "runs for PENDULA_FUZZ_SECONDS"]
 fn long() {
     let end = Instant::now() + Duration::from_secs(setting("PENDULA_FUZZ_SECONDS", 60));
     let (first, threads) = (setting("PENDULA_FUZZ_SEED", 1) << 40, setting("PENDULA_FUZZ_THREADS", 2));
-    let run = move |thread: u64, current: &Mutex<String>| {
+    let run = move |thread: u64, current: &Mutex<(Instant, String)>| {
         let mut tallies = GENERATORS.map(|_| Tally::default());
         for index in 0.. {
             let mut random = Random::new(first + (thread << 36) + index);
             let generator = random.choose(&[0, 0, 0, 1, 1, 2]);
             let text = GENERATORS[generator].1(&mut random);
-            current.lock().unwrap().clone_from(&text);
+            *current.lock().unwrap() = (Instant::now(), text.clone());
             let known = tallies[generator].failures.len();
             tallies[generator].judge(&text);
             if let Some(failure) = tallies[generator].failures.get(known) {
@@ -119,16 +131,19 @@ fn long() {
         tallies
     };
     let mut failures = 0;
-    let currents: Vec<Mutex<String>> = (0..threads).map(|_| Mutex::default()).collect();
+    let start = || Mutex::new((Instant::now(), String::new()));
+    let currents: Vec<_> = (0..threads).map(|_| start()).collect();
     std::thread::scope(|scope| {
         let threads: Vec<_> = (0..).zip(&currents).map(|(i, current)| scope.spawn(move || run(i, current))).collect();
         while !threads.iter().all(std::thread::ScopedJoinHandle::is_finished) {
-            std::thread::sleep(Duration::from_secs(1));
-            if Instant::now() > end + Duration::from_secs(20) {
-                for current in &currents {
-                    println!("hangs?\n    {}", current.lock().unwrap());
+            std::thread::sleep(Duration::from_millis(100));
+            let greedy = resident_memory().is_some_and(|bytes| bytes > MEMORY);
+            for (thread, current) in threads.iter().zip(&currents) {
+                let (since, text) = &*current.lock().unwrap();
+                if !thread.is_finished() && (since.elapsed() > HANG || greedy) {
+                    println!("{}\n    {text}", if greedy { "takes all memory?" } else { "hangs?" });
+                    std::process::exit(1);
                 }
-                std::process::exit(1);
             }
         }
         for thread in threads {

@@ -179,8 +179,12 @@ impl Wave {
         for (m, amplitude) in terms {
             largest = largest.max(amplitude.hi.abs());
             let tail = envelope.tail(m, 0.0);
-            // Where amplitudes overflow no comparison holds.
-            if tail <= NEGLIGIBLE * largest || !(envelope.size + largest).is_finite() {
+            // Where amplitudes overflow, or their products in two words do and are NaN, no comparison holds, nor a bound.
+            if !(envelope.size + largest + amplitude.hi).is_finite() {
+                omitted = f64::INFINITY;
+                break;
+            }
+            if tail <= NEGLIGIBLE * largest {
                 omitted = tail;
                 break;
             }

@@ -225,6 +225,16 @@ mod tests {
         assert_eq!(Double::from(2.0), Double::new(2.0));
     }
 
+    /// Where the first words cancel, what the second words' sum leaves over is the second word.
+    #[test]
+    fn a_sum_keeps_what_the_small_words_lose() {
+        let (a, b) = (Double { hi: 1.0, lo: U / 3.0 }, Double { hi: -1.0, lo: U * U / 7.0 });
+        let (t, f) = two_sum(a.lo, b.lo);
+        assert!(f != 0.0);
+        assert_eq!(a + b, Double { hi: t, lo: f });
+        assert!(Double::ZERO.abs().hi.is_sign_positive());
+    }
+
     #[test]
     fn pi_has_its_second_word() {
         // sin x for x = the first word of π is π − x to third order.

@@ -247,3 +247,6 @@ fn refine(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     }
     best
 }
+
+#[cfg(test)]
+mod tests;

@@ -149,6 +149,7 @@ mod tests {
             assert!(error <= 1.8 * U * exact.hi, "{z}: {}", error / exact.hi / U);
             assert_eq!(sin_turns(-z), -sin_turns(z));
         }
+        assert!(sin_turns(0.0).is_sign_positive());
         let (tiny, exact) = (sin_turns(1e-300), sin_small(Double::PI * 2e-300).hi);
         assert!((tiny / exact - 1.0).abs() <= 2.0 * U);
     }

@@ -134,7 +134,6 @@ impl State {
             regime: Regime::Swing,
             shape: Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset)),
             amplitude,
-            k,
             moduli: Moduli { k, kc, mean },
             ..self.outline(k)
         }
@@ -142,10 +141,8 @@ impl State {
 
     fn separatrix(&self, since_bottom: Double) -> Motion {
         Motion {
-            regime: Regime::Separatrix,
             shape: Shape::Separatrix(Rotation::separatrix(), since_bottom),
             amplitude: core::f64::consts::PI,
-            moduli: Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO },
             ..self.outline(Double::ONE)
         }
     }
@@ -167,7 +164,7 @@ impl State {
         }
     }
 
-    /// What the regimes share; the shape is a placeholder.
+    /// What the regimes share, the rest as on the separatrix; its shape and amplitude are placeholders.
     fn outline(&self, k: Double) -> Motion {
         Motion {
             regime: Regime::Separatrix,

@@ -115,6 +115,26 @@ mod tests {
         Phase::new(Double::ONE / Double::new(3.0), 1.0, Double::ZERO)
     }
 
+    /// 2ᵉ is 1 more than a multiple of 3 for even e, 1 less for odd.
+    #[test]
+    fn far_times_lose_what_the_two_words_leave_out() {
+        for offset in [0.0, 0.125] {
+            let phase = Phase::new(Double::ONE / Double::new(3.0), 1.0, Double::new(offset));
+            let mut t = FAR;
+            for e in 50..95 {
+                let fraction = if e % 2 == 0 { 1.0 } else { -1.0 } / 3.0 + offset;
+                let reduced = phase.reduce(t);
+                // 2⁻¹⁰⁶ of the turns, and the rounding of a sum of four fractions.
+                let slack = t / (1_u128 << 106) as f64 + 2.0 * f64::EPSILON;
+                let off = reduced.high - fraction;
+                assert!((off - round(off)).abs() <= slack && reduced.high.abs() <= 0.5, "2^{e} {offset}: {reduced:?}");
+                // A turn counts 3/t.
+                assert!((reduced.turns * 3.0 / t - 1.0).abs() <= 3.0 / t + 2.0 * f64::EPSILON, "2^{e}");
+                t *= 2.0;
+            }
+        }
+    }
+
     #[test]
     fn long_times_lose_nothing() {
         for n in [1.0, 7.0, 1e9, 35_184_372_088_832.0] {

@@ -2,6 +2,7 @@
 //! the smallest token to blame, with the parameter, its value and a remedy; nothing is emitted.
 
 mod goal;
+mod range;
 mod source;
 mod start;
 #[cfg(test)]

@@ -2,15 +2,9 @@
 
 use super::{Checked, Checker, Reported, source};
 use crate::exact::Real;
-use crate::motion::{Motion, NoMotion, Regime};
+use crate::motion::{Motion, NoMotion};
 use crate::parse::number::Number;
-use crate::parse::{Float, Form, Given, Output};
-use proc_macro2::TokenStream;
-use quote::ToTokens;
-
-/// Below these the products of a plan lose digits to underflow.
-const SMALLEST_AMPLITUDE: f64 = 1e-300;
-const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
+use crate::parse::{Form, Given};
 
 impl Checker<'_> {
     /// The motion, at a working precision that outlasts every cancellation in it.
@@ -104,22 +98,31 @@ impl Checker<'_> {
         }
     }
 
+    /// ω is given once: beside `g` and `length` it is `omega` that is one too many, beside one of them that one.
     fn one_source_of_omega(&mut self) -> Checked<()> {
         let request = self.request;
-        let twice = "is given beside `omega`, which it determines: keep `omega`, or `g` and `length`";
-        let mut verdict = Ok(());
-        for given in [&request.g, &request.length].into_iter().flatten() {
-            if request.mentions("omega") {
-                verdict = Err(self.refuse(&given.name, format!("`{}` {twice}", given.name)));
+        let mentioned = |name| request.mentions(name);
+        match (&request.omega, &request.g, &request.length) {
+            (Some(omega), Some(_), Some(_)) => {
+                let name = &omega.name;
+                let message = format!(
+                    "`{name}` is given beside `g` and `length`, which determine it by ω = √(g/length): keep `{name}`, or \
+                     `g` and `length`"
+                );
+                Err(self.refuse(name, message))
             }
-        }
-        match (&request.g, &request.length) {
-            _ if request.mentions("omega") => verdict,
-            (Some(g), None) if !request.mentions("length") => Err(self.lonely(g, "`length`, in m")),
-            (None, Some(length)) if !request.mentions("g") => {
+            (_, Some(given), _) | (_, _, Some(given)) if mentioned("omega") => {
+                let message = format!(
+                    "`{}` is given beside `omega`, which it determines: keep `omega`, or `g` and `length`",
+                    given.name
+                );
+                Err(self.refuse(&given.name, message))
+            }
+            (None, Some(g), None) if !mentioned("length") => Err(self.lonely(g, "`length`, in m")),
+            (None, None, Some(length)) if !mentioned("g") => {
                 Err(self.lonely(length, "`g`, in m/s², such as `g = 9.81`"))
             }
-            _ => verdict,
+            _ => Ok(()),
         }
     }
 
@@ -176,125 +179,5 @@ impl Checker<'_> {
             }
             _ => format!("`theta0 = {}`", reduced.to_f64()),
         }
-    }
-
-    fn representable_period(&mut self, motion: &Motion) -> Checked<()> {
-        let (period, name) = match &motion.regime {
-            Regime::Swing(swing) => (&swing.period, "the period"),
-            Regime::Rotation(rotation) => (&rotation.period, "the time of one turn"),
-            Regime::Separatrix(_) => return Ok(()),
-        };
-        self.representable_result(period, name)?;
-        self.swings_visibly(motion)?;
-        self.turns_unevenly(motion)
-    }
-
-    /// Refuses amplitudes whose products with coefficients would be subnormal.
-    fn swings_visibly(&mut self, motion: &Motion) -> Checked<()> {
-        let Regime::Swing(swing) = &motion.regime else { return Ok(()) };
-        let (least, shown) = match self.float() {
-            Float::F64 => (SMALLEST_AMPLITUDE, "1e-300"),
-            Float::F32 => (SMALLEST_AMPLITUDE_F32, "1e-35"),
-        };
-        let request = self.request;
-        match request.theta0.as_ref().or(request.velocity0.as_ref()) {
-            Some(given) if swing.amplitude.to_f64() < least => {
-                let message = format!(
-                    "`{} = {}` makes an amplitude below {shown}, where `{}` loses digits: choose a larger one, or a unit in \
-                     which it is larger, since so small a motion is θ0·cos ωt",
-                    given.name,
-                    source::value(&given.tokens),
-                    self.float().word()
-                );
-                Err(self.refuse(&given.tokens, message))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// Refuses a rotation whose κ² underflows: its angle is linear in time beyond any precision.
-    fn turns_unevenly(&mut self, motion: &Motion) -> Checked<()> {
-        let Regime::Rotation(rotation) = &motion.regime else { return Ok(()) };
-        let request = self.request;
-        match &request.velocity0 {
-            Some(given) if rotation.elliptic.modulus.exponent() < -450 => {
-                let message = format!(
-                    "`velocity0 = {}` is so fast, beside ω, that the angle is θ0 + velocity0·t to the last digit: compute that",
-                    source::value(&given.tokens)
-                );
-                Err(self.refuse(&given.tokens, message))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// Largest |θ̇| and |θ̈|, where they are asked for, have to be normal floats.
-    pub(super) fn representable_outputs(&mut self, motion: &Motion, outputs: &[Output]) -> Checked<()> {
-        if outputs.contains(&Output::Velocity) {
-            let fastest = match &motion.regime {
-                Regime::Swing(swing) => (&swing.elliptic.modulus * &motion.omega).scale(1),
-                Regime::Rotation(rotation) => rotation.fastest.clone(),
-                Regime::Separatrix(_) => motion.omega.scale(1),
-            };
-            self.representable_result(&fastest, "the largest velocity")?;
-        }
-        if outputs.contains(&Output::Acceleration) {
-            // sin θ of a swing is at most 2kk′ or 1, whichever its amplitude allows; 2kk′ ≥ k while k′ ≥ ½.
-            let steepest = match &motion.regime {
-                Regime::Swing(swing) if swing.elliptic.modulus < self.context.ratio(1, 2) => &swing.elliptic.modulus,
-                _ => &self.context.integer(1),
-            };
-            self.representable_result(&(motion.omega.square() * steepest), "the largest acceleration")?;
-            if let (Regime::Rotation(rotation), Float::F64) = (&motion.regime, self.float()) {
-                // The acceleration is computed with it.
-                self.representable_result(&rotation.fastest.square(), "the square of the largest velocity")?;
-            }
-        }
-        Ok(())
-    }
-
-    /// A value that follows from the rate: blame what sets it.
-    fn representable_result(&mut self, value: &Real, what: &str) -> Checked<()> {
-        let request = self.request;
-        let givens = [&request.omega, &request.length, &request.velocity0, &request.theta0];
-        match givens.into_iter().flatten().next() {
-            Some(given) => self.representable(value, what, given),
-            None => Ok(()),
-        }
-    }
-
-    /// Refuses what rounds to zero, a subnormal or infinity: generated constants would lose the digits they promise.
-    fn representable(&mut self, value: &Real, what: &str, given: &Given<Number>) -> Checked<()> {
-        let (least, most, limits) = match self.float() {
-            Float::F64 => (f64::MIN_POSITIVE, f64::MAX, [f64::MIN_POSITIVE, f64::MAX].map(|x| format!("{x:e}"))),
-            Float::F32 => {
-                let shown = [f32::MIN_POSITIVE, f32::MAX].map(|x| format!("{x:e}"));
-                (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX), shown)
-            }
-        };
-        let magnitude = value.abs();
-        let bound = |bound: f64| self.context.float(bound).is_some_and(|bound| magnitude < bound);
-        let (small, large) = (bound(least), !bound(most));
-        if !small && !large {
-            return Ok(());
-        }
-        let float = self.float().word();
-        let blame: TokenStream = given.tokens.to_token_stream();
-        let shown = source::value(&blame);
-        let limit = if small {
-            format!("smallest normal `{float}`, {}", limits[0])
-        } else {
-            format!("largest `{float}`, {}", limits[1])
-        };
-        let side = if small { "below" } else { "above" };
-        let subject = if given.name == what {
-            format!("`{what} = {shown}` is")
-        } else {
-            format!("`{} = {shown}` puts {what}", given.name)
-        };
-        let wider = if self.float() == Float::F32 { "use `float = f64`, or " } else { "" };
-        let remedy =
-            if what == "theta0" { "choose a larger angle" } else { "choose a unit of time that brings it nearer to 1" };
-        Err(self.refuse(blame, format!("{subject} {side} the {limit}: {wider}{remedy}")))
     }
 }

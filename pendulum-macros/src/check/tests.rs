@@ -101,8 +101,13 @@ fn refuses_rates_that_are_none() {
     refused("theta0 = 1, omega = 1e-308", &["below the smallest normal"]);
     refused("struct A; theta0 = 1, omega = 1e200, outputs = [acceleration]", &["the largest acceleration above"]);
     refused("theta0 = 1, omega = 2deg", &["`omega = 2deg` has the unit `deg`"]);
-    let both = checked("theta0 = 1, omega = 1, g = 9.81, length = 1").err().unwrap();
-    assert_eq!(both.len(), 2, "{both:#?}");
+    // One mistake, one message, where removing one token's parameter mends it.
+    let both = &["`omega`", "beside `g` and `length`", "keep `omega`"];
+    refused("theta0 = 1, omega = 1, g = 9.81, length = 1", both);
+    refused("theta0 = 1, g = 9.81, length = 1, ω = 1", &["`ω` is given beside `g` and `length`", "keep `ω`"]);
+    refused("theta0 = 1, omega = 1, length = 1", &["`length` is given beside `omega`"]);
+    let also_zero = checked("theta0 = 1, omega = 0, g = 9.81, length = 1").err().unwrap();
+    assert_eq!(also_zero.len(), 2, "{also_zero:#?}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What has to hold of every expansion.
 
 use crate::motion::Regime;
-use crate::parse::Float;
+use crate::parse::{Float, Output};
 use crate::plan::{Plan, Refusal, plan};
 use crate::report::Report;
 use crate::scene::{Goal, Scene};
@@ -146,16 +146,11 @@ fn errors_are_placed(errors: &[syn::Error], text: &str) -> Result<(), String> {
 fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
     let message = refusal.explain(scene).to_string();
     match refusal {
-        Refusal::Unreachable { best } if best.is_infinite() && (scene.method.is_some() || is_extreme(scene)) => Ok(()),
-        Refusal::Unreachable { best } if !(best.is_finite() && *best > 0.0) => Err(format!("offers {best}: {message}")),
+        Refusal::Unreachable { best } if *best <= 0.0 || best.is_nan() => Err(format!("offers {best}: {message}")),
         Refusal::Unreachable { best } => match scene.goal {
             Goal::Tolerance(tol) if *best <= tol => Err(format!("refuses {tol:e} and offers {best:e}")),
-            Goal::Tolerance(_) => offer_is_kept(&message, scene),
-            // Next to the separatrix full precision of `f32` is out of reach: the message says what isn't.
-            _ if scene.float == Float::F32 && *best < 256.0 * Float::F32.unit() * largest(scene) => Ok(()),
-            // A forced method does what it can.
-            _ if scene.method.is_some() => Ok(()),
-            _ => Err(format!("refuses full precision: {message}")),
+            _ if best.is_finite() && !matches!(scene.goal, Goal::Terms(_)) => offer_is_kept(&message, scene),
+            _ => remedy_helps(&message, scene),
         },
         Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
             Err(format!("unasked-for n: {message}"))
@@ -163,12 +158,6 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
         Refusal::Broken { .. } => Err(message),
         _ => Ok(()),
     }
-}
-
-/// The largest result, in units of the tolerance.
-fn largest(scene: &Scene) -> f64 {
-    let speed = if let Regime::Rotation(rotation) = &scene.motion.regime { rotation.fastest.to_f64() } else { 0.0 };
-    (speed / scene.motion.omega.to_f64()).max(std::f64::consts::PI)
 }
 
 /// ω² is almost beyond the range of floats: some products with it are.
@@ -182,6 +171,22 @@ fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
     let Some(offer) = offer else { return Err(format!("offers nothing: {message}")) };
     let kept = plan(&Scene { goal: Goal::Tolerance(offer), ..scene.clone() }).is_ok();
     if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
+}
+
+/// Where no tolerance can be offered, what the message advises instead can be had.
+fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
+    let mut scene = scene.clone();
+    if message.contains("leave `method` out") || is_extreme(&scene) {
+        return Ok(());
+    } else if message.contains("use `float = f64`") {
+        scene.float = Float::F64;
+    } else if message.contains("ask for `theta` alone") {
+        scene.outputs = vec![Output::Theta];
+    } else {
+        return Err(format!("advises nothing: {message}"));
+    }
+    let kept = plan(&scene).is_ok();
+    if kept { Ok(()) } else { Err(format!("refuses what it advises: {message}")) }
 }
 
 fn promise_is_kept(scene: &Scene, plan: &Plan) -> Result<(), String> {

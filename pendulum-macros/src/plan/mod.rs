@@ -14,6 +14,7 @@ mod paper;
 mod part;
 pub(crate) mod polynomial;
 pub(crate) mod reduction;
+mod refusal;
 mod search;
 mod turning;
 pub(crate) mod variables;
@@ -27,6 +28,7 @@ use crate::program::Program;
 use crate::scene::{Goal, Scene};
 use kernel::Kernel;
 use reduction::Reduction;
+pub(crate) use refusal::Refusal;
 
 /// What is emitted, and what it promises.
 #[derive(Clone, Debug)]
@@ -80,92 +82,23 @@ pub(crate) struct Function {
     pub(crate) program: Program,
 }
 
-/// Why there is no plan.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Refusal {
-    /// No plan reaches the tolerance; the best promises this.
-    Unreachable { best: f64 },
-    /// The argument of the paper's arcsine exceeds 1 by this; the smallest number of terms that works, if any does.
-    Overshoot { terms: usize, overshoot: f64, smallest: Option<usize> },
-    /// The planner saw its own promise broken.
-    Broken { output: Output },
-    /// The method doesn't give this output.
-    Output { method: Method, output: Output },
-}
-
-impl Refusal {
-    /// The error at the token to blame.
-    pub(crate) fn explain(&self, scene: &Scene) -> syn::Error {
-        let blame = &scene.blame;
-        let float = scene.float.word();
-        match self {
-            Self::Unreachable { best } => {
-                let asked = match scene.goal {
-                    Goal::Tolerance(_) => format!("`tol = {}` is", blame.goal),
-                    _ => format!("the full precision of `{float}` is"),
-                };
-                let remedy = match scene.goal {
-                    Goal::Tolerance(_) => "ask for that, or leave `tol` out for full precision",
-                    _ => "state it, or more, as `tol`",
-                };
-                if best.is_infinite() {
-                    let remedy = match scene.method {
-                        Some(method) => format!("with `method = {}`: leave `method` out", method.word()),
-                        None => "here: choose numbers nearer to 1, or fewer outputs".to_owned(),
-                    };
-                    let message = format!("{asked} more than can be promised {remedy}");
-                    return syn::Error::new_spanned(&blame.goal, message);
-                }
-                let message = format!("{asked} more than can be promised here: the best is {best:.2e}; {remedy}");
-                syn::Error::new_spanned(&blame.goal, message)
-            }
-            Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
-                let message = "`fourier` can't come near the motion at this amplitude: with as many terms as can be used \
-                               the argument of the arcsine in Eq. 22 still exceeds 1; leave `method` out";
-                syn::Error::new_spanned(&blame.method, message)
-            }
-            Self::Overshoot { terms, overshoot, smallest } => {
-                let remedy = smallest.map_or_else(
-                    || format!("no number of terms that `{float}` can use works: state the error as `tol` instead"),
-                    |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
-                );
-                let asked =
-                    if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
-                let message = format!(
-                    "{asked}: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, \
-                     where θ̂ would be NaN; {remedy}"
-                );
-                syn::Error::new_spanned(&blame.goal, message)
-            }
-            Self::Broken { output } => syn::Error::new_spanned(
-                &blame.start,
-                format!(
-                    "the plan for `{}` misses its own error bound here: this is a bug of pendula; please report the invocation, \
-                     and try another `tol` until it is mended",
-                    output.word()
-                ),
-            ),
-            Self::Output { method, output } => syn::Error::new_spanned(
-                &blame.method,
-                format!(
-                    "`{}` gives θ and its derivative, not `{}`: use `method = polynomial`, or leave `method` out",
-                    method.word(),
-                    output.word()
-                ),
-            ),
-        }
-    }
-}
-
-/// Plans a scene. Where a tolerance is out of reach, the best that can be asked for is found by asking.
+/// Plans a scene. Where a goal is out of reach, the best that can be asked for is found by asking.
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let planned = cheapest(scene);
-    let (Err(Refusal::Unreachable { best }), Goal::Tolerance(tol)) = (&planned, scene.goal) else { return planned };
+    let Err(Refusal::Unreachable { best }) = planned else { return planned };
+    let (full, tol) = match scene.goal {
+        Goal::Terms(_) => return planned,
+        // It is that of which `best` tells.
+        Goal::Full => (f64::INFINITY, 0.0),
+        // Of an angle that grows without bound, full precision promises what its turns cost.
+        Goal::Tolerance(tol) => {
+            let full = cheapest(&Scene { goal: Goal::Full, ..scene.clone() });
+            (full.map_or(f64::INFINITY, |plan| plan.worst()), tol)
+        }
+    };
     let kept =
         |offer: &f64| offer.is_finite() && cheapest(&Scene { goal: Goal::Tolerance(*offer), ..scene.clone() }).is_ok();
-    // Of an angle that grows without bound, full precision promises what its turns cost.
-    let full = cheapest(&Scene { goal: Goal::Full, ..scene.clone() }).map_or(f64::INFINITY, |plan| plan.worst());
-    let reached = if *best < full { [*best, full] } else { [full, *best] };
+    let reached = if best < full { [best, full] } else { [full, best] };
     let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
     // A forced method is refused as such.
     let decades = if scene.method.is_some() { 1..1 } else { 1..10 };

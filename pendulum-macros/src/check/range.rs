@@ -1,0 +1,147 @@
+//! Whether what follows from a motion fits the float: its period, its amplitude, its largest results.
+
+use super::{Checked, Checker, source};
+use crate::exact::Real;
+use crate::motion::{Motion, Regime};
+use crate::parse::number::Number;
+use crate::parse::{Float, Given, Output};
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+
+/// Below these the products of a plan lose digits to underflow.
+const SMALLEST_AMPLITUDE: f64 = 1e-300;
+const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
+
+impl Checker<'_> {
+    pub(super) fn representable_period(&mut self, motion: &Motion) -> Checked<()> {
+        let (period, name) = match &motion.regime {
+            Regime::Swing(swing) => (&swing.period, "the period"),
+            Regime::Rotation(rotation) => (&rotation.period, "the time of one turn"),
+            Regime::Separatrix(_) => return Ok(()),
+        };
+        self.representable_result(period, name)?;
+        self.swings_visibly(motion)?;
+        self.turns_unevenly(motion)
+    }
+
+    /// Refuses amplitudes whose products with coefficients would be subnormal.
+    fn swings_visibly(&mut self, motion: &Motion) -> Checked<()> {
+        let Regime::Swing(swing) = &motion.regime else { return Ok(()) };
+        let (least, shown) = match self.float() {
+            Float::F64 => (SMALLEST_AMPLITUDE, "1e-300"),
+            Float::F32 => (SMALLEST_AMPLITUDE_F32, "1e-35"),
+        };
+        let request = self.request;
+        match request.theta0.as_ref().or(request.velocity0.as_ref()) {
+            Some(given) if swing.amplitude.to_f64() < least => {
+                let message = format!(
+                    "`{} = {}` makes an amplitude below {shown}, where `{}` loses digits: choose a larger one, or a unit in \
+                     which it is larger, since so small a motion is θ0·cos ωt",
+                    given.name,
+                    source::value(&given.tokens),
+                    self.float().word()
+                );
+                Err(self.refuse(&given.tokens, message))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses a rotation whose κ² underflows: its angle is linear in time beyond any precision.
+    fn turns_unevenly(&mut self, motion: &Motion) -> Checked<()> {
+        let Regime::Rotation(rotation) = &motion.regime else { return Ok(()) };
+        let request = self.request;
+        match &request.velocity0 {
+            Some(given) if rotation.elliptic.modulus.exponent() < -450 => {
+                let message = format!(
+                    "`velocity0 = {}` is so fast, beside ω, that the angle is θ0 + velocity0·t to the last digit: compute that",
+                    source::value(&given.tokens)
+                );
+                Err(self.refuse(&given.tokens, message))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Largest |θ̇| and |θ̈|, where they are asked for, have to be normal floats.
+    pub(super) fn representable_outputs(&mut self, motion: &Motion, outputs: &[Output]) -> Checked<()> {
+        let fastest = match &motion.regime {
+            Regime::Swing(swing) => (&swing.elliptic.modulus * &motion.omega).scale(1),
+            Regime::Rotation(rotation) => rotation.fastest.clone(),
+            Regime::Separatrix(_) => motion.omega.scale(1),
+        };
+        if outputs.contains(&Output::Velocity) {
+            self.representable_result(&fastest, "the largest velocity")?;
+        }
+        if outputs.contains(&Output::Acceleration) {
+            // sin θ of a swing is at most 2kk′ or 1, whichever its amplitude allows; 2kk′ ≥ k while k′ ≥ ½.
+            let steepest = match &motion.regime {
+                Regime::Swing(swing) if swing.elliptic.modulus < self.context.ratio(1, 2) => &swing.elliptic.modulus,
+                _ => &self.context.integer(1),
+            };
+            self.representable_result(&(motion.omega.square() * steepest), "the largest acceleration")?;
+            if self.float() == Float::F64 {
+                self.acceleration_is_tame(motion, &fastest)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What an acceleration and its error are computed with has to be within `f64`, even where its values are.
+    fn acceleration_is_tame(&mut self, motion: &Motion, fastest: &Real) -> Checked<()> {
+        if let Regime::Rotation(_) = &motion.regime {
+            self.representable_result(&fastest.square(), "the square of the largest velocity")?;
+        }
+        // θ⃛ = −ω²θ̇ cos θ, by which an error of the phase counts; too small it doesn't.
+        let jerk = motion.omega.square() * fastest;
+        if jerk > self.context.integer(1) {
+            self.representable_result(&jerk, "the steepest change of the acceleration")?;
+        }
+        Ok(())
+    }
+
+    /// A value that follows from the rate: blame what sets it.
+    fn representable_result(&mut self, value: &Real, what: &str) -> Checked<()> {
+        let request = self.request;
+        let givens = [&request.omega, &request.length, &request.velocity0, &request.theta0];
+        match givens.into_iter().flatten().next() {
+            Some(given) => self.representable(value, what, given),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses what rounds to zero, a subnormal or infinity: generated constants would lose the digits they promise.
+    pub(super) fn representable(&mut self, value: &Real, what: &str, given: &Given<Number>) -> Checked<()> {
+        let (least, most, limits) = match self.float() {
+            Float::F64 => (f64::MIN_POSITIVE, f64::MAX, [f64::MIN_POSITIVE, f64::MAX].map(|x| format!("{x:e}"))),
+            Float::F32 => {
+                let shown = [f32::MIN_POSITIVE, f32::MAX].map(|x| format!("{x:e}"));
+                (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX), shown)
+            }
+        };
+        let magnitude = value.abs();
+        let bound = |bound: f64| self.context.float(bound).is_some_and(|bound| magnitude < bound);
+        let (small, large) = (bound(least), !bound(most));
+        if !small && !large {
+            return Ok(());
+        }
+        let float = self.float().word();
+        let blame: TokenStream = given.tokens.to_token_stream();
+        let shown = source::value(&blame);
+        let limit = if small {
+            format!("smallest normal `{float}`, {}", limits[0])
+        } else {
+            format!("largest `{float}`, {}", limits[1])
+        };
+        let side = if small { "below" } else { "above" };
+        let subject = if given.name == what {
+            format!("`{what} = {shown}` is")
+        } else {
+            format!("`{} = {shown}` puts {what}", given.name)
+        };
+        let wider = if self.float() == Float::F32 { "use `float = f64`, or " } else { "" };
+        let remedy =
+            if what == "theta0" { "choose a larger angle" } else { "choose a unit of time that brings it nearer to 1" };
+        Err(self.refuse(blame, format!("{subject} {side} the {limit}: {wider}{remedy}")))
+    }
+}

@@ -1,0 +1,111 @@
+//! Why a scene can't be planned, and what its author is told.
+
+use crate::motion::Regime;
+use crate::parse::{Float, Method, Output};
+use crate::scene::{Goal, Scene};
+
+/// Why there is no plan.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Refusal {
+    /// No plan reaches the goal; the best promises this, if it is finite.
+    Unreachable { best: f64 },
+    /// The argument of the paper's arcsine exceeds 1 by this; the smallest number of terms that works, if any does.
+    Overshoot { terms: usize, overshoot: f64, smallest: Option<usize> },
+    /// The planner saw its own promise broken.
+    Broken { output: Output },
+    /// The method doesn't give this output.
+    Output { method: Method, output: Output },
+}
+
+impl Refusal {
+    /// The error at the token to blame.
+    pub(crate) fn explain(&self, scene: &Scene) -> syn::Error {
+        let blame = &scene.blame;
+        let (tokens, message) = match *self {
+            Self::Unreachable { best } => (&blame.goal, unreachable(best, scene)),
+            Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
+                let message = "`fourier` can't come near the motion at this amplitude: with as many terms as can be used \
+                               the argument of the arcsine in Eq. 22 still exceeds 1; leave `method` out";
+                (&blame.method, message.to_owned())
+            }
+            Self::Overshoot { terms, overshoot, smallest } => {
+                (&blame.goal, exceeds_one(terms, overshoot, smallest, scene))
+            }
+            Self::Broken { output } => {
+                let message = format!(
+                    "the plan for `{}` misses its own error bound here: this is a bug of pendula; please report the invocation, \
+                     and try another `tol` until it is mended",
+                    output.word()
+                );
+                (&blame.start, message)
+            }
+            Self::Output { method, output } => {
+                let message = format!(
+                    "`{}` gives θ and its derivative, not `{}`: use `method = polynomial`, or leave `method` out",
+                    method.word(),
+                    output.word()
+                );
+                (&blame.method, message)
+            }
+        };
+        syn::Error::new_spanned(tokens, message)
+    }
+}
+
+fn unreachable(best: f64, scene: &Scene) -> String {
+    let (asked, offer) = match scene.goal {
+        Goal::Terms(n) => return unbounded(n, scene),
+        Goal::Tolerance(_) => (format!("`tol = {}`", scene.blame.goal), "ask for that".to_owned()),
+        Goal::Full => (format!("the full precision of `{}`", scene.float.word()), format!("state `tol = {best:.2e}`")),
+    };
+    let promise = scene
+        .method
+        .map_or_else(|| "can be promised".to_owned(), |method| format!("`method = {}` can promise", method.word()));
+    let remedy = closer(best, scene);
+    if best.is_infinite() {
+        format!("{asked} is finer than {promise} here: {remedy}")
+    } else {
+        format!("{asked} is finer than {promise} here: the best is {best:.2e}; {offer}, or {remedy}")
+    }
+}
+
+/// What else than a larger tolerance would help.
+fn closer(best: f64, scene: &Scene) -> &'static str {
+    let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
+    match (scene.goal, scene.float) {
+        _ if scene.method.is_some() => "leave `method` out",
+        (Goal::Tolerance(_), _) if turns && scene.t_max.is_none() && best.is_finite() => {
+            "give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
+        }
+        (Goal::Tolerance(_), Float::F64) if best.is_finite() => "leave `tol` out for full precision",
+        (_, Float::F32) => "use `float = f64`, which comes closer",
+        _ => "choose numbers nearer to 1, or fewer outputs",
+    }
+}
+
+/// `n` terms have an error whatever it is, but not everywhere one that can be bounded.
+fn unbounded(n: usize, scene: &Scene) -> String {
+    if scene.outputs.contains(&Output::Velocity) {
+        format!(
+            "`n = {n}`: no bound can be proven for the error of θ̂'s velocity at this amplitude, where the argument of \
+             the arcsine in Eq. 22 comes too near 1: ask for `theta` alone, or state the error as `tol` instead of `n`"
+        )
+    } else {
+        format!("`n = {n}`: no bound can be proven for the error of θ̂ here: state the error as `tol` instead of `n`")
+    }
+}
+
+fn exceeds_one(terms: usize, overshoot: f64, smallest: Option<usize>, scene: &Scene) -> String {
+    let remedy = smallest.map_or_else(
+        || {
+            let float = scene.float.word();
+            format!("no number of terms that `{float}` can use works: state the error as `tol` instead")
+        },
+        |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
+    );
+    let asked = if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
+    format!(
+        "{asked}: the argument of the arcsine in Eq. 22 exceeds 1 by {overshoot:.2e} at this amplitude, where θ̂ would \
+         be NaN; {remedy}"
+    )
+}

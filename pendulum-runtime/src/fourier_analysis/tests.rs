@@ -1,0 +1,73 @@
+use super::*;
+use crate::double_trig::half_angle;
+use crate::theta_polynomial::power as power_of;
+
+/// Amplitudes, in parts of π, and numbers of terms.
+const SERIES: [(f64, usize); 4] = [(0.3, 1), (0.7, 2), (0.95, 6), (0.999, 9)];
+
+fn analyses() -> impl Iterator<Item = (FourierAnalysis, usize)> {
+    SERIES.into_iter().map(|(amplitude, terms)| {
+        let (k, kc) = half_angle(Double::PI * amplitude);
+        (FourierAnalysis::new(k, kc), terms)
+    })
+}
+
+/// k b₂ₙ₋₁ beyond the first `terms`, with 2n − 1, as far as they count.
+fn neglected(analysis: &FourierAnalysis, terms: usize) -> [(f64, f64); 200] {
+    let term = |n: usize| ((2 * n - 1) as f64, (analysis.k * analysis.coefficient(n)).to_f64());
+    core::array::from_fn(|i| term(terms + 1 + i))
+}
+
+/// |2 asin(y − ρ) − 2 asin y| as it is defined, also where y − ρ has the other sign, which only phases next to the zero
+/// crossing meet, where nothing is largest.
+#[test]
+fn distances_of_arcsines() {
+    for y in [0.1, 0.5, 0.9] {
+        for tail in [-0.05, -1e-6, 0.0, 1e-6, 0.05, 0.1, 0.3, 0.7] {
+            let x: f64 = y - tail;
+            let margin = (1.0 - x) * (1.0 + x);
+            let exact = 2.0 * (libm::asin(x) - libm::asin(y)).abs();
+            let error = (distance(y, sqrt((1.0 - y) * (1.0 + y)), tail, margin) - exact).abs();
+            // The difference of the library's arcsines loses units in the last place of each.
+            assert!(error <= 1e-15, "{y} {tail}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn harmonics_over_several_turns() {
+    for i in 0..3000 {
+        let z = f64::from(i) * 1.01e-3;
+        let (sine, cosine) = libm::sincos(core::f64::consts::TAU * z);
+        // The library's argument is rounded.
+        let slack = 4.0 * f64::EPSILON * (1.0 + z);
+        let ours = harmonic(z);
+        assert!((ours.0 - sine).abs() <= slack && (ours.1 - cosine).abs() <= slack, "{z}");
+    }
+}
+
+/// The recurrence against the terms one by one: the certified bound stands on the slope and on the moments.
+#[test]
+fn the_tail_and_its_slope_term_by_term() {
+    for (analysis, terms) in analyses() {
+        let neglected = neglected(&analysis, terms);
+        let total: f64 = neglected.iter().map(|(odd, amplitude)| odd * amplitude).sum();
+        for z in [0.0, 0.013, 0.1, 0.177, 0.25] {
+            let sum = |wave: fn(f64) -> f64, power: i32| -> f64 {
+                let term = |&(odd, amplitude): &(f64, f64)| {
+                    amplitude * power_of(odd, power) * wave(core::f64::consts::TAU * z * odd)
+                };
+                neglected.iter().map(term).sum()
+            };
+            let tail = analysis.tail(terms, z);
+            // The recurrence's error grows with the number of steps, and its arguments are rounded.
+            let slack = 1e-13 * total;
+            assert!((tail.value - sum(libm::sin, 0)).abs() <= slack, "{terms} {z}");
+            assert!((tail.slope - sum(libm::cos, 1)).abs() <= slack, "{terms} {z}");
+        }
+        for power in [0, 2] {
+            let exact: f64 = neglected.iter().map(|&(odd, amplitude)| amplitude * power_of(odd, power)).sum();
+            assert!((analysis.tail_moment(terms, power) / exact - 1.0).abs() <= 1e-13, "{terms} {power}");
+        }
+    }
+}

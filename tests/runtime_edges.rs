@@ -1,0 +1,117 @@
+//! What mutation testing found untested: the separatrix at other rates than 1, the fastest launch, the smallest modulus
+//! and the largest angles.
+
+use pendula::{Error, Pendulum, Regime};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// θ = 4 atan tanh(ωt/2), of which ωt is all that counts: also where ω and t are far from 1.
+#[test]
+fn the_separatrix_at_any_rate() {
+    for omega in [1e-12, 0.3, 3.0, 1e9] {
+        let p = Pendulum::<f64>::from_state(0.0, 2.0 * omega, omega).unwrap();
+        assert_eq!(p.regime(), Regime::Separatrix);
+        for z in [-3.0, -0.1, 1e-9, 0.1, 1.0, 20.0] {
+            let expected = 4.0 * (z / 2.0f64).tanh().atan();
+            // z/ω, its product with ω and the library's functions round a few times.
+            assert!((p.theta(z / omega) - expected).abs() <= 8.0 * f64::EPSILON * expected.abs(), "{omega} {z}");
+        }
+        assert_eq!(p.theta(1e30 / omega), PI);
+    }
+}
+
+/// Where θ² underflows cos(θ/2) is 1: as near to the lowest point as that, a speed of 2ω is still the separatrix, and keeps
+/// the angle it starts from: near the lowest point θ = θ0 + 2ωt.
+#[test]
+fn the_separatrix_from_beside_the_lowest_point() {
+    for (omega, start) in [(1.0, 1e-170), (3.0, -1e-200), (1e-6, 1e-280)] {
+        let p = Pendulum::<f64>::from_state(start, 2.0 * omega, omega).unwrap();
+        assert_eq!(p.regime(), Regime::Separatrix);
+        for t in [0.0, start.abs() / omega, -3.0 * start.abs() / omega] {
+            let expected = start + 2.0 * omega * t;
+            assert!((p.theta(t) - expected).abs() <= 4.0 * f64::EPSILON * start.abs(), "{omega} {start} {t}");
+        }
+        let back = p.time_at(0.0);
+        if start < 0.0 {
+            assert!((back.unwrap() * 2.0 * omega / -start - 1.0).abs() <= 4.0 * f64::EPSILON);
+        } else {
+            assert!(matches!(back, Err(Error::NeverReached { .. })));
+        }
+    }
+}
+
+/// The first passage of an angle: sinh ωt = tan(θ/2).
+#[test]
+fn times_on_the_separatrix() {
+    for omega in [1e-3, 3.0] {
+        let p = Pendulum::<f64>::from_state(0.0, 2.0 * omega, omega).unwrap();
+        for angle in [1e-9, FRAC_PI_2, 3.0] {
+            let expected = (angle / 2.0).tan().asinh() / omega;
+            let t = p.time_at(angle).unwrap();
+            assert!((t - expected).abs() <= 8.0 * f64::EPSILON * expected, "{omega} {angle}: {t} {expected}");
+        }
+        assert!(p.time_at(-1e-9).is_err());
+    }
+}
+
+/// The documented limit is relative to ω: 10²⁹⁰ times it.
+#[test]
+fn the_fastest_launch_is_relative_to_omega() {
+    for omega in [0.75, 1.0, 1.5] {
+        assert!(Pendulum::<f64>::from_state(0.0, 0.99e290 * omega, omega).is_ok(), "{omega}");
+        let refused = Pendulum::<f64>::from_state(0.0, 1.01e290 * omega, omega);
+        assert!(matches!(refused, Err(Error::Velocity { .. })), "{omega}");
+    }
+    assert!(Pendulum::<f64>::from_state(0.0, 1e290, 1.0).is_ok());
+}
+
+/// θ grows by 2π a period, as far as there are floats.
+#[test]
+fn angles_beyond_all_turns() {
+    for velocity in [2.5, -40.0] {
+        let p = Pendulum::<f64>::from_state(0.5, velocity, 1.0).unwrap();
+        for t in [1e17, 1e100, 1e292, 1e300] {
+            let expected = TAU * (t / p.period()) * velocity.signum();
+            // The period is rounded to half a unit in the last place.
+            assert!((p.theta(t) / expected - 1.0).abs() < 1e-15, "{velocity} {t}");
+        }
+    }
+}
+
+/// q = (k²/16)(1 + k²/2 + …).
+#[test]
+fn the_nome_of_tiny_moduli() {
+    for k in [1e-100, 1e-20, 3e-11, 0.9e-10] {
+        let expected = k * k / 16.0;
+        assert!((pendula::elliptic::nome(k) / expected - 1.0).abs() <= 3.0 * f64::EPSILON, "{k}");
+    }
+}
+
+/// Zero, not minus zero, which some formatters show.
+#[test]
+fn a_pendulum_at_rest_stays_at_zero() {
+    let p = Pendulum::<f64>::new(0.0, 1.0).unwrap();
+    assert_eq!(p.regime(), Regime::Rest);
+    for t in [0.0, 0.3, 1.57, 1e6] {
+        assert_eq!((p.theta(t), p.velocity(t)), (0.0, 0.0), "{t}");
+    }
+    assert!(p.theta(0.0).is_sign_positive());
+}
+
+/// v²/2ω², as long as there are floats for it.
+#[test]
+fn energies_of_the_fastest() {
+    let energy = |velocity: f64| Pendulum::<f64>::from_state(0.0, velocity, 1.0).unwrap().energy();
+    assert!((energy(1e150) / 0.5e300 - 1.0).abs() <= 2.0 * f64::EPSILON);
+    assert_eq!([energy(1e151), energy(1e200), energy(1e290)], [f64::INFINITY; 3]);
+}
+
+/// Eq. 3 from any state, where ω isn't 1: θ cos ωt + (θ̇/ω) sin ωt.
+#[test]
+fn small_angles_in_motion() {
+    let (theta, velocity, omega) = (0.02, 0.07, 2.5);
+    let p = Pendulum::<f64>::from_state(theta, velocity, omega).unwrap();
+    for t in [0.0, 0.1, 0.7, -1.3] {
+        let (sine, cosine) = f64::sin_cos(omega * t);
+        assert!((p.small_angle(t) - (theta * cosine + velocity / omega * sine)).abs() <= 1e-16, "{t}");
+    }
+}
