@@ -19,6 +19,9 @@ struct Candidate<'a> {
     cost: f64,
 }
 
+/// Of 2⁻⁴⁹, so that what is observed, about six tenths of what is proven, stays below 2⁻⁵⁰.
+const COMFORTABLE: f64 = 0.8;
+
 /// How the outputs follow from the phase.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
@@ -194,7 +197,8 @@ impl Candidate<'_> {
         Ok(self.way.plan(self.reduction, parts, rejected))
     }
 
-    /// The output's cheapest variant that keeps the promise; those that don't, and the next, are described in `rejected`.
+    /// The output's cheapest variant that keeps the promise; at full precision comfortably, or else with the least bound.
+    /// Those that don't, and the next, are described in `rejected`.
     fn polynomials(
         &self,
         scene: &Scene,
@@ -203,27 +207,30 @@ impl Candidate<'_> {
         all: &Approximations,
         rejected: &mut Vec<String>,
     ) -> Result<Part, f64> {
-        let mut closest = f64::INFINITY;
+        let comfortable = if scene.goal == Goal::Full { COMFORTABLE } else { 1.0 };
+        let mut best: Result<Part, f64> = Err(f64::INFINITY);
         let variants = aim.variants(all, self.reduction);
         let word = aim.output.word();
         for (index, (variant, cost)) in variants.iter().enumerate() {
-            match aim.part(scene, task, all.choose(variant.divided), self.reduction, variant.form) {
-                Ok(part) => {
-                    let next = variants.get(index + 1).map(|(next, dearer)| {
-                        format!("{} for `{word}`: it costs about {:.1} operations more", next.describe(), dearer - cost)
-                    });
-                    rejected.extend(next);
-                    return Ok(part);
-                }
-                Err(reached) => {
-                    closest = closest.min(reached);
-                    if reached.is_finite() {
-                        rejected
-                            .push(format!("{} for `{word}`: it can promise only {reached:.1e}", variant.describe()));
-                    }
-                }
+            let found = aim.part(scene, task, all.choose(variant.divided), self.reduction, variant.form);
+            let reached = found.as_ref().map_or_else(|&reached| reached, |part| part.bound.total() / part.unit);
+            if found.is_ok() && reached * aim.unit <= comfortable * aim.limit {
+                let next = variants.get(index + 1).map(|(next, dearer)| {
+                    format!("{} for `{word}`: it costs about {:.1} operations more", next.describe(), dearer - cost)
+                });
+                rejected.extend(next);
+                return found;
             }
+            if reached.is_finite() {
+                rejected.push(format!("{} for `{word}`: it can promise only {reached:.1e}", variant.describe()));
+            }
+            best = match (best, found) {
+                (Ok(best), Ok(found)) if found.bound.total() < best.bound.total() => Ok(found),
+                (Ok(best), _) => Ok(best),
+                (Err(_), Ok(found)) => Ok(found),
+                (Err(closest), Err(reached)) => Err(closest.min(reached)),
+            };
         }
-        Err(closest)
+        best
     }
 }
