@@ -32,7 +32,7 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     let begin = Instant::now();
     let rows = match options.suite {
         Suite::Exhaustive => exhaustive::run(&session, 1),
-        Suite::Times => times::run(&session, options.inputs),
+        Suite::Times => times::run(&session, options.inputs, options.only.as_deref()),
         Suite::Amplitudes => amplitudes::run(&session, options.inputs),
         Suite::Coefficients => coefficients::run(&session, options.inputs),
     };

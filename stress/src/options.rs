@@ -7,6 +7,7 @@ use std::thread;
 pub const USAGE: &str = "usage: pendula-stress exhaustive|times|amplitudes|coefficients [OPTIONS]
   --threads N         threads to use (default: all)
   --inputs N          inputs per row of the table (default: that of docs/ACCURACY.md; all for exhaustive)
+  --only TEXT         of `times` only the classes with TEXT in their name, or with that output
   --record DATE PATH  writes the table, under this date, into PATH (docs/ACCURACY.md)";
 
 /// What to run.
@@ -54,6 +55,8 @@ pub struct Options {
     pub threads: usize,
     /// Inputs per row of the table.
     pub inputs: u64,
+    /// Of the classes of [`Suite::Times`] those with this in their name or output.
+    pub only: Option<String>,
     /// Where to write the result down, and under which date.
     pub record: Option<(String, PathBuf)>,
 }
@@ -68,12 +71,13 @@ impl Options {
         let suite = Suite::ALL.into_iter().find(|suite| suite.name() == name);
         let suite = suite.ok_or_else(|| format!("no suite `{name}`"))?;
         let threads = thread::available_parallelism().map_or(1, usize::from);
-        let mut options = Self { suite, threads, inputs: suite.inputs(), record: None };
+        let mut options = Self { suite, threads, inputs: suite.inputs(), only: None, record: None };
         while let Some(option) = arguments.next() {
             let mut value = || arguments.next().ok_or_else(|| format!("{option} needs a value"));
             match option.as_str() {
                 "--threads" => options.threads = number(&value()?)?,
                 "--inputs" => options.inputs = number(&value()?)?,
+                "--only" => options.only = Some(value()?),
                 "--record" => options.record = Some((value()?, value()?.into())),
                 _ => return Err(format!("unknown option `{option}`")),
             }
@@ -87,6 +91,11 @@ impl Options {
         if self.inputs != self.suite.inputs() {
             command.push_str(" --inputs ");
             command.push_str(&self.inputs.to_string());
+        }
+        if let Some(only) = &self.only {
+            command.push_str(" --only '");
+            command.push_str(only);
+            command.push('\'');
         }
         command
     }

@@ -33,6 +33,17 @@ pub enum Output {
 }
 
 impl Output {
+    /// As it is written in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Theta => "theta",
+            Self::Wrapped => "wrapped",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+            Self::Position => "position",
+        }
+    }
+
     /// The unit in which errors are measured: a power of ω.
     pub fn unit(self, omega: f64) -> f64 {
         match self {

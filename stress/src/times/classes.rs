@@ -45,7 +45,7 @@ impl Class {
     pub(super) fn row(&self, found: Finding) -> Row {
         Row {
             subject: self.name.clone(),
-            output: format!("{:?}", self.output).to_lowercase(),
+            output: self.output.name().to_owned(),
             promise: self.promise,
             proven: self.proven,
             observable: self.observable,
