@@ -115,3 +115,20 @@ fn small_angles_in_motion() {
         assert!((p.small_angle(t) - (theta * cosine + velocity / omega * sine)).abs() <= 1e-16, "{t}");
     }
 }
+
+/// Times are in units of 1/ω, whatever its magnitude.
+#[test]
+fn times_scale_with_omega() {
+    let launch = |omega: f64, speed: f64| Pendulum::<f64>::from_state(0.5, speed * omega, omega).unwrap();
+    for speed in [0.7, 2.5] {
+        let unit = launch(1.0, speed);
+        for omega in [1e-9, 0.3, 3.0, 1e9] {
+            let p = launch(omega, speed);
+            let times = [(p.period(), unit.period()), (p.time_at(0.6).unwrap(), unit.time_at(0.6).unwrap())];
+            for (time, expected) in times {
+                // The speed is rounded, and the passage from 0.5 to 0.6 a small difference.
+                assert!((time * omega / expected - 1.0).abs() <= 1e-14, "{omega} {speed}");
+            }
+        }
+    }
+}

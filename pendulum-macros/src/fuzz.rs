@@ -34,7 +34,7 @@ struct Tally {
     planned: usize,
     refused: usize,
     unlexable: usize,
-    slowest: Duration,
+    slowest: (Duration, String),
     failures: Vec<String>,
 }
 
@@ -48,7 +48,9 @@ impl Tally {
                     Verdict::Unlexable => &mut self.unlexable,
                 };
                 *count += 1;
-                self.slowest = self.slowest.max(time);
+                if time > self.slowest.0 {
+                    self.slowest = (time, text.to_owned());
+                }
             }
             Err(what) => self.failures.push(format!("{what}\n    {text}")),
         }
@@ -59,8 +61,10 @@ impl Tally {
     fn report(&self, name: &str) -> String {
         let Self { planned, refused, unlexable, slowest, failures } = self;
         format!(
-            "{name}: {planned} planned, {refused} refused, {unlexable} not tokens, {} failures; slowest {slowest:?}",
-            failures.len()
+            "{name}: {planned} planned, {refused} refused, {unlexable} not tokens, {} failures; slowest {:?}\n    {}",
+            failures.len(),
+            slowest.0,
+            slowest.1
         )
     }
 }

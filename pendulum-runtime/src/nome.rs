@@ -70,6 +70,11 @@ mod tests {
         let kc = Double::new(1e-12);
         let root = root_of_nome((Double::ONE - kc * kc).sqrt(), kc);
         assert!(relative_error(root, Double { hi: 0.9184828693521186, lo: -3.92228320154781e-17 }) <= bound);
+        // On both sides of where the steps take over, and where their squares would underflow.
+        for (k, hi, lo) in [(9e-11, 2.25e-11, 4.55625e-32), (2e-10, 5e-11, 5e-31), (1e-200, 2.5e-201, 0.0)] {
+            let kc = Double { hi: 1.0, lo: -0.5 * k * k };
+            assert!(relative_error(root_of_nome(Double::new(k), kc), Double { hi, lo }) <= bound, "{k}");
+        }
         assert_eq!(nome_of(Double::ONE, Double::ZERO), 1.0);
         assert_eq!(nome_of(Double::ZERO, Double::ONE), 0.0);
     }

@@ -141,6 +141,8 @@ impl Plan {
 }
 
 #[cfg(test)]
+mod curve_tests;
+#[cfg(test)]
 mod random_tests;
 #[cfg(test)]
 mod tests;

@@ -85,4 +85,32 @@ mod tests {
             assert!(bound >= supremum && bound <= 1.001_001 * supremum, "{amplitude}π, {terms}: {bound} {supremum}");
         }
     }
+
+    /// Every cell's bound holds by itself, not only that of the cells that decide: wide ones, where the tail may exceed y at
+    /// the end or the largest argument cuts them, and narrow ones.
+    #[test]
+    #[cfg_attr(miri, ignore = "many samples")]
+    fn no_cell_is_exceeded() {
+        for (amplitude, terms) in [(0.3, 1), (0.73, 1), (0.904, 2), (0.95, 5), (0.999, 20)] {
+            let (k, kc) = half_angle(Double::PI * amplitude);
+            let analysis = FourierAnalysis::new(k, kc);
+            let cells = Cells::new(&analysis, terms, 0.0);
+            for level in 0..9 {
+                let width = 0.25 / f64::from(1 << level);
+                for i in 0..1 << level {
+                    let low = width * f64::from(i);
+                    let bound = cells.cell_bound(low, low + width);
+                    let error = |j: i32| analysis.sample(terms, low + width * f64::from(j) / 16.0).error();
+                    let largest = (0..=16).map(error).fold(0.0, f64::max);
+                    // Rounding, of errors down to 10⁻¹⁶.
+                    assert!(
+                        largest <= bound * (1.0 + 1e-9) + 1e-15,
+                        "{amplitude}π, {terms}, {low} {width}: {largest} {bound}"
+                    );
+                    // A difference of arcsines is at most π, of positive arguments half of that; both are doubled.
+                    assert!(bound <= 2.0 * core::f64::consts::PI);
+                }
+            }
+        }
+    }
 }
