@@ -14,6 +14,7 @@
 use super::adapted::{Adapted, Choices};
 use super::form::Form;
 use crate::chebyshev::{CosineTable, scale, shift, to_powers};
+use crate::parse::Float;
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Reduction;
 use crate::plan::variables::Variables;
@@ -212,6 +213,9 @@ impl Approximation {
         let shift = reduction.float.round(choice.shift * 4.0 * quarter);
         let mut polynomial = self.shifted_powers(terms, form, shift, reduction, alternates);
         let reach = shift.abs().max((shift + quarter).abs()) * 1.01;
+        if !polynomial.is_moderate(quarter, reduction.float) {
+            return None;
+        }
         let adapted = Adapted::new(&polynomial.coefficients, shift, chunk, reach)?;
         let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
         polynomial.truncation += adapted.mismatch * self.weight() / unit;
@@ -258,6 +262,17 @@ const PLAIN_POWERS: [&str; 8] = ["p", "p2", "p4", "p8", "p16", "p32", "p64", "p1
 const CENTRED_POWERS: [&str; 8] = ["u", "u2", "u4", "u8", "u16", "u32", "u64", "u128"];
 
 impl Polynomial {
+    /// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes of
+    /// 1e-268 and periods of 1e150 have plans, but not by adapted coefficients.
+    fn is_moderate(&self, quarter: f64, float: Float) -> bool {
+        let widest = if float == Float::F64 { 1e12 } else { 1e3 };
+        let largest = self
+            .coefficients
+            .iter()
+            .fold((0.0, 1.0), |(most, power): (f64, f64), c| (most.max((c.hi * power).abs()), power * quarter));
+        (1.0 / widest..widest).contains(&quarter) && (1e-150..1e150).contains(&largest.0)
+    }
+
     /// Evaluates it, with its sign.
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
         let value = self.magnitude(b, variables);
