@@ -38,6 +38,13 @@ impl CosineTable {
     }
 }
 
+/// Σ aⱼ Tⱼ(x), by Clenshaw's recurrence.
+pub(crate) fn value(series: &[Double], x: Double) -> Double {
+    let step = |(next, after): (Double, Double), a: &Double| (*a + x * next * 2.0 - after, next);
+    let (first, second) = series.iter().rev().fold((Double::ZERO, Double::ZERO), step);
+    first - x * second
+}
+
 /// cos πx for |x| ≤ 1, within 2⁻¹⁰⁰ (Taylor's series of cosine or sine on [0, π/4]).
 pub(crate) fn cos_pi(x: Double) -> Double {
     let x = x.abs();

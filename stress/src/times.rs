@@ -23,9 +23,6 @@ const BEYOND: u64 = 16;
 const DIRECT: u64 = 8;
 /// What fast truth and multiple precision may differ by, relative to the largest value; see [`Truth`].
 const AGREEMENT: f64 = 1.0 / (1_u64 << 57) as f64;
-/// The paper's θ̂ is compared where the derivative of the arcsine is at most this: away from the turning points, where it
-/// is what the roundings of the sum are multiplied with.
-const STEEP: f64 = 4.0;
 
 /// All classes, or those with `only` in their name or output, each at `inputs` times within its horizon.
 pub fn run(session: &Session, inputs: u64, only: Option<&str>) -> Vec<Row> {
@@ -85,7 +82,7 @@ impl<'a> Looker<'a> {
         let horizon = class.horizon.min(class.periods * period[0]);
         let hardest = moments::hardest(&motion.period(), horizon);
         let paper = match (&motion.regime, class.terms) {
-            (Regime::Swing(series), Some(terms)) => Some((series.clone(), series.paper_coefficients(terms))),
+            (Regime::Swing(series), Some((terms, _))) => Some((series.clone(), series.paper_coefficients(terms))),
             _ => None,
         };
         let truth = if tables && paper.is_none() {
@@ -189,11 +186,12 @@ impl<'a> Looker<'a> {
     }
 
     fn examine_paper(&self, series: &Series, coefficients: &[Big], times: &[f64], found: &mut Finding) {
+        let steepest = self.class.terms.map_or(f64::INFINITY, |(_, steepest)| steepest);
         for &t in times {
             let mut values = [[0.0; 2]];
             (self.class.evaluate)(&[t], &mut values);
             let Some((exact, steep)) = series.paper(coefficients, &self.truth.motion().phase(t)) else { continue };
-            if steep <= STEEP {
+            if steep <= steepest {
                 found.tried += 1;
                 found.direct += 1;
                 found.observe((&values[0][0].into() - &exact).to_f64().abs(), t);

@@ -6,10 +6,9 @@ use crate::motion::Regime;
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
 
-/// Operations of the cosine that the methods start from, of one harmonic, and of the arcsine.
+/// Operations of the cosine that a sum of harmonics starts from, and of one harmonic.
 const COSINE: usize = 18;
 const HARMONIC: usize = 3;
-const ARCSINE: usize = 45;
 
 /// Why each method of the paper lost, where θ was planned for a swing by choice.
 pub(super) fn costs(scene: &Scene, reduction: &Reduction) -> Vec<String> {
@@ -31,10 +30,10 @@ pub(super) fn costs(scene: &Scene, reduction: &Reduction) -> Vec<String> {
         let error = theta.terms().get(1).map_or(0.0, |(_, a)| 2.0 * a.hi.abs());
         lost.push(format!("`{}`: it is wrong by about {error:.0e}", Method::Harmonic.word()));
     }
-    let (series, fourier) = (base + HARMONIC * terms, base + HARMONIC * (terms + 1) + ARCSINE);
+    let series = base + HARMONIC * terms;
     lost.push(format!("`{}`: {terms} harmonics, about {series} operations", Method::Series.word()));
     lost.push(format!(
-        "`{}`: about {} harmonics and an arcsine, about {fourier} operations",
+        "`{}`: about {} harmonics, the arcsine of whose sum bends more than θ does",
         Method::Fourier.word(),
         terms + 1
     ));

@@ -10,6 +10,7 @@ mod form;
 mod harmonics;
 mod hyperbolic;
 pub(crate) mod kernel;
+mod moebius;
 mod paper;
 mod part;
 pub(crate) mod polynomial;
@@ -134,9 +135,12 @@ impl Plan {
         self.functions.first().map_or(0, |function| function.program.operations())
     }
 
-    /// Terms of the first output.
+    /// Terms of the paper's sum, or of the first output.
     pub(crate) fn terms(&self) -> usize {
-        self.parts.first().map_or(0, |part| part.kernel.terms())
+        match self.coefficients.len() {
+            0 => self.parts.first().map_or(0, |part| part.kernel.terms()),
+            terms => terms,
+        }
     }
 }
 

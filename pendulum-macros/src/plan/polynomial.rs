@@ -16,6 +16,7 @@ use super::form::Form;
 use crate::chebyshev::{CosineTable, scale, shift, to_powers};
 use crate::parse::Float;
 use crate::plan::curve::Curve;
+use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Reduction;
 use crate::plan::variables::Variables;
 use crate::program::{Builder, Id};
@@ -30,6 +31,8 @@ use std::collections::BTreeMap;
 pub(crate) struct Approximation {
     parity: Parity,
     pole: Option<Pole>,
+    /// Applied to p, if any: the series is of its image.
+    map: Option<Moebius>,
     series: Vec<Double>,
     /// Error of the whole series.
     remainder: f64,
@@ -93,6 +96,7 @@ pub(crate) struct Polynomial {
     pub(crate) form: Form,
     pub(crate) pole: Option<Pole>,
     pub(crate) parity: Parity,
+    map: Option<Moebius>,
     pub(crate) alternates: bool,
     /// Powers of the form's variable, lowest first.
     pub(crate) coefficients: Vec<Double>,
@@ -136,7 +140,12 @@ impl Approximation {
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
         }
-        Self { parity: curve.parity(), pole, series, remainder, choices: RefCell::default() }
+        Self { parity: curve.parity(), pole, map: None, series, remainder, choices: RefCell::default() }
+    }
+
+    /// An even function of which the series and its error are known.
+    pub(crate) fn known(map: Option<Moebius>, series: Vec<Double>, remainder: f64) -> Self {
+        Self { parity: Parity::Even, pole: None, map, series, remainder, choices: RefCell::default() }
     }
 
     /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
@@ -157,6 +166,11 @@ impl Approximation {
         self.series.len()
     }
 
+    /// Anchors per unit of the phase that the polynomial's variable is made of.
+    fn unit(&self, reduction: &Reduction) -> Double {
+        if self.map.is_some() { Double::ONE } else { reduction.unit }
+    }
+
     /// The polynomial with that many terms, in the variable of `form` (p + `shift` if adapted) scaled to the reduction's
     /// unit.
     fn shifted_powers(
@@ -168,7 +182,7 @@ impl Approximation {
         alternates: bool,
     ) -> Polynomial {
         let powers = self.powers(terms);
-        let unit = reduction.unit;
+        let unit = self.unit(reduction);
         let mut coefficients = match form {
             Form::Centred { centre } => shift(&powers, Double::new(centre - 1.0)),
             Form::Plain | Form::Adapted { .. } => {
@@ -182,7 +196,8 @@ impl Approximation {
             }
         }
         let truncation = self.truncation(terms, reduction.overshoot);
-        Polynomial { form, pole: self.pole, parity: self.parity, alternates, coefficients, adapted: None, truncation }
+        let (pole, parity, map) = (self.pole, self.parity, self.map);
+        Polynomial { form, pole, parity, map, alternates, coefficients, adapted: None, truncation }
     }
 
     /// As [`Self::polynomial`], evaluated by its powers.
@@ -209,7 +224,8 @@ impl Approximation {
             return Some(self.in_powers(terms, form, reduction, alternates));
         };
         let choice = self.choices(terms, chunk)?.within(limit / (reduction.float.unit() * self.weight()))?;
-        let quarter = (Double::new(0.25) / (reduction.unit * reduction.unit)).hi;
+        let unit = self.unit(reduction);
+        let quarter = (Double::new(0.25) / (unit * unit)).hi;
         let shift = reduction.float.round(choice.shift * 4.0 * quarter);
         let mut polynomial = self.shifted_powers(terms, form, shift, reduction, alternates);
         let reach = shift.abs().max((shift + quarter).abs()) * 1.01;
@@ -286,6 +302,7 @@ impl Polynomial {
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
     pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
+        let variables = &self.map.map_or(*variables, |map| map.apply(b, variables));
         let mut value = match &self.adapted {
             Some(adapted) => {
                 let y = variables.shifted(b, adapted.shift);
@@ -307,7 +324,7 @@ impl Polynomial {
     fn by_powers(&self, b: &mut Builder, variables: &Variables) -> Id {
         let (x, powers) = match self.form {
             Form::Centred { centre } => (variables.centred(b, centre), &CENTRED_POWERS),
-            Form::Plain | Form::Adapted { .. } => (variables.square, &PLAIN_POWERS),
+            Form::Plain | Form::Adapted { .. } => (variables.shifted(b, 0.0), &PLAIN_POWERS),
         };
         let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
         estrin(b, x, &coefficients, powers)
@@ -333,7 +350,8 @@ impl Polynomial {
             Some(adapted) => (adapted.variable(), adapted.describe()),
             None => (self.form.variable(), String::new()),
         };
-        format!("polynomial of {terms} terms in {variable}{over}{how}")
+        let image = self.map.map_or(String::new(), |map| format!(", s² replaced by {}", map.describe()));
+        format!("polynomial of {terms} terms in {variable}{over}{image}{how}")
     }
 }
 

@@ -33,7 +33,7 @@ fn the_headline_plans_cost_no_more_than_they_did() {
         (format!("theta0 = 7π/8, tol = 1e-12, {HUNDRED}"), 41),
         ("theta0 = 7π/8".to_owned(), 79),
         (format!("theta0 = 7π/8, float = f32, tol = 1e-4, {HUNDRED}"), 20),
-        ("theta0 = 7π/8, n = 4".to_owned(), 115),
+        ("theta0 = 7π/8, n = 4".to_owned(), 95),
         ("theta0 = pi - 1e-9".to_owned(), 140),
     ] {
         let operations = planned(&text).operations();

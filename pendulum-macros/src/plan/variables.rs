@@ -1,5 +1,6 @@
 //! What kernels are functions of: the phase from the nearest anchor, its square, and the signs.
 
+use crate::plan::moebius::Moebius;
 use crate::plan::reduction::{Origin, Phase, Reduction};
 use crate::program::{Builder, Id, Op};
 use crate::series::Parity;
@@ -14,16 +15,27 @@ pub(crate) struct Variables {
     pub(crate) magnitude: Id,
     /// p = s².
     pub(crate) square: Id,
-    /// 8p of a phase in anchors, over the square of the reduced variable.
-    eighth: Double,
-    /// If reduced from the lowest point, what p falls short of a quarter by, and that quarter.
-    below: Option<(Id, Double)>,
+    /// Anchors per unit of the phase.
+    pub(crate) unit: Double,
+    /// What p and its kin are computed of.
+    pub(crate) source: Source,
     /// The phase from the lowest point, if reduced from there: negative on its way from the anchor before.
     pub(crate) side: Option<Id>,
     /// The sum with the parity of the anchor.
     pub(crate) magic: Id,
     /// The number of anchors passed.
     pub(crate) count: Id,
+}
+
+/// What the variable of a polynomial is computed of, with no rounding more than it takes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Source {
+    /// p itself.
+    Square,
+    /// What p falls short of a quarter by, and that quarter, in units of the reduced variable.
+    Below { below: Id, quarter: Double },
+    /// P = (¼ + b) − b(¼ + b)/divisor, in anchors whatever the unit of the reduced variable.
+    Quotient { divisor: Id, map: Moebius },
 }
 
 impl Variables {
@@ -47,9 +59,8 @@ impl Variables {
             (phase.remainder, at_most(b, square, half * half))
         };
         b.name(square, "p");
-        let eighth = reduction.unit * reduction.unit * 8.0;
-        let (magic, count) = (phase.magic, phase.count);
-        Self { distance, magnitude: distance, square, eighth, below: None, side: None, magic, count }
+        let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
+        Self { distance, magnitude: distance, square, unit, source: Source::Square, side: None, magic, count }
     }
 
     /// With s = ½ − |z|: p = ¼ − |z|(1 − |z|), in which |z| small beside 1 loses nothing.
@@ -68,46 +79,57 @@ impl Variables {
         let distance = b.sub(half_id, magnitude);
         let square = b.sub(quarter_id, product);
         b.name(square, "p");
-        let eighth = reduction.unit * reduction.unit * 8.0;
         let (side, magic, count) = (Some(phase.remainder), phase.magic, phase.count);
-        let below = Some((product, quarter));
-        Self { distance, magnitude, square, eighth, below, side, magic, count }
+        let source = Source::Below { below: product, quarter };
+        Self { distance, magnitude, square, unit: reduction.unit, source, side, magic, count }
     }
 }
 
 impl Variables {
     /// 8p − `centre`, of a phase in anchors.
     pub(crate) fn centred(&self, b: &mut Builder, centre: f64) -> Id {
-        let eighth = b.exact(self.eighth.hi, self.eighth.lo);
-        let centred = match self.below {
-            None => {
+        let eighth = self.unit * self.unit * 8.0;
+        let centred = match self.source {
+            Source::Square => {
+                let eighth = b.exact(eighth.hi, eighth.lo);
                 let scaled = b.mul(self.square, eighth);
                 let offset = b.constant(centre);
                 b.sub(scaled, offset)
             }
-            Some((below, _)) => {
+            Source::Below { below, .. } => {
+                let eighth = b.exact(eighth.hi, eighth.lo);
                 let scaled = b.mul(below, eighth);
                 let top = b.constant(2.0 - centre);
                 b.sub(top, scaled)
             }
+            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -centre),
         };
         b.name(centred, "u")
     }
 
     /// p + `shift`.
     pub(crate) fn shifted(&self, b: &mut Builder, shift: f64) -> Id {
-        match self.below {
+        match self.source {
+            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift),
             _ if shift == 0.0 => self.square,
-            None => {
+            Source::Square => {
                 let shift = b.constant(shift);
                 b.add(self.square, shift)
             }
-            Some((below, quarter)) => {
+            Source::Below { below, quarter } => {
                 let top = quarter + Double::new(shift);
                 let top = b.exact(top.hi, top.lo);
                 b.sub(top, below)
             }
         }
+    }
+
+    /// factor·P + `offset`.
+    fn less_quotient(&self, b: &mut Builder, divisor: Id, map: Moebius, factor: f64, offset: f64) -> Id {
+        let dividend = Double::new(factor * map.scale()) / (self.unit * self.unit);
+        let (dividend, top) = (b.exact(dividend.hi, dividend.lo), b.constant(factor * map.end() + offset));
+        let quotient = b.div(dividend, divisor);
+        b.sub(top, quotient)
     }
 
     /// `value` of an odd curve of a rotation, whose magnitude it is if the phase was reduced from the lowest point: before

@@ -30,8 +30,9 @@ pub struct Class {
     pub proven: Option<f64>,
     /// The largest magnitude of the output within and beyond the horizon.
     pub ceiling: f64,
-    /// Terms of the paper's θ̂, where that is the truth instead of the motion.
-    pub terms: Option<usize>,
+    /// Terms of the paper's θ̂, where that is the truth instead of the motion, and the derivative of the arcsine up to which
+    /// it is compared.
+    pub terms: Option<(usize, f64)>,
     /// The plan.
     pub evaluate: Evaluate,
 }
@@ -215,27 +216,39 @@ fn rotations(all: &mut Vec<Class>) {
     plan!(all: "rotation, any time", [0 (2.00001) 1]; wrapped velocity);
 }
 
+/// The paper's θ̂ as one polynomial, to be the paper's everywhere; and by the arcsine, away from the turning points, where
+/// that multiplies the roundings of its argument.
 fn paper(all: &mut Vec<Class>) {
     pendula::pendulum! {
-        struct Paper;
+        struct Whole;
         theta0 = 7π/8, n = 4
     }
-    let class = |name: &str, promise: f64, proven, terms| Class {
-        name: name.into(),
-        start: Start::written("7π/8", "0", "1").expect("numbers"),
+    pendula::pendulum! {
+        struct ByArcsine;
+        theta0 = 0.95π, n = 6
+    }
+    let class = |name: &str, theta0: &str, [promise, ceiling]: [f64; 2], proven, terms, evaluate| Class {
+        name: format!("{name}: {theta0}"),
+        start: Start::written(theta0, "0", "1").expect("numbers"),
         output: Output::Theta,
         horizon: f64::INFINITY,
         periods: ANY_TIME,
         promise,
         observable: promise,
         proven,
-        ceiling: 7.0 * std::f64::consts::PI / 8.0,
+        ceiling,
         terms,
-        evaluate: over(Paper::theta),
+        evaluate,
     };
-    all.push(class("n = 4, against the motion: 7π/8", Paper::MAX_ERROR, Some(Paper::MAX_ERROR), None));
-    let ulp = Paper::THETA0.next_up() - Paper::THETA0;
-    all.push(class("n = 4, against θ̂: 7π/8", 8.0 * ulp, None, Some(4)));
+    let distances = [Whole::MAX_ERROR, Whole::THETA0];
+    let motion =
+        class("n = 4, against the motion", "7π/8", distances, Some(Whole::MAX_ERROR), None, over(Whole::theta));
+    let ulps = |theta0: f64| [8.0 * (theta0.next_up() - theta0), theta0];
+    let whole = Some((4, f64::INFINITY));
+    let whole = class("n = 4, against θ̂", "7π/8", ulps(Whole::THETA0), None, whole, over(Whole::theta));
+    let steep = Some((6, 4.0));
+    let steep = class("n = 6, against θ̂", "0.95π", ulps(ByArcsine::THETA0), None, steep, over(ByArcsine::theta));
+    all.extend([motion, whole, steep]);
 }
 
 fn runtime(all: &mut Vec<Class>) {

@@ -1,13 +1,12 @@
 //! The methods of the paper, and the series of θ: sums of harmonics of one cosine.
 
-use super::arcsine::Arcsine;
-use super::curve::{Curve, SwingCurves};
-use super::form::Form;
-use super::harmonics::Harmonics;
-use super::kernel::{self, Kernel};
-use super::polynomial::{Approximation, Polynomial};
+mod parts;
+mod whole;
+
+use super::curve::SwingCurves;
+use super::kernel;
 use super::reduction::{Clock, Reduction};
-use super::{Bound, Part, Plan, Refusal, velocity_bias};
+use super::{Part, Plan, Refusal};
 use crate::check::most_useful_terms;
 use crate::exact::Real;
 use crate::motion::Swing;
@@ -221,10 +220,11 @@ impl Sum {
         };
         let mut reductions = clock.reductions();
         reductions.sort_by_key(Reduction::operations);
+        let whole = self.whole(scene, swing);
         let mut closest = f64::INFINITY;
         for reduction in &reductions {
-            let parts: Vec<Part> =
-                scene.outputs.iter().map(|&output| self.part(scene, swing, output, reduction)).collect();
+            let part = |&output: &Output| self.part(scene, swing, output, reduction, whole.as_ref());
+            let parts: Vec<Part> = scene.outputs.iter().map(part).collect();
             let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
             let kept = match scene.goal {
                 Goal::Tolerance(tol) => worst <= tol,
@@ -243,70 +243,5 @@ impl Sum {
             closest = closest.min(worst);
         }
         Err(Refusal::Unreachable { best: closest })
-    }
-
-    fn part(&self, scene: &Scene, swing: &Swing, output: Output, reduction: &Reduction) -> Part {
-        let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let derivative = output == Output::Velocity;
-        let curve = if derivative { curves.velocity() } else { curves.theta() };
-        let precision = scene.float.unit() / 2.0;
-        let base = |curve: &Curve| {
-            let approximation = Approximation::entire(curve, precision / 16.0);
-            let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
-            approximation.in_powers(terms, Form::Plain, reduction, true)
-        };
-        let one = scene.motion.omega.context().integer(1);
-        let cosine = base(&Curve::cosine(&one));
-        let sine = derivative.then(|| base(&Curve::sine()));
-        let arcsine = (!self.coefficients.is_empty()).then(|| self.arcsine(scene));
-        let direction = if swing.mirrored { -1.0 } else { 1.0 };
-        let cosines = match (derivative, &arcsine) {
-            (_, Some(_)) => self.weights.clone(),
-            (false, None) => self.weights.iter().map(|&weight| weight * direction).collect(),
-            (true, None) => Vec::new(),
-        };
-        let sines = if derivative { self.slopes(direction) } else { Vec::new() };
-        let folded = arcsine.as_ref().filter(|_| !derivative).and_then(|_| self.folded(scene, reduction));
-        let harmonics = Harmonics { cosine, sine, cosines, sines, folded, arcsine, direction };
-        let kernel = Kernel::Harmonics(Box::new(harmonics));
-        let evaluation = kernel.rounding(reduction, f64::INFINITY);
-        let bias = if derivative { self.velocity_bias(scene, swing) } else { self.bias };
-        let bound = Bound { truncation: bias, phase: curve.phase_error(reduction), evaluation };
-        let (description, unit, largest) = (kernel.describe(), curve.unit, curve.largest);
-        Part { output, kernel, description, bound, unit, largest }
-    }
-
-    /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
-    fn folded(&self, scene: &Scene, reduction: &Reduction) -> Option<Polynomial> {
-        let precision = scene.float.unit() / 2.0;
-        let approximation = Approximation::entire(&Curve::harmonics(&self.weights), precision / 16.0);
-        let terms = approximation.terms_for(precision, reduction.overshoot)?;
-        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
-        Form::ALL.into_iter().find_map(|form| {
-            // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
-            let most = if let Form::Adapted { .. } = form { 6.0 * sum.min(1.0) } else { 12.0 };
-            let cap = most * scene.float.unit();
-            let polynomial = approximation.polynomial(terms, form, reduction, true, cap)?;
-            (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
-        })
-    }
-
-    /// Weights of the derivative: −wₙ(2n − 1)π·rate.
-    fn slopes(&self, direction: f64) -> Vec<Double> {
-        let rate = self.rate.to_double() * Double::PI * -direction;
-        self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
-    }
-
-    /// For arguments up to the largest that occurs.
-    fn arcsine(&self, scene: &Scene) -> Arcsine {
-        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
-        Arcsine::new(sum.min(1.0), scene.float.unit() / 2.0)
-    }
-
-    /// sup |θ̂′ − θ̇|.
-    fn velocity_bias(&self, scene: &Scene, swing: &Swing) -> f64 {
-        let exact = swing_rate(swing);
-        let drift = (&self.rate - &exact).abs().to_f64() * horizon(scene, &exact);
-        velocity_bias::bound(&self.weights, self.method, &self.rate, drift, scene, swing)
     }
 }

@@ -1,0 +1,157 @@
+//! What a sum of harmonics becomes: the kernel of each output, and its error.
+
+use super::{Sum, horizon, whole};
+use crate::motion::Swing;
+use crate::parse::Output;
+use crate::plan::arcsine::Arcsine;
+use crate::plan::curve::{Curve, SwingCurves};
+use crate::plan::form::Form;
+use crate::plan::harmonics::Harmonics;
+use crate::plan::kernel::{self, Kernel};
+use crate::plan::polynomial::{Approximation, Polynomial};
+use crate::plan::reduction::Reduction;
+use crate::plan::{Bound, Part, velocity_bias};
+use crate::program::rounding::half_ulp;
+use crate::scene::{Goal, Scene};
+use crate::series::swing_rate;
+use pendulum_runtime::double::Double;
+
+/// Where θ̂ is twice an arcsine: as one approximation, and how far off it may be.
+pub(super) struct Whole {
+    approximation: Approximation,
+    /// The first that can be kept counts.
+    allowed: [f64; 2],
+}
+
+impl Sum {
+    /// θ̂ as a whole; `None` where it takes too many terms, or isn't asked for. It may be off by what a tolerance leaves, or
+    /// by 8 units in the last place of θ0; if need be by 12 that are proven, which are fewer than 6 in truth.
+    pub(super) fn whole(&self, scene: &Scene, swing: &Swing) -> Option<Whole> {
+        let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
+        let allowed = match scene.goal {
+            Goal::Tolerance(tol) => [tol - self.bias; 2],
+            _ => [8.0, 12.0].map(units),
+        };
+        let wanted = !self.coefficients.is_empty() && scene.outputs.contains(&Output::Theta);
+        let approximation = wanted.then(|| whole::approximation(&self.weights, allowed[0] / 8.0))??;
+        Some(Whole { approximation, allowed })
+    }
+
+    pub(super) fn part(
+        &self,
+        scene: &Scene,
+        swing: &Swing,
+        output: Output,
+        reduction: &Reduction,
+        whole: Option<&Whole>,
+    ) -> Part {
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        let curve = if output == Output::Velocity { curves.velocity() } else { curves.theta() };
+        let phase = curve.phase_error(reduction);
+        let direction = if swing.mirrored { -1.0 } else { 1.0 };
+        let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, output, reduction, direction)));
+        let in_whole = whole.filter(|_| output == Output::Theta).and_then(|whole| {
+            let found = whole.polynomial(phase, reduction, direction)?;
+            (cost(reduction, &found.0) < cost(reduction, &summed)).then_some(found)
+        });
+        let (kernel, description, truncation, evaluation) = if let Some((kernel, own, evaluation)) = in_whole {
+            let (terms, word) = (self.weights.len(), kernel.describe());
+            let description = format!("{terms} harmonics, twice the arcsine of their sum as one {word}");
+            (kernel, description, self.bias + own, evaluation)
+        } else {
+            let evaluation = summed.rounding(reduction, f64::INFINITY);
+            let bias = if output == Output::Velocity { self.velocity_bias(scene, swing) } else { self.bias };
+            let description = summed.describe();
+            (summed, description, bias, evaluation)
+        };
+        let bound = Bound { truncation, phase, evaluation };
+        Part { output, kernel, description, bound, unit: curve.unit, largest: curve.largest }
+    }
+
+    fn harmonics(&self, scene: &Scene, output: Output, reduction: &Reduction, direction: f64) -> Harmonics {
+        let derivative = output == Output::Velocity;
+        let precision = scene.float.unit() / 2.0;
+        let base = |curve: &Curve| {
+            let approximation = Approximation::entire(curve, precision / 16.0);
+            let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
+            approximation.in_powers(terms, Form::Plain, reduction, true)
+        };
+        let one = scene.motion.omega.context().integer(1);
+        let cosine = base(&Curve::cosine(&one));
+        let sine = derivative.then(|| base(&Curve::sine()));
+        let arcsine = (!self.coefficients.is_empty()).then(|| self.arcsine(scene));
+        let cosines = match (derivative, &arcsine) {
+            (_, Some(_)) => self.weights.clone(),
+            (false, None) => self.weights.iter().map(|&weight| weight * direction).collect(),
+            (true, None) => Vec::new(),
+        };
+        let sines = if derivative { self.slopes(direction) } else { Vec::new() };
+        let folded = arcsine.as_ref().filter(|_| !derivative).and_then(|_| self.folded(scene, reduction));
+        Harmonics { cosine, sine, cosines, sines, folded, arcsine, direction }
+    }
+
+    /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
+    fn folded(&self, scene: &Scene, reduction: &Reduction) -> Option<Polynomial> {
+        let precision = scene.float.unit() / 2.0;
+        let approximation = Approximation::entire(&Curve::harmonics(&self.weights), precision / 16.0);
+        let terms = approximation.terms_for(precision, reduction.overshoot)?;
+        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
+        Form::ALL.into_iter().find_map(|form| {
+            // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
+            let most = if let Form::Adapted { .. } = form { 6.0 * sum.min(1.0) } else { 12.0 };
+            let cap = most * scene.float.unit();
+            let polynomial = approximation.polynomial(terms, form, reduction, true, cap)?;
+            (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
+        })
+    }
+
+    /// Weights of the derivative: −wₙ(2n − 1)π·rate.
+    fn slopes(&self, direction: f64) -> Vec<Double> {
+        let rate = self.rate.to_double() * Double::PI * -direction;
+        self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
+    }
+
+    /// For arguments up to the largest that occurs.
+    fn arcsine(&self, scene: &Scene) -> Arcsine {
+        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
+        Arcsine::new(sum.min(1.0), scene.float.unit() / 2.0)
+    }
+
+    /// sup |θ̂′ − θ̇|.
+    fn velocity_bias(&self, scene: &Scene, swing: &Swing) -> f64 {
+        let exact = swing_rate(swing);
+        let drift = (&self.rate - &exact).abs().to_f64() * horizon(scene, &exact);
+        velocity_bias::bound(&self.weights, self.method, &self.rate, drift, scene, swing)
+    }
+}
+
+fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
+    kernel::function(reduction, &[kernel]).cost()
+}
+
+impl Whole {
+    /// The kernel in the cheapest form that is off by no more than is allowed, beside what the phase does, and its
+    /// truncation and rounding.
+    fn polynomial(&self, phase: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+        let left = self.allowed.iter().map(|allowed| allowed - phase);
+        let shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
+        shared.into_iter().find_map(|(left, truncation)| self.within(left, truncation, reduction, direction))
+    }
+
+    fn within(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+        let terms = self.approximation.terms_for(truncation, reduction.overshoot)?;
+        let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms)).collect();
+        let cost = |form: &Form| form.cost(terms, false) + form.variables(false);
+        forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+        forms.into_iter().find_map(|form| {
+            let mut polynomial = self.approximation.polynomial(terms, form, reduction, true, left)?;
+            let truncation = polynomial.truncation;
+            if direction < 0.0 {
+                polynomial.negate();
+            }
+            let kernel = Kernel::Polynomial(polynomial);
+            let rounding = kernel.rounding(reduction, left - truncation);
+            (rounding <= left - truncation).then_some((kernel, truncation, rounding))
+        })
+    }
+}

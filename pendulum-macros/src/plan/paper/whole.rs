@@ -1,0 +1,237 @@
+//! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), as a whole: one polynomial instead of a sum, a root and an
+//! arcsine.
+//!
+//! θ̂ is an even function of the phase, analytic in p = s² but where y = ±1. Sums of few terms take these values near the
+//! turning point, off the real axis: at 7π/8 with N = 4 where p = −0.008 ± 0.022i. A [`Moebius`] map moves them away and
+//! leaves 37 terms of 63.
+//!
+//! **Error.** That θ̂ is analytic in some ellipse is awkward to prove. Instead the interpolant Q is tested afterwards: the
+//! residual R = y − sin(Q/2) is analytic wherever p is finite, and |y| and |sin(Q/2)| ≤ sinh(|Q|/2) are bounded on an
+//! ellipse by their coefficients. So its own interpolation at M points has an error of at most 4Bρ^(1−M)/(ρ − 1) (see
+//! [`crate::plan::polynomial`]), and its values there, multiplied by Lebesgue's constant, bound the rest:
+//! Λ ≤ (2/π) ln M + 1 (Rivlin 1974). Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point,
+//! stays between −π/2 and π/2, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
+
+use crate::chebyshev::{CosineTable, cos_pi, sin_pi, value};
+use crate::plan::moebius::Moebius;
+use crate::plan::polynomial::Approximation;
+use crate::series::Wave;
+use pendulum_runtime::double::Double;
+use std::f64::consts::PI;
+
+/// The maps tried: none, and some that suit branch points nearer and nearer to the turning point.
+const PLACES: [f64; 10] = [0.5, 0.35, 0.25, 0.18, 0.14, 0.115, 0.09, 0.07, 0.05, 0.035];
+
+/// Of these many samples a first look is taken; what needs more terms than that is cheaper by the arcsine.
+const LOOK: usize = 48;
+
+/// How much of the largest value the coefficients dropped at the first look may be.
+const ROUGH: f64 = 1e-12;
+
+/// More points than this take too long.
+const MOST_POINTS: usize = 400;
+
+/// θ̂ for these weights, the whole approximation wrong by much less than `limit`; `None` if it needs many terms.
+pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximation> {
+    let maps = PLACES.iter().map(|&place| Some(Moebius::new(place)));
+    let looks = std::iter::once(None).chain(maps).filter_map(|map| Some((rough_terms(weights, map)?, map)));
+    let (rough, map) = looks.min_by_key(|&(terms, _)| terms)?;
+    let negligible = limit / 512.0;
+    // Coefficients fall off geometrically.
+    let rate = ROUGH.ln() / rough as f64;
+    let terms = (negligible / 4.0).ln() / rate;
+    let sum = Wave::harmonics(weights);
+    (1..=3).find_map(|more| {
+        let points = (terms * (1.0 + 0.15 * f64::from(more))).ceil() as usize + 4;
+        let series = interpolant(&sum, map, points)?;
+        let error = error(&sum, map, &series, negligible)?;
+        (error <= negligible).then(|| Approximation::known(map, series, error))
+    })
+}
+
+/// p where the series has its variable at 8P − 1 = u.
+fn phase(map: Option<Moebius>, u: Double) -> Double {
+    let image = (u + Double::ONE) * 0.125;
+    map.map_or(image, |map| map.inverse(image)).sqrt()
+}
+
+/// How many terms leave a part of [`ROUGH`], in ordinary precision.
+fn rough_terms(weights: &[Double], map: Option<Moebius>) -> Option<usize> {
+    let angle = |j: usize| PI * (2 * j + 1) as f64 / (2 * LOOK) as f64;
+    let at = |j: usize| {
+        let s = phase(map, Double::new(angle(j).cos())).hi;
+        let y: f64 = weights.iter().enumerate().map(|(n, w)| w.hi * ((2 * n + 1) as f64 * PI * s).cos()).sum();
+        y.asin()
+    };
+    let values: Vec<f64> = (0..LOOK).map(at).collect();
+    let coefficient = |i: usize| {
+        let sum: f64 = values.iter().enumerate().map(|(j, value)| value * (i as f64 * angle(j)).cos()).sum();
+        2.0 * sum / LOOK as f64
+    };
+    let largest = coefficient(0).abs();
+    let mut tail = 0.0;
+    let terms = (1..LOOK).rev().find(|&i| {
+        tail += coefficient(i).abs();
+        tail.is_nan() || tail > ROUGH * largest
+    })?;
+    (terms < LOOK * 7 / 8).then_some(terms + 1)
+}
+
+/// The Chebyshev series through θ̂ at `points` points.
+fn interpolant(sum: &Wave, map: Option<Moebius>, points: usize) -> Option<Vec<Double>> {
+    let table = CosineTable::new(points);
+    let values: Option<Vec<Double>> = table.points().map(|u| twice_arcsine(sum.at(phase(map, u)))).collect();
+    Some(table.coefficients(&values?, points))
+}
+
+/// 2 arcsin y, by Newton's method on sin πx = y; `None` if |y| ≥ 1.
+fn twice_arcsine(y: Double) -> Option<Double> {
+    let mut x = Double::new(y.hi.asin() / PI);
+    for _ in 0..2 {
+        x = x + (y - sin_pi(x)) / (Double::PI * cos_pi(x));
+    }
+    (y.hi.abs() < 1.0).then_some(x * Double::PI * 2.0)
+}
+
+/// Bounds the distance of `series` from θ̂ on the interval; `None` if the sum may reach 1.
+fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<f64> {
+    let (points, interpolation) = enough_points(sum, map, series, negligible * 1e-4)?;
+    let table = CosineTable::new(points);
+    let samples: Vec<(f64, f64, f64)> = table
+        .points()
+        .map(|u| {
+            let s = phase(map, u);
+            let y = sum.at(s);
+            let residual = y - sin_pi(value(series, u) / (Double::PI * 2.0));
+            (s.hi, y.hi.abs(), residual.hi.abs())
+        })
+        .collect();
+    let lebesgue = 2.0 / PI * (points as f64).ln() + 1.0;
+    let residual = samples.iter().map(|sample| sample.2).fold(0.0, f64::max) * lebesgue + interpolation;
+    // Samples run from the lowest point to the turning point, and on its other side back again.
+    let bend: f64 = sum.terms().iter().map(|&(m, w)| w.hi.abs() * (f64::from(m) * PI).powi(2)).sum();
+    let between = |a: f64, b: f64, gap: f64| a.max(b) + bend * gap * gap / 8.0;
+    let inner = samples.windows(2).map(|pair| between(pair[0].1, pair[1].1, pair[0].0 - pair[1].0));
+    let ends = [samples.first()?, samples.last()?];
+    // The lowest point is a zero of y.
+    let outer = [between(ends[0].1, 0.0, 1.0 - 2.0 * ends[0].0), between(ends[1].1, 0.0, 2.0 * ends[1].0)];
+    let most = inner.chain(outer).fold(0.0, f64::max) + residual;
+    (most < 1.0).then(|| 2.0 * residual / (1.0 - most * most).sqrt())
+}
+
+/// The number of points that makes the residual's interpolation error negligible, and that error.
+fn enough_points(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<(usize, f64)> {
+    let choice = |rho: f64| {
+        let height = Moebius::height(map, rho)?;
+        let angle: f64 = series.iter().enumerate().map(|(j, c)| c.hi.abs() * (j as f64 * rho.ln()).cosh()).sum();
+        let bound = sum.bound(height) + (0.5 * angle).sinh();
+        let factor = 4.0 * bound / (rho - 1.0);
+        let points = ((factor / negligible).ln() / rho.ln()).ceil().max(8.0) + 1.0;
+        (points <= MOST_POINTS as f64).then(|| (points as usize, factor * rho.powf(1.0 - points)))
+    };
+    [1.15, 1.25, 1.35, 1.5, 1.7, 2.0, 2.5, 3.0].into_iter().filter_map(choice).min_by_key(|&(points, _)| points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Regime;
+    use crate::plan::plan;
+    use crate::plan::tests::scene;
+    use crate::series::swing_rate;
+
+    /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.
+    fn weights(theta0: &str, terms: usize) -> Vec<Double> {
+        let scene = scene(&format!("theta0 = {theta0}"));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let weight = |n: usize| {
+            let weight = (swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double();
+            if n.is_multiple_of(2) { -weight } else { weight }
+        };
+        (1..=terms).map(weight).collect()
+    }
+
+    #[test]
+    fn arcsines_of_known_sines() {
+        let third = twice_arcsine(Double::new(0.5)).unwrap() * 3.0 - Double::PI;
+        let half = twice_arcsine(Double::new(0.5).sqrt()).unwrap() * 2.0 - Double::PI;
+        assert!(third.hi.abs() < 1e-30 && half.hi.abs() < 1e-30, "{third:?} {half:?}");
+        assert_eq!(twice_arcsine(Double::new(1.0)), None);
+    }
+
+    /// The bound of the whole series is next to nothing, and that of a series that is wrong somewhere is what it is wrong by,
+    /// but for Lebesgue's constant and the steepest arcsine.
+    #[test]
+    fn errors_are_seen() {
+        for (theta0, terms) in [("1e-3", 1), ("1", 2), ("π/2", 3), ("7π/8", 4), ("7π/8", 8)] {
+            let weights = weights(theta0, terms);
+            let sum = Wave::harmonics(&weights);
+            let largest: f64 = weights.iter().map(|w| w.hi.abs()).sum();
+            for map in [None, Some(Moebius::new(0.14))] {
+                let Some(series) = interpolant(&sum, map, 90) else { panic!("{theta0} {terms}") };
+                let bound = |series: &[Double]| error(&sum, map, series, 1e-26).unwrap();
+                let exact = bound(&series);
+                // Without a map 90 terms leave 10⁻¹⁷ at 7π/8.
+                let expected = if map.is_some() || largest < 1.0 { 1e-24 } else { 1e-15 };
+                assert!(exact <= expected * largest, "{theta0} {terms} {map:?}: {exact:e}");
+                for spoilt in [0, 3, 40] {
+                    let mut series = series.clone();
+                    series[spoilt] = series[spoilt] + Double::new(1e-9 * largest);
+                    let seen = bound(&series) / (1e-9 * largest);
+                    assert!((1.0..60.0).contains(&seen), "{theta0} {terms} {map:?} {spoilt}: {seen}");
+                }
+            }
+        }
+    }
+
+    /// Im √p on the ellipse itself.
+    #[test]
+    fn heights_are_those_of_the_image() {
+        for map in [None, Some(Moebius::new(0.5)), Some(Moebius::new(0.1))] {
+            for rho in [1.1, 1.3, 1.6] {
+                let Some(bound) = Moebius::height(map, rho) else { continue };
+                let seen = (0..1000).map(|i| imaginary_part(map, rho, f64::from(i) * PI / 1000.0)).fold(0.0, f64::max);
+                // That of the map takes the worst of either part.
+                let most = if map.is_some() { 4.0 } else { 1.0 + 1e-4 };
+                assert!(seen <= bound * (1.0 + 1e-12) && bound < most * seen, "{map:?} {rho}: {seen} {bound}");
+            }
+        }
+        assert_eq!(Moebius::height(Some(Moebius::new(0.01)), 2.0), None);
+    }
+
+    fn imaginary_part(map: Option<Moebius>, rho: f64, angle: f64) -> f64 {
+        let (x, y) = ((1.0 + 0.5 * (rho + 1.0 / rho) * angle.cos()) / 8.0, (rho - 1.0 / rho) * angle.sin() / 16.0);
+        let (re, im) = map.map_or((x, y), |map| {
+            // b(¼ + b)/(¼ + b − P) − b
+            let (d, square) = (map.end() - x, (map.end() - x).powi(2) + y * y);
+            (map.scale() * d / square - map.scale() / map.end(), map.scale() * y / square)
+        });
+        ((re.hypot(im) - re) / 2.0).sqrt()
+    }
+
+    /// Against the arcsine of the sum, from the turning point through the lowest one and on.
+    #[test]
+    fn plans_compute_twice_the_arcsine() {
+        for (theta0, sign, terms, unit) in
+            [("-1", -1.0, 2, 1.0), ("π/2", 1.0, 4, 1.0), ("4π/5", 1.0, 3, 2.0), ("7π/8", 1.0, 4, 2.0)]
+        {
+            let scene = scene(&format!("theta0 = {theta0}, n = {terms}"));
+            let plan = plan(&scene).unwrap();
+            assert!(plan.parts[0].description.contains("twice the arcsine"), "{}", plan.parts[0].description);
+            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+            let sum = Wave::harmonics(&weights(theta0.trim_start_matches('-'), terms));
+            let context = scene.motion.omega.context();
+            for i in 0..=400 {
+                let t = f64::from(i) * 0.23;
+                let phase = swing_rate(swing) * context.float(t).unwrap();
+                let passed = phase.to_f64().round();
+                let s = (phase - context.float(passed).unwrap()).to_double();
+                let odd = if passed % 2.0 == 0.0 { sign } else { -sign };
+                let exact = twice_arcsine(sum.at(s)).unwrap() * odd;
+                let error = (Double::new(plan.functions[0].program.run(t)[0]) - exact).hi.abs();
+                // 8 units in the last place of θ0.
+                assert!(error <= 8.0 * unit * f64::EPSILON, "{theta0} {terms} {t}: {error:e}");
+            }
+        }
+    }
+}
