@@ -3,7 +3,7 @@
 mod parts;
 mod whole;
 
-use super::curve::SwingCurves;
+use super::curve::{Curve, SwingCurves};
 use super::kernel;
 use super::reduction::{Clock, Reduction};
 use super::{Part, Plan, Refusal};
@@ -220,17 +220,24 @@ impl Sum {
         };
         let mut reductions = clock.reductions();
         reductions.sort_by_key(Reduction::operations);
+        // If nothing is promised, the phase's error is to be beside the rounding.
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        let curve = |output: &Output| if *output == Output::Velocity { curves.velocity() } else { curves.theta() };
+        let curves: Vec<Curve> = scene.outputs.iter().map(curve).collect();
+        let fine = |curve: &Curve, reduction: &Reduction| {
+            curve.phase_error(reduction) <= 8.0 * scene.float.unit() * curve.largest
+        };
+        if !matches!(scene.goal, Goal::Tolerance(_)) {
+            reductions.retain(|reduction| curves.iter().all(|curve| fine(curve, reduction)));
+        }
         let whole = self.whole(scene, swing);
         let mut closest = f64::INFINITY;
         for reduction in &reductions {
-            let part = |&output: &Output| self.part(scene, swing, output, reduction, whole.as_ref());
-            let parts: Vec<Part> = scene.outputs.iter().map(part).collect();
+            let part = |(&output, curve)| self.part(scene, swing, output, curve, reduction, whole.as_ref());
+            let parts: Vec<Part> = scene.outputs.iter().zip(&curves).map(part).collect();
             let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
-            let kept = match scene.goal {
-                Goal::Tolerance(tol) => worst <= tol,
-                _ => parts.iter().all(|part| part.bound.phase <= 8.0 * scene.float.unit() * part.largest),
-            };
-            if kept {
+            let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
+            if worst <= promise {
                 return Ok(Plan {
                     method: self.method.word(),
                     reduction: reduction.clone(),

@@ -4,7 +4,7 @@ use super::{Sum, horizon, whole};
 use crate::motion::Swing;
 use crate::parse::Output;
 use crate::plan::arcsine::Arcsine;
-use crate::plan::curve::{Curve, SwingCurves};
+use crate::plan::curve::Curve;
 use crate::plan::form::Form;
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
@@ -42,11 +42,10 @@ impl Sum {
         scene: &Scene,
         swing: &Swing,
         output: Output,
+        curve: &Curve,
         reduction: &Reduction,
         whole: Option<&Whole>,
     ) -> Part {
-        let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let curve = if output == Output::Velocity { curves.velocity() } else { curves.theta() };
         let phase = curve.phase_error(reduction);
         let direction = if swing.mirrored { -1.0 } else { 1.0 };
         let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, output, reduction, direction)));
