@@ -4,14 +4,12 @@
 //! in p (a conformal map, Trefethen, *Approximation Theory and Approximation Practice*, chapter 22, in its simplest form).
 //! It costs a division, an addition and a subtraction: P = (¼ + b) − b(¼ + b)/(p + b).
 
-use super::variables::{Source, Variables};
-use crate::program::Builder;
 use pendulum_runtime::double::Double;
 
 /// Given by b > 0, a number of few bits, so that ¼ + b and b(¼ + b) are exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Moebius {
-    place: f64,
+    pub(crate) place: f64,
 }
 
 impl Moebius {
@@ -54,16 +52,6 @@ impl Moebius {
         };
         let squares: Option<Vec<f64>> = (0..SLICES).map(square).collect();
         Some(squares?.into_iter().fold(0.0, f64::max).sqrt() * (1.0 + 1e-12))
-    }
-
-    /// The variables with P in place of p.
-    pub(crate) fn apply(self, b: &mut Builder, variables: &Variables) -> Variables {
-        let unit = variables.unit;
-        let place = Double::new(self.place) / (unit * unit);
-        let place = b.exact(place.hi, place.lo);
-        let divisor = b.add(variables.square, place);
-        b.name(divisor, "d");
-        Variables { source: Source::Quotient { divisor, map: self }, ..*variables }
     }
 
     /// For the reader; s is the phase in half periods.

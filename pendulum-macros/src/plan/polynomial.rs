@@ -302,7 +302,7 @@ impl Polynomial {
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
     pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let variables = &self.map.map_or(*variables, |map| map.apply(b, variables));
+        let variables = &self.map.map_or(*variables, |map| variables.mapped(b, map));
         let mut value = match &self.adapted {
             Some(adapted) => {
                 let y = variables.shifted(b, adapted.shift);

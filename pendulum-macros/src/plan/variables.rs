@@ -124,6 +124,15 @@ impl Variables {
         }
     }
 
+    /// With the image of p in place of p.
+    pub(crate) fn mapped(&self, b: &mut Builder, map: Moebius) -> Self {
+        let place = Double::new(map.place) / (self.unit * self.unit);
+        let place = b.exact(place.hi, place.lo);
+        let divisor = b.add(self.square, place);
+        b.name(divisor, "d");
+        Self { source: Source::Quotient { divisor, map }, ..*self }
+    }
+
     /// factor·P + `offset`.
     fn less_quotient(&self, b: &mut Builder, divisor: Id, map: Moebius, factor: f64, offset: f64) -> Id {
         let dividend = Double::new(factor * map.scale()) / (self.unit * self.unit);
