@@ -2,13 +2,19 @@
 
 mod depth;
 pub(crate) mod number;
+mod value;
+mod words;
+
+pub(crate) use value::Given;
+pub(crate) use words::{Float, Method, Output, list};
 
 use crate::report::{Report, nearest};
 use number::Number;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Error, Ident, LitInt, Result, Token, Visibility, bracketed};
+use syn::{Attribute, Error, Ident, Result, Token, Visibility};
+use value::{count, number, outputs, word};
 
 /// One invocation of `pendulum!`.
 pub(crate) struct Request {
@@ -44,67 +50,6 @@ pub(crate) struct Item {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,
     pub(crate) name: Ident,
-}
-
-/// A parameter that was given: its name's span, its value and the value's tokens for messages.
-#[derive(Clone)]
-pub(crate) struct Given<T> {
-    pub(crate) name: Ident,
-    pub(crate) value: T,
-    pub(crate) tokens: TokenStream,
-}
-
-/// Declares an enum whose variants have names in the macro's input.
-macro_rules! keywords {
-    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(crate) enum $name { $($(#[$variant_doc])* $variant),* }
-
-        impl $name {
-            pub(crate) const WORDS: &'static [&'static str] = &[$($word),*];
-
-            pub(crate) fn word(self) -> &'static str {
-                match self { $(Self::$variant => $word),* }
-            }
-
-            fn from_word(word: &str) -> Option<Self> {
-                match word { $($word => Some(Self::$variant),)* _ => None }
-            }
-        }
-    };
-}
-
-keywords! {
-    /// How the motion is approximated.
-    Method {
-        /// Eq. 3: θ0 cos ωt.
-        SmallAngle = "small_angle",
-        /// Eq. 17: θ0 cos(2πt/T).
-        Harmonic = "harmonic",
-        /// Eq. 22: `2 arcsin(k sn_N)`.
-        Fourier = "fourier",
-        /// The Fourier series of θ itself.
-        Series = "series",
-        /// A polynomial in the reduced phase.
-        Polynomial = "polynomial",
-    }
-}
-
-keywords! {
-    /// The type of t and of the results.
-    Float { F64 = "f64", F32 = "f32" }
-}
-
-keywords! {
-    /// A quantity to be computed.
-    Output {
-        Theta = "theta",
-        Velocity = "velocity",
-        Acceleration = "acceleration",
-        Position = "position",
-        Wrapped = "wrapped",
-    }
 }
 
 const PARAMETERS: [&str; 11] =
@@ -266,79 +211,6 @@ fn named_value(tokens: &TokenStream) -> Result<(Ident, TokenStream)> {
         Ok((name, value))
     };
     parse.parse2(tokens.clone())
-}
-
-fn number(name: &Ident, tokens: TokenStream) -> Result<Given<Number>> {
-    Ok(Given { name: name.clone(), value: Number::parse_all(tokens.clone())?, tokens })
-}
-
-fn count(name: &Ident, tokens: TokenStream) -> Result<Given<usize>> {
-    let wrong =
-        |_| Error::new_spanned(&tokens, format!("`{name}` takes a whole number of terms, such as `{name} = 4`"));
-    let literal: LitInt = syn::parse2(tokens.clone()).map_err(wrong)?;
-    let value =
-        if literal.suffix().is_empty() { literal.base10_parse() } else { Err(Error::new(Span::call_site(), "")) };
-    Ok(Given { name: name.clone(), value: value.map_err(wrong)?, tokens })
-}
-
-fn word<T>(
-    name: &Ident,
-    tokens: TokenStream,
-    what: &str,
-    words: &[&str],
-    from_word: fn(&str) -> Option<T>,
-) -> Result<Given<T>> {
-    let ident = syn::parse2::<Ident>(tokens.clone())
-        .map_err(|_| Error::new_spanned(&tokens, format!("`{name}` is one of {}", list(words))))?;
-    Ok(Given { name: name.clone(), value: one_word(&ident, what, words, from_word)?, tokens })
-}
-
-fn one_word<T>(ident: &Ident, what: &str, words: &[&str], from_word: fn(&str) -> Option<T>) -> Result<T> {
-    let text = ident.to_string();
-    from_word(&text).ok_or_else(|| {
-        let message = nearest(&text, words).map_or_else(
-            || format!("unknown {what} `{text}`: it is one of {}", list(words)),
-            |known| format!("unknown {what} `{text}`: did you mean `{known}`?"),
-        );
-        Error::new(ident.span(), message)
-    })
-}
-
-fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Output>>> {
-    let parse = |input: ParseStream| {
-        let inner;
-        bracketed!(inner in input);
-        let words = inner.parse_terminated(Ident::parse_any, Token![,])?;
-        let mut outputs = Vec::new();
-        for ident in words {
-            let output = one_word(&ident, "output", Output::WORDS, Output::from_word)?;
-            if outputs.contains(&output) {
-                return Err(Error::new(ident.span(), format!("output `{ident}` is listed twice: keep one")));
-            }
-            outputs.push(output);
-        }
-        Ok(outputs)
-    };
-    let looks_like_list = matches!(tokens.clone().into_iter().next(), Some(TokenTree::Group(_)));
-    if !looks_like_list {
-        return Err(Error::new_spanned(&tokens, "`outputs` is a list, such as `[theta, velocity]`"));
-    }
-    let value = parse.parse2(tokens.clone())?;
-    if value.is_empty() {
-        let all = list(Output::WORDS);
-        return Err(Error::new_spanned(&tokens, format!("`outputs` is empty: list at least one of {all}")));
-    }
-    Ok(Given { name: name.clone(), value, tokens })
-}
-
-/// `` `a`, `b` or `c` ``
-pub(crate) fn list(words: &[&str]) -> String {
-    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
-    match quoted.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        Some((last, _)) => last.clone(),
-        None => String::new(),
-    }
 }
 
 #[cfg(test)]

@@ -1,10 +1,13 @@
 //! Angle and number expressions: their grammar, and their evaluation from the digits as written.
 
+mod tree;
+
 use crate::exact::{Context, Real};
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
+use tree::{Operator, Tree, Unit};
 
 /// Literals longer than this, or with larger exponents, are refused: they would only make the compiler wait.
 const MOST_DIGITS: usize = 500;
@@ -17,31 +20,6 @@ const MOST_TOKENS: usize = 500;
 #[derive(Clone, Debug)]
 pub(crate) struct Number {
     tree: Tree,
-}
-
-#[derive(Clone, Debug)]
-enum Tree {
-    Literal { digits: String, unit: Unit, span: Span },
-    Pi,
-    Negative(Box<Tree>),
-    Root(Box<Tree>, Span),
-    Binary { left: Box<Tree>, operator: Operator, right: Box<Tree>, blame: TokenStream },
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Unit {
-    None,
-    Pi,
-    Degree,
-    Radian,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
 }
 
 impl Number {
@@ -230,80 +208,6 @@ fn literal(literal: &Lit) -> Result<Tree> {
         return Err(Error::new(span, limit));
     }
     Ok(Tree::Literal { digits, unit, span })
-}
-
-impl Tree {
-    fn digits(&self, in_sum: bool) -> usize {
-        match self {
-            Self::Literal { digits, .. } => {
-                let mantissa = digits.split(['e', 'E']).next().map_or(0, str::len);
-                let exponent = digits.split(['e', 'E']).nth(1).and_then(|e| e.parse::<i64>().ok()).unwrap_or(0);
-                mantissa + if in_sum { exponent.unsigned_abs() as usize } else { 0 }
-            }
-            Self::Pi => 0,
-            Self::Negative(inner) | Self::Root(inner, _) => inner.digits(in_sum),
-            Self::Binary { left, operator, right, .. } => {
-                let in_sum = in_sum || matches!(operator, Operator::Add | Operator::Subtract);
-                left.digits(in_sum).max(right.digits(in_sum))
-            }
-        }
-    }
-
-    fn angle_unit(&self) -> Option<(&'static str, Span)> {
-        match self {
-            Self::Literal { unit: Unit::Degree, span, .. } => Some(("deg", *span)),
-            Self::Literal { unit: Unit::Radian, span, .. } => Some(("rad", *span)),
-            Self::Literal { .. } | Self::Pi => None,
-            Self::Negative(inner) | Self::Root(inner, _) => inner.angle_unit(),
-            Self::Binary { left, right, .. } => left.angle_unit().or_else(|| right.angle_unit()),
-        }
-    }
-
-    fn evaluate(&self, context: Context) -> Result<Real> {
-        Ok(match self {
-            Self::Literal { digits, unit, span } => {
-                let value = context
-                    .decimal(digits)
-                    .ok_or_else(|| Error::new(*span, format!("`{digits}` is not a decimal number")))?;
-                match unit {
-                    Unit::None | Unit::Radian => value,
-                    Unit::Pi => value * context.pi(),
-                    Unit::Degree => value * context.pi() / context.integer(180),
-                }
-            }
-            Self::Pi => context.pi(),
-            Self::Negative(inner) => -inner.evaluate(context)?,
-            Self::Root(inner, span) => {
-                let value = inner.evaluate(context)?;
-                if value.is_negative() {
-                    let shown = value.to_f64();
-                    return Err(Error::new(
-                        *span,
-                        format!("`sqrt` of a negative number, {shown:?}: its argument has to be 0 or more"),
-                    ));
-                }
-                value.sqrt()
-            }
-            Self::Binary { left, operator, right, blame } => {
-                let (left, right) = (left.evaluate(context)?, right.evaluate(context)?);
-                match operator {
-                    Operator::Add => sum_of(&left, &right),
-                    Operator::Subtract => sum_of(&left, &-right),
-                    Operator::Multiply => left * right,
-                    Operator::Divide if right.is_zero() => {
-                        return Err(Error::new_spanned(blame, "division by zero: this divisor is 0"));
-                    }
-                    Operator::Divide => left / right,
-                }
-            }
-        })
-    }
-}
-
-/// A sum whose terms cancel to below the resolution is zero: `sqrt(2)*sqrt(2) - 2` is not a rounding error.
-fn sum_of(left: &Real, right: &Real) -> Real {
-    let sum = left + right;
-    if sum.abs() <= left.abs() * left.context().resolution() { left.context().integer(0) } else { sum }
 }
 
 #[cfg(test)]

@@ -1,0 +1,79 @@
+//! The words of the macro's input that stand for something: methods, types and outputs.
+
+use crate::report::nearest;
+use syn::{Error, Ident, Result};
+
+/// Declares an enum whose variants have names in the macro's input.
+macro_rules! keywords {
+    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(crate) enum $name { $($(#[$variant_doc])* $variant),* }
+
+        impl $name {
+            pub(crate) const WORDS: &'static [&'static str] = &[$($word),*];
+
+            pub(crate) fn word(self) -> &'static str {
+                match self { $(Self::$variant => $word),* }
+            }
+
+            pub(super) fn from_word(word: &str) -> Option<Self> {
+                match word { $($word => Some(Self::$variant),)* _ => None }
+            }
+        }
+    };
+}
+
+keywords! {
+    /// How the motion is approximated.
+    Method {
+        /// Eq. 3: θ0 cos ωt.
+        SmallAngle = "small_angle",
+        /// Eq. 17: θ0 cos(2πt/T).
+        Harmonic = "harmonic",
+        /// Eq. 22: `2 arcsin(k sn_N)`.
+        Fourier = "fourier",
+        /// The Fourier series of θ itself.
+        Series = "series",
+        /// A polynomial in the reduced phase.
+        Polynomial = "polynomial",
+    }
+}
+
+keywords! {
+    /// The type of t and of the results.
+    Float { F64 = "f64", F32 = "f32" }
+}
+
+keywords! {
+    /// A quantity to be computed.
+    Output {
+        Theta = "theta",
+        Velocity = "velocity",
+        Acceleration = "acceleration",
+        Position = "position",
+        Wrapped = "wrapped",
+    }
+}
+
+/// What `ident` stands for, or the nearest word.
+pub(super) fn one_word<T>(ident: &Ident, what: &str, words: &[&str], from_word: fn(&str) -> Option<T>) -> Result<T> {
+    let text = ident.to_string();
+    from_word(&text).ok_or_else(|| {
+        let message = nearest(&text, words).map_or_else(
+            || format!("unknown {what} `{text}`: it is one of {}", list(words)),
+            |known| format!("unknown {what} `{text}`: did you mean `{known}`?"),
+        );
+        Error::new(ident.span(), message)
+    })
+}
+
+/// `` `a`, `b` or `c` ``
+pub(crate) fn list(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        Some((last, _)) => last.clone(),
+        None => String::new(),
+    }
+}
