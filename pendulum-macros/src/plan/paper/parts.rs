@@ -25,12 +25,12 @@ pub(super) struct Whole {
 
 impl Sum {
     /// θ̂ as a whole; `None` where it takes too many terms, or isn't asked for. It may be off by what a tolerance leaves, or
-    /// by 8 units in the last place of θ0; if need be by 12 that are proven, which are fewer than 6 in truth.
+    /// by 8 units in the last place of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
     pub(super) fn whole(&self, scene: &Scene, swing: &Swing) -> Option<Whole> {
         let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
         let allowed = match scene.goal {
             Goal::Tolerance(tol) => [tol - self.bias; 2],
-            _ => [8.0, 12.0].map(units),
+            _ => [8.0, 11.0].map(units),
         };
         let wanted = !self.coefficients.is_empty() && scene.outputs.contains(&Output::Theta);
         let approximation = wanted.then(|| whole::approximation(&self.weights, allowed[0] / 8.0))??;
