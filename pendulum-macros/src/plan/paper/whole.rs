@@ -244,7 +244,7 @@ mod tests {
         let context = scene.motion.omega.context();
         let phase = swing_rate(swing) * context.float(t)? + &swing.launch;
         let passed = phase.round();
-        let odd = (&passed - (&passed.scale(-1)).round().scale(1)).is_zero();
+        let odd = (&passed - passed.scale(-1).round().scale(1)).is_zero();
         let value = twice_arcsine(sum.at((phase - passed).to_double()))?;
         Some(if odd == swing.mirrored { -value } else { value })
     }
