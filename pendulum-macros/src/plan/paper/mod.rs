@@ -3,7 +3,7 @@
 mod parts;
 mod whole;
 
-use super::curve::{Curve, SwingCurves};
+use super::curve::SwingCurves;
 use super::kernel;
 use super::reduction::{Clock, Reduction};
 use super::{Part, Plan, Refusal};
@@ -13,6 +13,7 @@ use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
 use crate::series::swing_rate;
+use parts::Wanted;
 use pendulum_runtime::double::Double;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
@@ -220,21 +221,17 @@ impl Sum {
         };
         let mut reductions = clock.reductions();
         reductions.sort_by_key(Reduction::operations);
+        let wanted = self.wanted(scene, swing);
         // If nothing is promised, the phase's error is to be beside the rounding.
-        let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let curve = |output: &Output| if *output == Output::Velocity { curves.velocity() } else { curves.theta() };
-        let curves: Vec<Curve> = scene.outputs.iter().map(curve).collect();
-        let fine = |curve: &Curve, reduction: &Reduction| {
-            curve.phase_error(reduction) <= 8.0 * scene.float.unit() * curve.largest
+        let fine = |wanted: &Wanted, reduction: &Reduction| {
+            wanted.curve.phase_error(reduction) <= 8.0 * scene.float.unit() * wanted.curve.largest
         };
         if !matches!(scene.goal, Goal::Tolerance(_)) {
-            reductions.retain(|reduction| curves.iter().all(|curve| fine(curve, reduction)));
+            reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
         }
-        let whole = self.whole(scene, swing);
         let mut closest = f64::INFINITY;
         for reduction in &reductions {
-            let part = |(&output, curve)| self.part(scene, swing, output, curve, reduction, whole.as_ref());
-            let parts: Vec<Part> = scene.outputs.iter().zip(&curves).map(part).collect();
+            let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(scene, swing, wanted, reduction)).collect();
             let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
             let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
             if worst <= promise {

@@ -4,7 +4,7 @@ use super::{Sum, horizon, whole};
 use crate::motion::Swing;
 use crate::parse::Output;
 use crate::plan::arcsine::Arcsine;
-use crate::plan::curve::Curve;
+use crate::plan::curve::{Curve, SwingCurves};
 use crate::plan::form::Form;
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
@@ -16,55 +16,68 @@ use crate::scene::{Goal, Scene};
 use crate::series::swing_rate;
 use pendulum_runtime::double::Double;
 
-/// Where θ̂ is twice an arcsine: as one approximation, and how far off it may be.
-pub(super) struct Whole {
+/// An output, and what doesn't depend on the reduction.
+pub(super) struct Wanted {
+    output: Output,
+    /// The exact one.
+    pub(super) curve: Curve,
+    /// sup |approximate output − exact output|.
+    bias: f64,
+    /// θ̂ where it is twice an arcsine.
+    whole: Option<Whole>,
+}
+
+/// θ̂ in one approximation, and how far off it may be, phase included: the first that can be kept counts.
+struct Whole {
     approximation: Approximation,
-    /// The first that can be kept counts.
     allowed: [f64; 2],
 }
 
 impl Sum {
-    /// θ̂ as a whole; `None` where it takes too many terms, or isn't asked for. It may be off by what a tolerance leaves, or
-    /// by 8 units in the last place of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
-    pub(super) fn whole(&self, scene: &Scene, swing: &Swing) -> Option<Whole> {
+    pub(super) fn wanted(&self, scene: &Scene, swing: &Swing) -> Vec<Wanted> {
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        let one = |&output: &Output| match output {
+            Output::Velocity => {
+                Wanted { output, curve: curves.velocity(), bias: self.velocity_bias(scene, swing), whole: None }
+            }
+            _ => Wanted { output, curve: curves.theta(), bias: self.bias, whole: self.whole(scene, swing) },
+        };
+        scene.outputs.iter().map(one).collect()
+    }
+
+    /// `None` where it takes too many terms. It may be off by what a tolerance leaves, or by 8 units in the last place of θ0;
+    /// if need be by 11 that are proven, of which two thirds have been observed at most.
+    fn whole(&self, scene: &Scene, swing: &Swing) -> Option<Whole> {
         let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
         let allowed = match scene.goal {
             Goal::Tolerance(tol) => [tol - self.bias; 2],
             _ => [8.0, 11.0].map(units),
         };
-        let wanted = !self.coefficients.is_empty() && scene.outputs.contains(&Output::Theta);
-        let approximation = wanted.then(|| whole::approximation(&self.weights, allowed[0] / 8.0))??;
-        Some(Whole { approximation, allowed })
+        if self.coefficients.is_empty() {
+            return None;
+        }
+        Some(Whole { approximation: whole::approximation(&self.weights, allowed[0] / 8.0)?, allowed })
     }
 
-    pub(super) fn part(
-        &self,
-        scene: &Scene,
-        swing: &Swing,
-        output: Output,
-        curve: &Curve,
-        reduction: &Reduction,
-        whole: Option<&Whole>,
-    ) -> Part {
+    pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
+        let Wanted { output, curve, bias, whole } = wanted;
         let phase = curve.phase_error(reduction);
         let direction = if swing.mirrored { -1.0 } else { 1.0 };
-        let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, output, reduction, direction)));
-        let in_whole = whole.filter(|_| output == Output::Theta).and_then(|whole| {
-            let found = whole.polynomial(phase, reduction, direction)?;
-            (cost(reduction, &found.0) < cost(reduction, &summed)).then_some(found)
-        });
-        let (kernel, description, truncation, evaluation) = if let Some((kernel, own, evaluation)) = in_whole {
+        let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
+        let whole = whole
+            .as_ref()
+            .and_then(|whole| whole.kernel(phase, reduction, direction))
+            .filter(|(kernel, ..)| cost(reduction, kernel) < cost(reduction, &summed));
+        let (kernel, description, truncation, evaluation) = if let Some((kernel, own, evaluation)) = whole {
             let (terms, word) = (self.weights.len(), kernel.describe());
             let description = format!("{terms} harmonics, twice the arcsine of their sum as one {word}");
-            (kernel, description, self.bias + own, evaluation)
+            (kernel, description, bias + own, evaluation)
         } else {
-            let evaluation = summed.rounding(reduction, f64::INFINITY);
-            let bias = if output == Output::Velocity { self.velocity_bias(scene, swing) } else { self.bias };
-            let description = summed.describe();
-            (summed, description, bias, evaluation)
+            let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));
+            (summed, description, *bias, evaluation)
         };
         let bound = Bound { truncation, phase, evaluation };
-        Part { output, kernel, description, bound, unit: curve.unit, largest: curve.largest }
+        Part { output: *output, kernel, description, bound, unit: curve.unit, largest: curve.largest }
     }
 
     fn harmonics(&self, scene: &Scene, output: Output, reduction: &Reduction, direction: f64) -> Harmonics {
@@ -131,10 +144,10 @@ fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
 impl Whole {
     /// The kernel in the cheapest form that is off by no more than is allowed, beside what the phase does, and its
     /// truncation and rounding.
-    fn polynomial(&self, phase: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+    fn kernel(&self, phase: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
         let left = self.allowed.iter().map(|allowed| allowed - phase);
-        let shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
-        shared.into_iter().find_map(|(left, truncation)| self.within(left, truncation, reduction, direction))
+        let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
+        shared.find_map(|(left, truncation)| self.within(left, truncation, reduction, direction))
     }
 
     fn within(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
