@@ -38,6 +38,23 @@ impl CosineTable {
     }
 }
 
+/// Bounds the error of interpolation at so many Chebyshev points, of a function that is analytic inside the ellipse with
+/// foci ±1 and parameter ρ, and bounded there: 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation
+/// Practice*, theorem 8.2).
+pub(crate) fn interpolation_error(bound: f64, rho: f64, points: usize) -> f64 {
+    4.0 * bound * rho.powf(1.0 - points as f64) / (rho - 1.0)
+}
+
+/// The fewest points for which [`interpolation_error`] is at most `limit`; infinite or NaN where none are.
+pub(crate) fn points_for(bound: f64, rho: f64, limit: f64) -> f64 {
+    ((4.0 * bound / (rho - 1.0) / limit).ln() / rho.ln()).ceil().max(1.0) + 1.0
+}
+
+/// Bounds what interpolation at so many Chebyshev points multiplies values with, Lebesgue's constant (Rivlin 1974).
+pub(crate) fn lebesgue(points: usize) -> f64 {
+    2.0 / std::f64::consts::PI * (points as f64).ln() + 1.0
+}
+
 /// Σ aⱼ Tⱼ(x), by Clenshaw's recurrence.
 pub(crate) fn value(series: &[Double], x: Double) -> Double {
     let step = |(next, after): (Double, Double), a: &Double| (*a + x * next * 2.0 - after, next);
@@ -154,5 +171,41 @@ mod tests {
         let at_one = shifted.iter().fold(Double::ZERO, |sum, &c| sum + c);
         assert!((at_one - Double::new(6.0)).hi.abs() < 1e-29);
         assert!((shifted[0] - Double::ZERO).hi.abs() < 1e-29);
+    }
+
+    /// 1/(a − x), whose pole lies on the ellipse with parameter a + √(a² − 1).
+    #[test]
+    fn interpolation_is_as_wrong_as_it_may_be() {
+        let pole = 1.5;
+        let rho = 0.95 * (pole + (pole * pole - 1.0_f64).sqrt());
+        let bound = 1.0 / (pole - 0.5 * (rho + 1.0 / rho));
+        for points in [4, 9, 16] {
+            let table = CosineTable::new(points);
+            let function = |x: Double| Double::ONE / (Double::new(pole) - x);
+            let values: Vec<Double> = table.points().map(function).collect();
+            let series = table.coefficients(&values, points);
+            let error = |i: u32| {
+                let x = Double::new(f64::from(i) / 100.0 - 1.0);
+                (value(&series, x) - function(x)).hi.abs()
+            };
+            let (seen, limit) = ((0..=200).map(error).fold(0.0, f64::max), interpolation_error(bound, rho, points));
+            assert!(seen <= limit && limit < 80.0 * seen, "{points}: {seen:e} {limit:e}");
+            assert_eq!(points_for(bound, rho, limit * 1.001), points as f64);
+            assert_eq!(points_for(bound, rho, limit * 0.999), points as f64 + 1.0);
+        }
+    }
+
+    /// max Σ|ℓⱼ(x)|, attained at the ends.
+    #[test]
+    fn lebesgues_constant() {
+        for points in [2, 10, 40] {
+            let nodes: Vec<f64> = CosineTable::new(points).points().map(|x| x.hi).collect();
+            let basis = |j: usize| -> f64 {
+                let factor = |i: usize| if i == j { 1.0 } else { (1.0 - nodes[i]) / (nodes[j] - nodes[i]) };
+                (0..points).map(factor).product()
+            };
+            let exact: f64 = (0..points).map(|j| basis(j).abs()).sum();
+            assert!(exact <= lebesgue(points) && lebesgue(points) < 1.04 * exact, "{points}: {exact}");
+        }
     }
 }

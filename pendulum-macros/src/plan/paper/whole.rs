@@ -12,7 +12,7 @@
 //! Λ ≤ (2/π) ln M + 1 (Rivlin 1974). Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point,
 //! stays between −π/2 and π/2, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
 
-use crate::chebyshev::{CosineTable, cos_pi, sin_pi, value};
+use crate::chebyshev::{CosineTable, cos_pi, interpolation_error, lebesgue, points_for, sin_pi, value};
 use crate::plan::moebius::Moebius;
 use crate::plan::polynomial::Approximation;
 use crate::series::Wave;
@@ -29,7 +29,7 @@ const LOOK: usize = 48;
 const ROUGH: f64 = 1e-12;
 
 /// More points than this take too long.
-const MOST_POINTS: usize = 400;
+const MOST_POINTS: f64 = 400.0;
 
 /// θ̂ for these weights, the whole approximation wrong by much less than `limit`; `None` if it needs many terms.
 pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximation> {
@@ -96,27 +96,34 @@ fn twice_arcsine(y: Double) -> Option<Double> {
 /// Bounds the distance of `series` from θ̂ on the interval; `None` if the sum may reach 1.
 fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<f64> {
     let (points, interpolation) = enough_points(sum, map, series, negligible * 1e-4)?;
-    let table = CosineTable::new(points);
-    let samples: Vec<(f64, f64, f64)> = table
-        .points()
-        .map(|u| {
-            let s = phase(map, u);
-            let y = sum.at(s);
-            let residual = y - sin_pi(value(series, u) / (Double::PI * 2.0));
-            (s.hi, y.hi.abs(), residual.hi.abs())
-        })
-        .collect();
-    let lebesgue = 2.0 / PI * (points as f64).ln() + 1.0;
-    let residual = samples.iter().map(|sample| sample.2).fold(0.0, f64::max) * lebesgue + interpolation;
-    // Samples run from the lowest point to the turning point, and on its other side back again.
+    let sample = |u: Double| {
+        let s = phase(map, u);
+        let y = sum.at(s);
+        let residual = y - sin_pi(value(series, u) / (Double::PI * 2.0));
+        (Point { s: s.hi, y: y.hi.abs() }, residual.hi.abs())
+    };
+    let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = CosineTable::new(points).points().map(sample).unzip();
+    let residual = residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + interpolation;
     let bend: f64 = sum.terms().iter().map(|&(m, w)| w.hi.abs() * (f64::from(m) * PI).powi(2)).sum();
-    let between = |a: f64, b: f64, gap: f64| a.max(b) + bend * gap * gap / 8.0;
-    let inner = samples.windows(2).map(|pair| between(pair[0].1, pair[1].1, pair[0].0 - pair[1].0));
-    let ends = [samples.first()?, samples.last()?];
-    // The lowest point is a zero of y.
-    let outer = [between(ends[0].1, 0.0, 1.0 - 2.0 * ends[0].0), between(ends[1].1, 0.0, 2.0 * ends[1].0)];
-    let most = inner.chain(outer).fold(0.0, f64::max) + residual;
+    let most = largest(&points_of_sum, bend) + residual;
     (most < 1.0).then(|| 2.0 * residual / (1.0 - most * most).sqrt())
+}
+
+/// |y| at a phase.
+#[derive(Clone, Copy)]
+struct Point {
+    s: f64,
+    y: f64,
+}
+
+/// Bounds |y| where |y″| ≤ `bend`, from points between the lowest point, ½, and the turning point, 0, about which y is odd
+/// and even.
+fn largest(points: &[Point], bend: f64) -> f64 {
+    let lowest = Point { s: 0.5, y: 0.0 };
+    let other_side = points.last().map(|&Point { s, y }| Point { s: -s, y });
+    let all: Vec<Point> = std::iter::once(lowest).chain(points.iter().copied()).chain(other_side).collect();
+    let between = |pair: &[Point]| pair[0].y.max(pair[1].y) + bend * (pair[0].s - pair[1].s).powi(2) / 8.0;
+    all.windows(2).map(between).fold(0.0, f64::max)
 }
 
 /// The number of points that makes the residual's interpolation error negligible, and that error.
@@ -125,9 +132,8 @@ fn enough_points(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible
         let height = Moebius::height(map, rho)?;
         let angle: f64 = series.iter().enumerate().map(|(j, c)| c.hi.abs() * (j as f64 * rho.ln()).cosh()).sum();
         let bound = sum.bound(height) + (0.5 * angle).sinh();
-        let factor = 4.0 * bound / (rho - 1.0);
-        let points = ((factor / negligible).ln() / rho.ln()).ceil().max(8.0) + 1.0;
-        (points <= MOST_POINTS as f64).then(|| (points as usize, factor * rho.powf(1.0 - points)))
+        let points = points_for(bound, rho, negligible);
+        (points <= MOST_POINTS).then(|| (points as usize, interpolation_error(bound, rho, points as usize)))
     };
     [1.15, 1.25, 1.35, 1.5, 1.7, 2.0, 2.5, 3.0].into_iter().filter_map(choice).min_by_key(|&(points, _)| points)
 }
@@ -159,31 +165,43 @@ mod tests {
         assert_eq!(twice_arcsine(Double::new(1.0)), None);
     }
 
-    /// The bound of the whole series is next to nothing, and that of a series that is wrong somewhere is what it is wrong by,
-    /// but for Lebesgue's constant and the steepest arcsine.
+    /// The bound of the whole series is next to nothing, and that of a series that is wrong by ε at the lowest point is
+    /// εΛ/√(1 − y²), y being the largest.
     #[test]
     fn errors_are_seen() {
         for (theta0, terms) in [("1e-3", 1), ("1", 2), ("π/2", 3), ("7π/8", 4), ("7π/8", 8)] {
             let scene = scene(&format!("theta0 = {theta0}"));
             let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-            let weights = weights(swing, terms);
-            let sum = Wave::harmonics(&weights);
-            let largest: f64 = weights.iter().map(|w| w.hi.abs()).sum();
+            let sum = Wave::harmonics(&weights(swing, terms));
+            let largest = sum.at(Double::ZERO).hi;
+            let epsilon = 1e-9 * largest;
             for map in [None, Some(Moebius::new(0.14))] {
                 let Some(series) = interpolant(&sum, map, 90) else { panic!("{theta0} {terms}") };
-                let bound = |series: &[Double]| error(&sum, map, series, 1e-26).unwrap();
-                let exact = bound(&series);
-                // Without a map 90 terms leave 10⁻¹⁷ at 7π/8.
-                let expected = if map.is_some() || largest < 1.0 { 1e-24 } else { 1e-15 };
-                assert!(exact <= expected * largest, "{theta0} {terms} {map:?}: {exact:e}");
+                let exact = error(&sum, map, &series, 1e-26).unwrap();
+                // Without a map 90 terms leave 10⁻¹⁵ at 7π/8.
+                assert!(exact <= if map.is_some() { 1e-24 } else { 1e-15 }, "{theta0} {terms} {map:?}: {exact:e}");
                 for spoilt in [0, 3, 40] {
                     let mut series = series.clone();
-                    series[spoilt] = series[spoilt] + Double::new(1e-9 * largest);
-                    let seen = bound(&series) / (1e-9 * largest);
-                    assert!((1.0..60.0).contains(&seen), "{theta0} {terms} {map:?} {spoilt}: {seen}");
+                    series[spoilt] = series[spoilt] + Double::new(epsilon);
+                    let (points, _) = enough_points(&sum, map, &series, 1e-30).unwrap();
+                    let expected = epsilon * lebesgue(points) / (1.0 - largest * largest).sqrt();
+                    let seen = error(&sum, map, &series, 1e-26).unwrap() / expected;
+                    assert!((0.99..1.02).contains(&seen), "{theta0} {terms} {map:?} {spoilt}: {seen}");
                 }
             }
         }
+    }
+
+    /// cos πs, of which no sample is the largest value.
+    #[test]
+    fn the_largest_sum_between_samples() {
+        let at = |s: f64| Point { s, y: (PI * s).cos() };
+        let bound = |samples: &[f64]| largest(&samples.iter().map(|&s| at(s)).collect::<Vec<_>>(), PI * PI);
+        let fine = bound(&[0.4, 0.3, 0.2, 0.1, 0.04]);
+        assert!(fine > 1.0 && fine < 1.01, "{fine}");
+        // Where samples are missing the bend counts: π²/8 times the square of the gap.
+        assert!((bound(&[0.05]) - at(0.05).y - PI * PI / 8.0 * 0.45 * 0.45).abs() < 1e-12);
+        assert!((bound(&[0.45, 0.2]) - at(0.2).y - PI * PI / 8.0 * 0.16).abs() < 1e-12);
     }
 
     /// Im √p on the ellipse itself.
@@ -224,15 +242,18 @@ mod tests {
             let scene = scene(&text);
             let Ok(plan) = plan(&scene) else { continue };
             let Regime::Swing(swing) = &scene.motion.regime else { continue };
-            let whole = plan.parts[0].description.contains("twice the arcsine");
+            let (description, bound) = (&plan.parts[0].description, plan.parts[0].bound);
+            let whole = description.contains("twice the arcsine");
             wholes += u32::from(whole);
             let sum = Wave::harmonics(&weights(swing, terms));
             let amplitude = swing.amplitude.to_f64();
+            let ulp = amplitude.next_up() - amplitude;
+            assert!(bound.phase + bound.evaluation <= 11.0 * ulp || !whole, "{text}: {bound:?}");
             for _ in 0..24 {
                 let t = 2f64.powf(60.0 * random.unit() - 6.0);
                 let Some(exact) = exact(&scene, swing, &sum, t) else { continue };
                 let error = (Double::new(plan.functions[0].program.run(t)[0]) - exact).hi.abs();
-                let units = error / (amplitude.next_up() - amplitude);
+                let units = error / ulp;
                 // An arcsine multiplies what its argument is wrong by.
                 assert!(units <= 8.0 || !whole, "{text} at {t:e}: {units}");
             }
