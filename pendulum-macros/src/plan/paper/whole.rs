@@ -104,9 +104,13 @@ fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -
     };
     let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = CosineTable::new(points).points().map(sample).unzip();
     let residual = residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + interpolation;
-    let bend: f64 = sum.terms().iter().map(|&(m, w)| w.hi.abs() * (f64::from(m) * PI).powi(2)).sum();
-    let most = largest(&points_of_sum, bend) + residual;
+    let most = largest(&points_of_sum, bend(sum)) + residual;
     (most < 1.0).then(|| 2.0 * residual / (1.0 - most * most).sqrt())
+}
+
+/// Bounds |y″|.
+fn bend(sum: &Wave) -> f64 {
+    sum.terms().iter().map(|&(m, w)| w.hi.abs() * (f64::from(m) * PI).powi(2)).sum()
 }
 
 /// |y| at a phase.
@@ -126,12 +130,17 @@ fn largest(points: &[Point], bend: f64) -> f64 {
     all.windows(2).map(between).fold(0.0, f64::max)
 }
 
+/// Bounds the residual on the ellipse with parameter ρ; `None` where that reaches infinite phases.
+fn bound(sum: &Wave, map: Option<Moebius>, series: &[Double], rho: f64) -> Option<f64> {
+    let height = Moebius::height(map, rho)?;
+    let angle: f64 = series.iter().enumerate().map(|(j, c)| c.hi.abs() * (j as f64 * rho.ln()).cosh()).sum();
+    Some(sum.bound(height) + (0.5 * angle).sinh())
+}
+
 /// The number of points that makes the residual's interpolation error negligible, and that error.
 fn enough_points(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<(usize, f64)> {
     let choice = |rho: f64| {
-        let height = Moebius::height(map, rho)?;
-        let angle: f64 = series.iter().enumerate().map(|(j, c)| c.hi.abs() * (j as f64 * rho.ln()).cosh()).sum();
-        let bound = sum.bound(height) + (0.5 * angle).sinh();
+        let bound = bound(sum, map, series, rho)?;
         let points = points_for(bound, rho, negligible);
         (points <= MOST_POINTS).then(|| (points as usize, interpolation_error(bound, rho, points as usize)))
     };
@@ -190,6 +199,19 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// cos πs − ½ cos 3πs; where ρ = 2, without a map, |Im s| ≤ sinh(½ ln 2)/2, and |1 + T₁| ≤ 1 + 5/4.
+    #[test]
+    fn bounds_of_a_known_sum() {
+        let sum = Wave::harmonics(&[Double::ONE, Double::new(-0.5)]);
+        assert!((bend(&sum) - 5.5 * PI * PI).abs() < 1e-12);
+        let height = 0.25 * (2f64.sqrt() - 0.5f64.sqrt());
+        let expected = (PI * height).cosh() + 0.5 * (3.0 * PI * height).cosh() + 1.125f64.sinh();
+        let found = bound(&sum, None, &[Double::ONE; 2], 2.0).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-8, "{found} {expected}");
+        let (_, error) = enough_points(&sum, None, &[Double::ONE; 2], 1e-20).unwrap();
+        assert!(error <= 1e-20 && error > 1e-22, "{error:e}");
     }
 
     /// cos πs, of which no sample is the largest value.
