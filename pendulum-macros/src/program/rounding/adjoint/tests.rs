@@ -82,7 +82,8 @@ fn roundings_are_weighted_by_derivatives() {
     let given = (0, Known::between(1.0, 1.25));
     let forward = |program: &Program| {
         let mut known = vec![given.1];
-        (1..program.nodes.len()).for_each(|id| known.push(super::super::step(program.nodes[id].op, Float::F64, &known)));
+        (1..program.nodes.len())
+            .for_each(|id| known.push(super::super::step(program.nodes[id].op, Float::F64, &known)));
         known
     };
     let unit = f64::EPSILON / 2.0;
