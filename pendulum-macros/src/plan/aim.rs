@@ -240,3 +240,6 @@ impl Aim {
         self.slope * reduction.error + moment * (reduction.relative_error + Hyperbolic::relative_error())
     }
 }
+
+#[cfg(test)]
+mod tests;

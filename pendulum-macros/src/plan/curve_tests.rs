@@ -52,14 +52,65 @@ fn curves_of_swings() {
     stated("sine", &Curve::sine(), [1.001, 1.001, 6.0]);
 }
 
+/// |θ̈|'s phase times slope is largest somewhere between the anchor and the lowest point, where samples see it; near the top
+/// the bound, which is θ's times ω², is less than half the slope.
+#[test]
+fn the_moment_of_accelerations() {
+    let scene = scene("theta0 = 0.5, omega = 3");
+    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let acceleration = SwingCurves::new(swing, &scene.motion.omega).acceleration();
+    stated("of a small swing", &acceleration, [1.001, 1.001, 1.2]);
+}
+
 #[test]
 fn curves_of_rotations() {
-    for velocity0 in ["6.01", "7", "20"] {
+    for velocity0 in ["6.01", "7", "20", "2000"] {
         let scene = scene(&format!("velocity0 = {velocity0}, omega = 3"));
         let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
-        let angle = RotationCurves::new(rotation, &scene.motion.omega).angle();
+        let curves = RotationCurves::new(rotation, &scene.motion.omega);
+        let angle = curves.angle();
         // Without the uniform part, whose slope is counted.
         let [largest, slope, moment] = sampled(&angle);
         assert!(largest <= angle.largest && slope <= angle.slope && moment <= angle.moment, "{velocity0}");
+        // v₀ at the lowest point, and π at the top; the phase there is half a turn.
+        let (fastest, turn) = (rotation.fastest.to_f64(), rotation.period.to_f64());
+        for (found, known) in [(angle.slope, fastest * turn), (angle.moment, 0.5 * fastest * turn)] {
+            assert!((found / known - 1.0).abs() < 1e-9, "{velocity0}: {found} {known}");
+        }
+        // ω² is the largest |θ̈| if the pendulum is ever horizontal, as it is. The moment is that at half a turn.
+        stated(velocity0, &curves.velocity(), [1.001, 1.001, 30.0]);
+        let acceleration = curves.acceleration();
+        stated(velocity0, &acceleration, [1.001, 1.3, f64::INFINITY]);
+        assert_eq!(acceleration.moment, 0.5 * acceleration.slope);
+        for half in [curves.half_sine(), curves.half_cosine()] {
+            assert!(sampled(&half)[0] <= half.largest * (1.0 + 1e-9) && !half.alternates);
+        }
+        // Nothing of a rotation changes its sign from turn to turn.
+        assert!(![angle, curves.velocity(), acceleration].iter().any(|curve| curve.alternates));
     }
+}
+
+/// What depends on the anchor passed: all but the height, and cos(θ/2) with it.
+#[test]
+fn signs_of_swings() {
+    let scene = scene("theta0 = 2");
+    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let curves = SwingCurves::new(swing, &scene.motion.omega);
+    for curve in [curves.theta(), curves.velocity(), curves.acceleration(), curves.half_sine()] {
+        assert!(curve.alternates);
+    }
+    assert!(!curves.half_cosine().alternates && Curve::sine().alternates && Curve::cosine(&swing.amplitude).alternates);
+}
+
+/// Sums of harmonics are what they say.
+#[test]
+fn sums_of_harmonics() {
+    let weights = [0.7, -0.1, 0.01].map(Double::new);
+    let curve = Curve::harmonics(&weights);
+    for s in [0.0, 0.1, 0.37, 0.5] {
+        let wave = |n: f64| (n * std::f64::consts::PI * s).cos();
+        let known = 0.7 * wave(1.0) - 0.1 * wave(3.0) + 0.01 * wave(5.0);
+        assert!((curve.at(Double::new(s)).hi - known).abs() < 1e-15, "{s}");
+    }
+    assert!(curve.alternates && curve.omitted() == 0.0);
 }

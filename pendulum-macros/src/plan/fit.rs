@@ -59,3 +59,6 @@ impl Fit {
         self.coefficients.len()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -202,3 +202,6 @@ fn recurrence_error(weights: &[Double], cosine: f64, unit: f64) -> f64 {
     // The last sum and product.
     steps + 2.0 * unit * (total(weights, 0) + total(weights, 1))
 }
+
+#[cfg(test)]
+mod tests;

@@ -418,3 +418,6 @@ fn arctangent_ratio(v: Double) -> Double {
     let step = (x * cosine - sine) / (cosine + x * sine);
     (Double::new(start) + step - step * step * step / Double::new(3.0)) / x
 }
+
+#[cfg(test)]
+mod tests;

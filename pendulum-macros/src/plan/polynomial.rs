@@ -384,3 +384,6 @@ pub(crate) fn estrin(b: &mut Builder, x: Id, coefficients: &[Id], names: &[&'sta
     }
     sums[0]
 }
+
+#[cfg(test)]
+mod tests;

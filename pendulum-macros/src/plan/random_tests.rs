@@ -245,3 +245,20 @@ fn a_wrong_coefficient_is_seen() {
     probe.everywhere(&mut Random::new(1), 8);
     assert!(probe.worst.1 <= intact.parts[0].bound.total());
 }
+
+/// The first passages after a release near the top, at the times whose products with the rate have most digits, are mirror
+/// images of each other to the bit, and as accurate as the later ones.
+#[test]
+fn the_first_passages_keep_their_bound() {
+    for omega in ["1.4239", "1.423"] {
+        let scene = scene(&format!("struct Motion; theta0 = π - 1e-9, omega = {omega}"));
+        let plan = plan(&scene).unwrap();
+        let mut probe = Probe::new(&scene, &plan);
+        for i in 0..40 {
+            let t = 0.5 * probe.step * (1.0 - f64::from(i) * 1.234567e-4);
+            let error = probe.at(-t);
+            assert!(error <= probe.bound, "{omega} {t}: {error:e} of {:e}", probe.bound);
+            assert_eq!(probe.program.run(t), probe.program.run(-t), "{omega} {t}");
+        }
+    }
+}

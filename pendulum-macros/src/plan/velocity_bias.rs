@@ -90,3 +90,6 @@ impl Curves {
         (2.0 * first / margin.sqrt(), bend)
     }
 }
+
+#[cfg(test)]
+mod tests;

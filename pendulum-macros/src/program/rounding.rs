@@ -150,14 +150,15 @@ fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
 
 fn sum(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = a.corners(b, float, |x, y| x + y);
-    let exact = two_sum(a.low, b.low).1 == 0.0 && two_sum(a.high, b.high).1 == 0.0;
+    let ends = [(a.low, b.low), (a.high, b.high)];
+    let exact = ends.into_iter().all(|(x, y)| two_sum(x, y).1 == 0.0 && float.round(x + y) == x + y);
     Known::result((low, high), a.error + b.error, rounding(low, high, exact, float))
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = a.corners(b, float, |x, y| x * y);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
-    let exact = ends.into_iter().all(|(x, y)| two_prod(x, y).1 == 0.0);
+    let exact = ends.into_iter().all(|(x, y)| two_prod(x, y).1 == 0.0 && float.round(x * y) == x * y);
     let scaling = [a, b].iter().any(|x| x.low == x.high && x.error == 0.0 && is_power_of_two(x.low.abs()));
     let rounding = if scaling { 0.0 } else { rounding(low, high, exact, float) };
     Known::result((low, high), a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error, rounding)
@@ -174,8 +175,7 @@ fn square(x: Known, float: Float) -> Known {
 /// The rounding of results between `low` and `high`, which are the exact ends if `exact`.
 fn rounding(low: f64, high: f64, exact: bool, float: Float) -> f64 {
     let magnitude = low.abs().max(high.abs());
-    let representable = float.round(low) == low && float.round(high) == high;
-    if exact && representable { rounding_up_to(magnitude, float) } else { half_ulp(magnitude, float) }
+    if exact { rounding_up_to(magnitude, float) } else { half_ulp(magnitude, float) }
 }
 
 fn quotient(a: Known, b: Known, float: Float) -> Known {
@@ -199,3 +199,6 @@ fn root(x: Known, float: Float) -> Known {
 fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x.to_bits() & ((1 << 52) - 1) == 0
 }
+
+#[cfg(test)]
+mod tests;

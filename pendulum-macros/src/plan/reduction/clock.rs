@@ -21,7 +21,7 @@ pub(crate) struct Clock<'a> {
 
 impl Clock<'_> {
     /// The greatest |t| promised.
-    fn horizon(&self) -> f64 {
+    pub(super) fn horizon(&self) -> f64 {
         self.t_max.unwrap_or_else(|| UNLIMITED / self.rate.to_f64()).min(f64::MAX)
     }
 
@@ -60,12 +60,12 @@ impl Clock<'_> {
             (Float::F32, Method::OneWord { .. } | Method::Scaled { .. }) => (self.rate.to_f64() > 0.5, 2f64.powi(120)),
             (Float::F32, _) => (false, 0.0),
         };
-        // The launch phase is added in two words where there are any; zero and one half without rounding that matters.
-        let exact =
-            matches!(method, Method::AnyTime { .. }) || self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0;
+        // The launch phase is added in two words where there are any. Where it is a rounded time, that has been counted.
+        let exact = self.is_exact() || matches!(method, Method::AnyTime { .. });
+        let counted = exact || matches!(method, Method::CodyWaite { .. });
         let wide = matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. });
         let added_in = if wide { Float::F64 } else { self.float };
-        let launch_error = if exact { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
+        let launch_error = if counted { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
         // A launch phase is rounded before n is: the remainder may pass half an anchor by as much.
         let overshoot = if exact { overshoot } else { overshoot.max(4.0 * (error + launch_error)) };
         Reduction {
@@ -87,7 +87,7 @@ impl Clock<'_> {
         let rate = self.float.round(self.rate.to_f64());
         let drift = self.horizon() * self.off(&[rate]);
         (anchors < self.float.magic() / 8.0).then(|| {
-            let error = drift + half_ulp(anchors * 1.001, self.float);
+            let error = drift + self.rounding_in_one_word(anchors, self.float);
             self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], 0.0)
         })
     }
@@ -141,9 +141,14 @@ impl Clock<'_> {
         let crosses = exponent(half * (1.0 + 1e-6)) != exponent(half * (1.0 - 1e-6));
         let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * 1.000_001;
+        // Of three words the second difference is rounded, too; the third then isn't where the first is.
+        let differences = (count as f64 - 1.0).max(1.0 + self.halfway(origin));
+        let rounding = |anchors: f64| half_ulp(anchors / rate * 1.001, self.float) * rate;
+        // Another launch is added last: a constant below a quarter, after two differences below three quarters.
+        let launched = if self.is_exact() { 0.0 } else { 2.0 * rounding(0.75) + rounding(0.25) };
         let errors = match origin {
-            Origin::Anchor => [drift + half_ulp(half * 1.001, self.float) * rate, 0.0],
-            Origin::Lowest => [drift, self.float.unit() * 1.001],
+            Origin::Anchor => [drift + launched + differences * rounding(0.5), 0.0],
+            Origin::Lowest => [drift + launched, differences * self.float.unit() * 1.001],
         };
         let overshoot = 4.0 * anchors * self.float.unit();
         Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, overshoot))
@@ -152,7 +157,7 @@ impl Clock<'_> {
     fn wide(&self, origin: Origin) -> Reduction {
         let rate = self.rate.to_f64();
         let anchors = self.horizon() * rate;
-        let drift = self.horizon() * self.off(&[rate]) + half_ulp(anchors * 1.001, Float::F64);
+        let drift = self.horizon() * self.off(&[rate]) + self.rounding_in_one_word(anchors, Float::F64);
         self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), 0.0)
     }
 
@@ -194,19 +199,37 @@ impl Clock<'_> {
         }
     }
 
-    /// Two roundings of sums, relative to the result, and the last word's product: of three words, below 16 anchors, it is
-    /// rounded to 2⁻⁵⁰ and so is its sum with another. Where the third part isn't small beside the others (t beyond 2²⁵
-    /// anchors), the first sum is exact.
+    /// Three roundings of sums, relative to the result (one is that of [`Self::halfway`] or of the first sum, which is exact
+    /// where the last word's product matters), and that product: of three words, below 16 anchors, it is rounded to 2⁻⁵⁰ and so
+    /// is its sum with another.
     fn any_time(&self, count: usize, origin: Origin) -> Reduction {
         let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
         let last = if count == 3 { 2f64.powi(-49) } else { 2f64.powi(-72) };
         let drift = self.horizon() * self.off(&words) + last;
         let errors = match origin {
             Origin::Anchor => [drift + 2f64.powi(-53), 0.0],
-            Origin::Lowest => [drift, 2.001 * Float::F64.unit()],
+            Origin::Lowest => [drift, 3.001 * Float::F64.unit()],
         };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20))
+    }
+
+    /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is less.
+    fn rounding_in_one_word(&self, anchors: f64, float: Float) -> f64 {
+        let of_sum = if self.launch == Double::ZERO { 0.0 } else { half_ulp(0.49, float) + half_ulp(0.5, float) };
+        half_ulp(anchors * 1.001, float).max(of_sum)
+    }
+
+    /// Whether halves of an anchor, which are no matter of rounding, are passed at t = 0.
+    fn is_exact(&self) -> bool {
+        self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0
+    }
+
+    /// 1 where t = 0 is half-way between two origins, else 0. The phase is then what half an anchor is more than a small time
+    /// of finer digits: this difference is rounded, too, if it is above a quarter of an anchor.
+    fn halfway(&self, origin: Origin) -> f64 {
+        let from_origin = self.launch.hi - if origin == Origin::Anchor { 0.5 } else { 0.0 };
+        f64::from(u8::from(self.launch.lo == 0.0 && from_origin.fract() == 0.0))
     }
 
     fn exact(&self, x: f64) -> Real {

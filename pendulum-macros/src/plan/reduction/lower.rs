@@ -170,25 +170,43 @@ impl Reduction {
         let leading = b.add(first, second);
         let sum = b.add(leading, third);
         let (magic, n) = self.round(b, sum);
-        let rest = b.sub(first, n);
         let eights = b.add(many, some);
         let count = b.add(eights, n);
-        let remainder = self.sum_of_parts(b, [rest, second, third], fourth);
+        let remainder = self.sum_of_parts(b, [first, second, third], fourth, n);
         self.numbered(b, remainder, magic, count)
     }
 
-    /// The four parts and the offset. Without a launch the offset is nought or a half: as long as the third part isn't
+    /// The four parts less n, and the offset. Without a launch the offset is nought or a half: as long as the third part isn't
     /// small, all sums but the last are exact. With one they are done in two words.
-    fn sum_of_parts(&self, b: &mut Builder, [rest, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
+    ///
+    /// Where the first part is below half an anchor and n isn't nought, their difference is rounded. About an anchor that is
+    /// little beside half an anchor. The lowest point may be next to it: there a half is taken from n before, which leaves
+    /// only differences above a quarter to be rounded, or what is lost is kept.
+    fn sum_of_parts(&self, b: &mut Builder, [first, second, third]: [Id; 3], fourth: Option<Id>, n: Id) -> Id {
         let offset = self.offset();
+        let from_lowest = self.origin == Origin::Lowest;
         if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
-            let rest = offset_by(b, rest, offset);
+            let rest = if from_lowest {
+                let place = offset_by(b, n, -offset);
+                b.sub(first, place)
+            } else {
+                let rest = b.sub(first, n);
+                offset_by(b, rest, offset)
+            };
             let sum = b.add(rest, second);
             let sum = b.add(sum, third);
             return fourth.map_or(sum, |fourth| b.add(sum, fourth));
         }
         let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
-        let (mut sum, mut lost) = (rest, fourth.map_or(low, |fourth| b.add(fourth, low)));
+        let low = fourth.map_or(low, |fourth| b.add(fourth, low));
+        let (mut sum, mut lost) = if from_lowest {
+            let zero = b.constant(0.0);
+            let back = b.sub(zero, n);
+            let (rest, error) = b.two_sum(first, back);
+            (rest, b.add(low, error))
+        } else {
+            (b.sub(first, n), low)
+        };
         for part in [second, third, head] {
             let (next, error) = b.two_sum(sum, part);
             (sum, lost) = (next, b.add(lost, error));

@@ -123,3 +123,6 @@ impl Reduction {
         self.float.round(half * (1.0 + 4.0 * self.float.unit()))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -121,3 +121,6 @@ fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> boo
     }
     true
 }
+
+#[cfg(test)]
+mod tests;

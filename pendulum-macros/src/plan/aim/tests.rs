@@ -1,0 +1,184 @@
+//! What an error of the phase is taken to cost, against samples of the motion; and the limits that outputs have to keep.
+
+use super::*;
+use crate::plan::tests::scene;
+
+const ALL: &str = "outputs = [theta, velocity, acceleration, position]";
+
+fn task(text: &str) -> (Scene, Task) {
+    let scene = scene(&format!("struct Motion; {text}"));
+    let task = Task::new(&scene);
+    (scene, task)
+}
+
+/// Some reduction of the task, with these errors instead of its own.
+fn wrong_by(scene: &Scene, task: &Task, [error, relative_error]: [f64; 2]) -> Reduction {
+    Reduction { error, relative_error, ..task.reductions(scene).remove(0) }
+}
+
+/// sup |f′| and |w·f′| of a function of w.
+fn suprema(f: impl Fn(f64) -> f64) -> [f64; 2] {
+    const STEP: f64 = 1e-5;
+    let at = |i: i32| {
+        let w = f64::from(i) / 400.0;
+        let slope = (f(w + STEP) - f(w - STEP)).abs() / (2.0 * STEP);
+        [slope, w * slope]
+    };
+    (0..8000).map(at).fold([0.0, 0.0], |[a, b], [slope, moment]| [slope.max(a), moment.max(b)])
+}
+
+/// 2 gd w, and its derivative.
+fn gd(w: f64) -> f64 {
+    4.0 * (0.5 * w).tanh().atan()
+}
+
+/// The outputs of the separatrix, as functions of w = ωt, for ω = 1.
+const SEPARATRIX: [fn(f64) -> f64; 4] = [gd, |w| 2.0 / w.cosh(), |w| -gd(w).sin(), |w| gd(w)];
+
+#[test]
+fn the_separatrix() {
+    let (scene, task) = task(&format!("velocity0 = 6, omega = 3, {ALL}"));
+    let units = [1.0, 3.0, 9.0, 1.0];
+    for ((aim, f), unit) in task.aims.iter().zip(SEPARATRIX).zip(units) {
+        let [slope, moment] = suprema(f).map(|x| x * unit);
+        let largest = [PI, 6.0, 9.0, 1.0][task.aims.iter().position(|other| other.output == aim.output).unwrap()];
+        assert_eq!((aim.largest, aim.unit), (largest, unit), "{:?}", aim.output);
+        let found = [[1.0, 0.0], [0.0, 1.0]].map(|errors| aim.phase_error(&wrong_by(&scene, &task, errors)));
+        // Of all outputs the angle's is the largest.
+        for (found, seen) in found.into_iter().zip([slope, moment]) {
+            assert!(seen <= found && found <= 2.02 * seen, "{:?}: {found} for {seen}", aim.output);
+        }
+        let both = aim.phase_error(&wrong_by(&scene, &task, [1e-3, 1e-2]));
+        assert!((both / (1e-3 * found[0] + 1e-2 * found[1]) - 1.0).abs() < 1e-14);
+    }
+}
+
+/// A passage's moments are those of the separatrix, with those of its images.
+#[test]
+fn passages() {
+    for text in ["theta0 = π - 1e-5, omega = 3", "theta0 = π - 1e-9, omega = 3", "velocity0 = 6.000001, omega = 3"] {
+        let (scene, task) = task(&format!("{text}, {ALL}"));
+        let passage = task.passage.as_ref().unwrap();
+        for (aim, f) in task.aims.iter().zip(SEPARATRIX) {
+            let moment = suprema(f)[1] * aim.unit;
+            let error = |errors| aim.passage_error(&wrong_by(&scene, &task, errors), passage);
+            let found = error([0.0, 1e-3]);
+            // A rotation doesn't come to rest: of a thousandth of the way to the top it adds something.
+            let most = if task.turning { 1.03 } else { 1.01 };
+            assert!(
+                1e-3 * moment <= found && found <= most * 1e-3 * moment,
+                "{text} {:?}: {found} {moment}",
+                aim.output
+            );
+            // Without an error of the reduction, that of w is left.
+            let least = error([0.0, 0.0]) / moment;
+            assert!(
+                (2.0 * Float::F64.unit()..2.06 * Float::F64.unit()).contains(&least),
+                "{text} {:?}: {least:e}",
+                aim.output
+            );
+            // An absolute error costs what it costs other kernels.
+            let slope = aim.phase_error(&wrong_by(&scene, &task, [1.0, 0.0]));
+            assert!((error([1.0, 0.0]) / slope - 1.0).abs() < 1e-12, "{text} {:?}", aim.output);
+        }
+    }
+    // Far from the top the images count: those of the next passages are added to what is left of it at half a turn, all in
+    // all 2·span·e^(−span/2) for an angle.
+    let (scene, task) = task("velocity0 = 6.5, omega = 3, outputs = [theta]");
+    let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
+    let passage = passage(&rotation.elliptic, -1.0, 1.0).unwrap();
+    let curve = RotationCurves::new(rotation, &scene.motion.omega).velocity();
+    // θ̇ per turn, at the phase z from the lowest point, s = ½ − z from the top.
+    let at = |i: u32| {
+        let z = f64::from(i) / 4000.0;
+        z * curve.at(Double::new(0.5 - z)).hi / rotation_rate(rotation).to_f64()
+    };
+    let seen = (0..=2000).map(at).fold(0.0, f64::max);
+    let found = task.aims[0].passage_error(&wrong_by(&scene, &task, [0.0, 1.0]), &passage);
+    assert!(seen <= found && found < 1.5 * seen, "{found} for {seen}");
+}
+
+#[test]
+fn turns_within_the_horizon() {
+    // 1/T of a fast rotation is v/2π.
+    let (scene, task) = task("velocity0 = 1e9, t_max = 1e6");
+    assert!((task.turns(&scene) / (1e15 / std::f64::consts::TAU + 2.0) - 1.0).abs() < 1e-12);
+    let (scene, task) = self::task("velocity0 = 1e9, t_max = 1e-9");
+    assert!((task.turns(&scene) - 1.0 / std::f64::consts::TAU - 2.0).abs() < 1e-9);
+    let (scene, task) = self::task("velocity0 = 1e9");
+    assert_eq!(task.turns(&scene), 2f64.powi(54) + 2.0);
+}
+
+#[test]
+fn the_fastest() {
+    for (text, fastest) in [
+        ("theta0 = π/2, omega = 3", 18f64.sqrt()),
+        ("velocity0 = 7, omega = 3", 7.0),
+        ("velocity0 = 6, omega = 3", 6.0),
+    ] {
+        assert!((Task::fastest(&scene(text)).hi / fastest - 1.0).abs() < 1e-15, "{text}");
+    }
+}
+
+/// At full precision 16 units of rounding of the largest value, 48 of a position; else what is asked for.
+#[test]
+fn limits() {
+    let unit = Float::F64.unit();
+    let largest = [2.0, 2.0 * 1f64.sin() * 3.0, 9.0, 1.0];
+    let (_, full) = task(&format!("theta0 = 2, omega = 3, {ALL}"));
+    let (_, loose) = task(&format!("theta0 = 2, omega = 3, {ALL}, tol = 1e-6"));
+    let (_, tight) = task(&format!("theta0 = 2, omega = 3, {ALL}, tol = 1e-16"));
+    for (index, largest) in largest.into_iter().enumerate() {
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{index}: {a:e} {b:e}");
+        let units = if index == 3 { 48.0 } else { 16.0 };
+        near(full.aims[index].largest, largest);
+        near(full.aims[index].floor(), unit * largest);
+        near(full.aims[index].limit, units * unit * largest);
+        near(full.aims[index].truncation, unit * largest);
+        let scale = [1.0, 3.0, 9.0, 1.0][index];
+        near(loose.aims[index].limit, 1e-6 * scale);
+        near(loose.aims[index].truncation, 1e-6 * scale);
+        near(tight.aims[index].limit, 1e-16 * scale);
+        // No less than an eighth of a unit of rounding is asked of truncation.
+        near(tight.aims[index].truncation, (1e-16 * scale).max(unit * largest / 8.0));
+    }
+}
+
+/// Mirror images, and at t = 0 the anchors passed; a rotation passes the lowest point half a turn after the top.
+#[test]
+fn directions_and_launches() {
+    for (text, direction, launch, turning) in [
+        ("theta0 = 3", 1.0, 0.0, false),
+        ("theta0 = -3", -1.0, 0.0, false),
+        ("velocity0 = 5", 1.0, 0.5, true),
+        ("velocity0 = -5", -1.0, 0.5, true),
+        ("velocity0 = 2", 1.0, 0.0, false),
+        ("velocity0 = -2", -1.0, 0.0, false),
+    ] {
+        let (_, task) = task(text);
+        assert_eq!((task.direction, task.launch.to_f64(), task.turning), (direction, launch, turning), "{text}");
+        if let Some(passage) = &task.passage {
+            assert_eq!(passage.direction, direction, "{text}");
+        }
+    }
+}
+
+/// q′ = exp(−πK/K′) and w = (πK/K′)·phase, by the first terms of K and K′ near the top; none far from it.
+#[test]
+fn passages_by_their_nome() {
+    for (theta0, complement) in [("π - 2e-3", 1e-3f64.sin()), ("π - 2e-5", 1e-5)] {
+        let (_, task) = task(&format!("theta0 = {theta0}"));
+        let passage = task.passage.unwrap();
+        // q′ = (k′/4)² + 8(k′/4)⁴ (DLMF 19.5.5), πK/K′ = −ln q′.
+        let quarter = complement * complement / 16.0;
+        let nome = quarter + 8.0 * quarter * quarter;
+        let found = passage.image.hi * 2f64.powi(passage.image_exponent);
+        assert!((found / nome - 1.0).abs() < 1e-10, "{theta0}: {found:e} {nome:e}");
+        assert!((passage.rate.hi * std::f64::consts::LN_2 / -nome.ln() - 1.0).abs() < 1e-10, "{theta0}");
+        assert!((1.0..2.0).contains(&passage.image.hi), "{theta0}: {:?}", passage.image);
+        assert!(passage.alternates && passage.sigma == 1.0);
+    }
+    assert!(task("theta0 = 1").1.passage.is_none());
+    // q′ = 0.05 at θ0 = 1.466869 (mpmath).
+    assert!(task("theta0 = 1.47").1.passage.is_some() && task("theta0 = 1.46").1.passage.is_none());
+}

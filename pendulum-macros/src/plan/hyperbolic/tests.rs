@@ -1,0 +1,166 @@
+//! The kernel against the curves, with and without the terms that small images make unnecessary.
+
+use super::*;
+use crate::motion::Regime;
+use crate::plan::aim::Task;
+use crate::plan::curve::{Curve, RotationCurves, SwingCurves};
+use crate::plan::kernel::{Kernel, function};
+use crate::plan::reduction::{Origin, Reduction};
+use crate::plan::tests::scene;
+use crate::scene::Scene;
+
+const OUTPUTS: [Output; 4] = [Output::Theta, Output::Velocity, Output::Acceleration, Output::Position];
+
+/// |θ|, |θ̇|, |θ̈| and (sin |θ|, −cos θ) at the phase z ≥ 0 from the lowest point.
+fn exact(scene: &Scene, output: Output, z: f64) -> Vec<f64> {
+    let s = Double::new(0.5 - z);
+    let curves: Vec<Curve> = match &scene.motion.regime {
+        Regime::Swing(swing) => {
+            let curves = SwingCurves::new(swing, &scene.motion.omega);
+            vec![curves.theta(), curves.velocity(), curves.acceleration()]
+        }
+        Regime::Rotation(rotation) => {
+            let curves = RotationCurves::new(rotation, &scene.motion.omega);
+            vec![curves.angle(), curves.velocity(), curves.acceleration()]
+        }
+        Regime::Separatrix(_) => unreachable!("not tested"),
+    };
+    let mean = if matches!(scene.motion.regime, Regime::Rotation(_)) { 1.0 } else { 0.0 };
+    // A rotation's angle is from the top.
+    let angle = curves[0].at(s) + Double::PI * (s * 2.0) * mean;
+    let angle = if mean > 0.0 { Double::PI - angle } else { angle };
+    match output {
+        Output::Velocity => vec![curves[1].at(s).hi.abs()],
+        Output::Acceleration => vec![curves[2].at(s).hi.abs()],
+        Output::Position => vec![angle.hi.sin(), -angle.hi.cos()],
+        _ => vec![angle.hi],
+    }
+}
+
+struct Trial {
+    scene: Scene,
+    reduction: Reduction,
+    passage: Passage,
+    omega: f64,
+}
+
+impl Trial {
+    fn new(text: &str, float: &str) -> Self {
+        let scene = scene(&format!("struct Motion; {text}, omega = 3, float = {float}"));
+        let task = Task::new(&scene);
+        let reduction = task.reductions(&scene).into_iter().filter(|reduction| reduction.origin == Origin::Lowest);
+        let reduction = reduction.into_iter().find(|reduction| reduction.unit == Double::ONE).unwrap();
+        Self { scene, reduction, passage: task.passage.unwrap(), omega: 3.0 }
+    }
+
+    /// The kernel, the bound of its error, and what is seen of it.
+    fn errors(&self, output: Output, limit: f64) -> (Hyperbolic, f64, f64) {
+        let factor = match output {
+            Output::Velocity => Task::fastest(&self.scene),
+            Output::Acceleration => Double::new(self.omega * self.omega),
+            _ => Double::ONE,
+        };
+        let hyperbolic = Hyperbolic::new(output, self.passage.clone(), factor, limit);
+        let kernel = Kernel::Hyperbolic(Box::new(hyperbolic.clone()));
+        let program = function(&self.reduction, &[&kernel]);
+        let bound = (hyperbolic.truncation * factor.hi + hyperbolic.rounding(&program, f64::INFINITY)) / factor.hi;
+        let phase = program.named("z").unwrap();
+        let at =
+            |i: u32| {
+                // Denser at the lowest point.
+                let z = self.reduction.float.round(0.5 * (f64::from(i) / 40.0).powi(2));
+                let mut given = program.clone();
+                given.nodes[phase].op = Op::Constant { value: z, rest: 0.0 };
+                let exact = exact(&self.scene, output, z);
+                let found = given.run(0.0);
+                norm(
+                    found.iter().zip(&exact).enumerate().map(|(index, (found, exact))| {
+                        if index == 0 { found.abs() - exact.abs() } else { found - exact }
+                    }),
+                )
+            };
+        let seen = (0..=40).map(at).fold(0.0, f64::max) / factor.hi;
+        (hyperbolic, bound, seen)
+    }
+}
+
+/// Where the images are too many for the terms there are, they leave 2·q′⁶, times 4.5 for an angle.
+#[test]
+fn bounds_are_kept_and_tight() {
+    for (text, float) in [
+        ("theta0 = 1.6", "f64"),
+        ("theta0 = π - 1e-4", "f64"),
+        ("theta0 = π - 1e-4", "f32"),
+        ("velocity0 = 6.3", "f64"),
+        ("velocity0 = 6.0000001", "f64"),
+    ] {
+        let trial = Trial::new(text, float);
+        let unit = trial.reduction.float.unit();
+        for output in OUTPUTS {
+            for limit in [1e-2, 1e-6, 1e-13] {
+                let (kernel, bound, seen) = trial.errors(output, limit);
+                let about = format!("{text} {output:?} {limit:e}: {seen:e} of {bound:e}");
+                assert!(seen <= bound && bound <= 9.0 * seen, "{about}");
+                let left = 9.0 * trial.passage.q().powi(6);
+                // Rounding takes less than a hundred units.
+                assert!(bound <= limit.max(left) + unit * 100.0, "{about}");
+                // No term is there that isn't needed: what the first omitted one would leave is little, or allowed.
+                let weight = if output == Output::Velocity { 2.5 } else { 4.5 };
+                let q = trial.passage.q();
+                let terms =
+                    [(kernel.images, q.sqrt()), (kernel.denominator, 2.0 * q), (kernel.correction, 2.0 * q.powi(3))];
+                for (kept, size) in terms {
+                    assert_eq!(kept, weight * size > limit / 8.0, "{about}: {size:e}");
+                }
+            }
+        }
+    }
+}
+
+/// The velocity at the lowest point is the exact one, whatever is left out.
+#[test]
+fn velocities_at_the_lowest_point() {
+    for (text, limits) in
+        [("theta0 = 1.6", [1e-2, 1e-12]), ("velocity0 = 6.003", [1e-2, 1e-12]), ("velocity0 = 6.0000001", [1e-2, 1e-5])]
+    {
+        let trial = Trial::new(text, "f64");
+        let fastest = Task::fastest(&trial.scene);
+        for limit in limits {
+            let kernel = Hyperbolic::new(Output::Velocity, trial.passage.clone(), fastest, limit);
+            let program = function(&trial.reduction, &[&Kernel::Hyperbolic(Box::new(kernel))]);
+            let mut given = program.clone();
+            given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
+            let error = given.run(0.0)[0].abs() / fastest.hi - 1.0;
+            assert!(error.abs() < 8.0 * f64::EPSILON, "{text} {limit:e}: {error:e}");
+        }
+    }
+}
+
+/// Parts of E and G: 2^(±f) = 1 + f²C ± fS.
+#[test]
+fn series_of_exponentials() {
+    for f in [-0.5f64, -0.2, 1e-9, 0.3, 0.5] {
+        let v = Double::new(f) * Double::new(f);
+        let (even, odd) = (v * series(v, 2), Double::new(f) * series(v, 1));
+        for (sum, known) in [(Double::ONE + even + odd, f.exp2()), (Double::ONE + even - odd, (-f).exp2())] {
+            assert!((sum.hi - known).abs() < 4e-16, "{f}: {} {known}", sum.hi);
+        }
+    }
+    // 2^½·2^½ = 2, in two words.
+    let half = Double::new(0.25);
+    let root = Double::ONE + half * series(half, 2) + series(half, 1) * 0.5;
+    assert!((root * root - Double::new(2.0)).hi.abs() < 1e-30);
+}
+
+/// arctan 1 = π/4 and arctan 1/√3 = π/6, in two words, and the series 1 − v/3 for small v.
+#[test]
+fn arctangents() {
+    let quarter = arctangent_ratio(Double::ONE) * 4.0 - Double::PI;
+    let third = Double::ONE / Double::new(3.0);
+    let sixth = arctangent_ratio(third) * third.sqrt() * 6.0 - Double::PI;
+    assert!(quarter.hi.abs() < 1e-30 && sixth.hi.abs() < 1e-30, "{quarter:?} {sixth:?}");
+    for v in [0.0, 1e-13, 1e-11] {
+        let series = Double::ONE - Double::new(v) / Double::new(3.0) + Double::new(v * v) / Double::new(5.0);
+        assert!((arctangent_ratio(Double::new(v)) - series).hi.abs() < 1e-24, "{v}");
+    }
+}

@@ -1,0 +1,147 @@
+//! The bounds against samples: never below, and hardly above where the worst cases meet.
+
+use super::*;
+use crate::motion::Regime;
+use crate::plan::tests::scene;
+
+/// Twice the derivative of the arcsine of Σ a cos ms, and its derivative.
+fn arcsine_slopes(ours: &[(f64, f64)], s: f64) -> (f64, f64) {
+    let sum = |f: &dyn Fn(f64, f64) -> f64| ours.iter().map(|&(m, a)| f(m, a)).sum::<f64>();
+    let y = sum(&|m, a| a * (m * s).cos());
+    let first = sum(&|m, a| -m * a * (m * s).sin());
+    let second = sum(&|m, a| -m * m * a * (m * s).cos());
+    let margin = 1.0 - y * y;
+    (2.0 * first / margin.sqrt(), 2.0 * (second / margin.sqrt() + y * first * first / margin.powf(1.5)))
+}
+
+/// sup |θ̂′(s)·rate − θ̇(s + shift)| over all s and shifts, at most 1, one of which is `drift`.
+fn sampled(ours: &[(f64, f64)], method: Method, rate: f64, drift: f64, velocity: impl Fn(f64) -> f64) -> f64 {
+    const SAMPLES: u32 = 600;
+    let slope = |s: f64| match method {
+        Method::Fourier => arcsine_slopes(ours, s).0,
+        _ => ours.iter().map(|&(m, a)| -m * a * (m * s).sin()).sum(),
+    };
+    let shifts = if drift == 0.0 { vec![0.0] } else { vec![0.0, drift, -drift] };
+    let at = |i: u32| {
+        let s = f64::from(i) / f64::from(2 * SAMPLES);
+        shifts.iter().map(|shift| (slope(s) * rate - velocity(s + shift)).abs()).fold(0.0, f64::max)
+    };
+    (0..=SAMPLES).map(at).fold(0.0, f64::max)
+}
+
+struct Case {
+    scene: Scene,
+    /// The first so many weights of the method.
+    terms: usize,
+    method: Method,
+    /// Our rate over the exact one.
+    faster: f64,
+    drift: f64,
+}
+
+impl Case {
+    /// The bound, and what is seen of it.
+    fn bounds(&self) -> (f64, f64) {
+        let Regime::Swing(swing) = &self.scene.motion.regime else { panic!("a swing") };
+        let curves = SwingCurves::new(swing, &self.scene.motion.omega);
+        let weights: Vec<Double> = match self.method {
+            Method::Harmonic | Method::SmallAngle => vec![swing.amplitude.to_double()],
+            Method::Fourier => (1..=self.terms)
+                .map(|n| {
+                    (swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double()
+                        * if n % 2 == 0 { -1.0 } else { 1.0 }
+                })
+                .collect(),
+            _ => curves.theta().terms().iter().take(self.terms).map(|term| term.1).collect(),
+        };
+        let exact = crate::series::swing_rate(swing);
+        let rate = &exact * &exact.context().float(self.faster).unwrap();
+        let found = bound(&weights, self.method, &rate, self.drift, &self.scene, swing);
+        let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
+        let theta = curves.theta();
+        let terms = theta.terms();
+        let slope =
+            |s: f64| terms.iter().map(|&(m, a)| -f64::from(m) * PI * a.hi * (f64::from(m) * PI * s).sin()).sum::<f64>();
+        let seen = sampled(&ours, self.method, rate.to_f64(), self.drift, |s| slope(s) * exact.to_f64());
+        (found, seen)
+    }
+
+    #[track_caller]
+    fn expect(&self, most: f64) {
+        let (found, seen) = self.bounds();
+        let (terms, method) = (self.terms, self.method.word());
+        assert!(seen <= found, "{method} {terms}: {seen:e} exceeds {found:e}");
+        assert!(found <= most * seen, "{method} {terms}: {found:e} is much more than {seen:e}");
+    }
+}
+
+fn swing(theta0: &str, method: Method, terms: usize) -> Case {
+    Case { scene: scene(&format!("theta0 = {theta0}, omega = 3")), terms, method, faster: 1.0, drift: 0.0 }
+}
+
+/// At the same phase and rate it is a supremum over cells.
+#[test]
+fn of_the_same_rate() {
+    for theta0 in ["1", "7π/8"] {
+        swing(theta0, Method::Harmonic, 1).expect(1.01);
+        swing(theta0, Method::Series, 2).expect(1.01);
+        swing(theta0, Method::Series, 3).expect(1.02);
+    }
+    // The cells' bends are of either curve: tight where the error is large.
+    swing("1", Method::Fourier, 1).expect(1.05);
+    swing("0.7π", Method::Fourier, 2).expect(1.3);
+    swing("0.95π", Method::Series, 6).expect(1.05);
+}
+
+/// With all its terms the series is exact, and what is left are the other rate and phase.
+#[test]
+fn of_another_rate_or_phase() {
+    // All terms have the same sign at the lowest point.
+    for theta0 in ["1", "7π/8"] {
+        for faster in [1.125, 0.875] {
+            Case { faster, ..swing(theta0, Method::Series, 300) }.expect(1.001);
+        }
+        // An anchor off, the velocities are opposite.
+        Case { drift: 1.0, ..swing(theta0, Method::Series, 300) }.expect(1.001);
+    }
+    // Of small angles the series has one term, whose steepest place the phase may meet.
+    Case { drift: 1e-3, ..swing("0.01", Method::Series, 300) }.expect(1.01);
+    Case { drift: 0.1, ..swing("0.5", Method::Series, 300) }.expect(1.05);
+}
+
+/// Near the top the two velocities, π²·rate and 2ω at most, are taken as opposite, as they are an anchor off.
+#[test]
+fn near_the_top() {
+    let motion = swing("pi - 1e-300", Method::Harmonic, 1);
+    let Regime::Swing(swinging) = &motion.scene.motion.regime else { panic!("a swing") };
+    let expected = PI * PI * crate::series::swing_rate(swinging).to_f64() + 6.0;
+    let rate = crate::series::swing_rate(swinging);
+    let of = |method| bound(&[Double::PI], method, &rate, 1.0, &motion.scene, swinging);
+    assert!((of(Method::Harmonic) / expected - 1.0).abs() < 1e-8);
+    assert_eq!(of(Method::Fourier), f64::INFINITY);
+}
+
+/// On cells so wide that each part of the bound counts. One harmonic bends most at the turning point.
+#[test]
+fn bends_within_cells() {
+    for (amplitude, width, most) in [(0.5_f64, 0.05, 1.03), (0.9, 0.02, 1.1), (0.99, 0.01, 1.2), (0.9, 1e-6, 1.000_01)]
+    {
+        let ours = vec![(PI, amplitude)];
+        let curves = Curves { ours: ours.clone(), exact: Vec::new(), arcsine: true };
+        for cell in 1..=(0.5_f64 / width).min(20.0) as u32 {
+            let s = width * (f64::from(cell) - 0.5);
+            let (slope, bend) = curves.ours_near(s, width);
+            assert!((slope - arcsine_slopes(&ours, s).0).abs() < 1e-12, "{s}: {slope}");
+            let within = |i: i32| arcsine_slopes(&ours, s + width * f64::from(i) / 40.0).1.abs();
+            let seen = (-20..=20).map(within).fold(0.0, f64::max);
+            assert!(seen <= bend, "{amplitude} {s}: {seen} exceeds {bend}");
+            assert!(cell > 1 || bend <= most * seen, "{amplitude} {s}: {bend} for {seen}");
+        }
+        // In a narrow cell elsewhere, where y″ ≤ π²a: (2y′/√m)′ = 2y″/√m + 2y y′²/m^(3/2).
+        let (y, first) = (amplitude * 0.5f64.sqrt(), amplitude * PI * 0.5f64.sqrt());
+        let margin = 1.0 - y * y;
+        let expected = 2.0 * PI * PI * amplitude / margin.sqrt() + 2.0 * y * first * first / margin.powf(1.5);
+        let (_, bend) = curves.ours_near(0.25, 1e-9);
+        assert!((bend / expected - 1.0).abs() < 1e-6, "{amplitude}: {bend} for {expected}");
+    }
+}

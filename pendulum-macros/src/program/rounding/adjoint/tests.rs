@@ -1,0 +1,104 @@
+//! The derivatives of each operation, by hand.
+
+use super::*;
+use crate::parse::Float;
+use crate::program::Builder;
+
+/// The slopes passed to four operands, given these values of them.
+fn passed(op: Op, slope: (f64, f64), known: &[Known]) -> Option<Vec<(f64, f64)>> {
+    let mut slopes = vec![Slope::ZERO; known.len()];
+    let slope = Slope { low: slope.0, high: slope.1 };
+    pass_back(op, slope, known, &mut slopes).then(|| slopes.iter().map(|slope| (slope.low, slope.high)).collect())
+}
+
+#[test]
+fn derivatives_of_operations() {
+    // With their errors from 1 to 4, and from −4 to −2.
+    let (a, b) = (Known::within(1.5, 3.5, 0.5), Known::within(-3.75, -2.25, 0.25));
+    let slope = (-1.0, 2.0);
+    for (op, expected) in [
+        (Op::Add(0, 1), [(-1.0, 2.0), (-1.0, 2.0)]),
+        (Op::Sub(0, 1), [(-1.0, 2.0), (-2.0, 1.0)]),
+        (Op::Mul(0, 1), [(-8.0, 4.0), (-4.0, 8.0)]),
+        // 1/b is from −1/2 to −1/4 and −a/b² from −1 to −1/16.
+        (Op::Div(0, 1), [(-1.0, 0.5), (-2.0, 1.0)]),
+        (Op::Root(0), [(-0.5, 1.0), (0.0, 0.0)]),
+        (Op::Abs(0), [(-1.0, 2.0), (0.0, 0.0)]),
+        (Op::Abs(1), [(0.0, 0.0), (-2.0, 2.0)]),
+        (Op::Min { limit: 0, x: 1 }, [(-1.0, 2.0), (-1.0, 2.0)]),
+        (Op::Max { limit: 0, x: 1 }, [(-1.0, 2.0), (-1.0, 2.0)]),
+        (Op::Widen(0), [(-1.0, 2.0), (0.0, 0.0)]),
+        (Op::Narrow(0), [(-1.0, 2.0), (0.0, 0.0)]),
+        (Op::Alternate { x: 0, magic: 1 }, [(-1.0, 2.0), (0.0, 0.0)]),
+        (Op::Against { x: 0, sign: 1 }, [(-1.0, 2.0), (0.0, 0.0)]),
+        (Op::Input, [(0.0, 0.0); 2]),
+        (Op::PowerOfTwo { magic: 0 }, [(0.0, 0.0); 2]),
+    ] {
+        assert_eq!(passed(op, slope, &[a, b]), Some(expected.to_vec()), "{op:?}");
+    }
+    // The same operand twice gets both.
+    assert_eq!(passed(Op::Mul(0, 0), (1.0, 1.0), &[a]), Some(vec![(2.0, 8.0)]));
+    // Of a positive slope the minimum passes none or all.
+    assert_eq!(passed(Op::Min { limit: 0, x: 1 }, (1.0, 2.0), &[a, b]), Some(vec![(0.0, 2.0); 2]));
+}
+
+#[test]
+fn where_there_is_no_derivative() {
+    let (a, zero) = (Known::within(1.5, 3.5, 0.5), Known::within(1e-3, 1.0, 1e-2));
+    assert_eq!(passed(Op::Div(0, 1), (1.0, 1.0), &[a, zero]), None);
+    assert_eq!(passed(Op::Div(0, 1), (1.0, 1.0), &[a, Known::between(0.0, 1.0)]), None);
+    assert_eq!(passed(Op::Div(0, 1), (1.0, 1.0), &[a, Known::between(-1.0, 0.0)]), None);
+    assert_eq!(passed(Op::Root(0), (1.0, 1.0), &[zero]), None);
+    assert_eq!(passed(Op::Root(0), (1.0, 1.0), &[Known::between(0.0, 1.0)]), None);
+    assert_eq!(passed(Op::Head(0), (1.0, 1.0), &[a]), None);
+    assert_eq!(passed(Op::Abs(0), (1.0, 1.0), &[zero]), Some(vec![(-1.0, 1.0)]));
+    assert_eq!(passed(Op::Abs(0), (1.0, 1.0), &[Known::between(0.0, 1.0)]), Some(vec![(1.0, 1.0)]));
+}
+
+#[test]
+fn selections_pass_to_the_branch_taken() {
+    let select = Op::Select { a: 0, b: 1, then: 2, otherwise: 3 };
+    let value = Known::between(0.0, 1.0);
+    let with = |a: (f64, f64), b: (f64, f64)| {
+        passed(select, (1.0, 2.0), &[Known::between(a.0, a.1), Known::between(b.0, b.1), value, value])
+    };
+    let zero = (0.0, 0.0);
+    assert_eq!(with((0.0, 1.0), (1.5, 2.0)), Some(vec![zero, zero, (1.0, 2.0), zero]));
+    assert_eq!(with((2.0, 3.0), (1.5, 2.0)), Some(vec![zero, zero, zero, (1.0, 2.0)]));
+    assert_eq!(with((0.0, 1.0), (1.0, 2.0)), None);
+    assert_eq!(with((0.0, 3.0), (1.0, 2.0)), None);
+}
+
+/// (t + c)·(−3): the error of c and the sum's rounding, three times, and the product's.
+#[test]
+fn roundings_are_weighted_by_derivatives() {
+    let mut b = Builder::new(Float::F64);
+    let t = b.input();
+    let c = b.exact(0.25, 1e-12);
+    let sum = b.add(t, c);
+    let minus = b.constant(-3.0);
+    let product = b.mul(sum, minus);
+    let mut program = b.finish(vec![product]);
+    let given = (0, Known::between(1.0, 1.25));
+    let forward = |program: &Program| {
+        let mut known = vec![given.1];
+        (1..program.nodes.len())
+            .for_each(|id| known.push(super::super::step(program.nodes[id].op, Float::F64, &known)));
+        known
+    };
+    let unit = f64::EPSILON / 2.0;
+    let found = program.adjoint_error(4, &forward(&program), &[given]);
+    let expected = 3.0 * (1e-12 + unit) + 4.0 * unit;
+    assert!((found / (expected * INFLATION) - 1.0).abs() < 1e-14, "{found:e} for {expected:e}");
+    // What is given is given with its error, which counts, and has no operands.
+    program.nodes[2].op = Op::Head(0);
+    let known = forward(&program);
+    assert_eq!(program.adjoint_error(4, &known, &[given]), f64::INFINITY);
+    let sum = (2, Known::within(1.0, 1.5, 1e-9));
+    let mut known = known;
+    known[2] = sum.1;
+    known[4] = super::super::step(program.nodes[4].op, Float::F64, &known);
+    let found = program.adjoint_error(4, &known, &[given, sum]);
+    let expected = 3e-9 + 4.0 * unit;
+    assert!((found / (expected * INFLATION) - 1.0).abs() < 1e-14, "{found:e} for {expected:e}");
+}

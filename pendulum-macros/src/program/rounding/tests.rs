@@ -1,0 +1,209 @@
+//! Each operation's interval and error, worked out by hand: a bound that is too large is as wrong here as one too small.
+
+use super::*;
+use crate::program::Builder;
+
+/// Half a unit in the last place of 1.
+const U: f64 = f64::EPSILON / 2.0;
+const U32: f64 = f32::EPSILON as f64 / 2.0;
+
+/// An operation on the nodes 0, 1 and so on.
+fn after(op: Op, float: Float, known: &[Known]) -> Known {
+    step(op, float, known)
+}
+
+#[track_caller]
+fn expect(found: Known, (low, high): (f64, f64), error: f64, local: f64) {
+    let near = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-14 * b.abs();
+    assert_eq!((found.low, found.high), (low, high), "{found:?}");
+    assert!(near(found.error, error), "error {:e}, not {error:e}", found.error);
+    assert!(near(found.local, local), "local error {:e}, not {local:e}", found.local);
+}
+
+#[test]
+fn halves_of_units_in_the_last_place() {
+    for (magnitude, float, half) in [
+        (1.0, Float::F64, U),
+        (1.999, Float::F64, U),
+        (2.0, Float::F64, 2.0 * U),
+        (0.3, Float::F64, U / 4.0),
+        (0.0, Float::F64, f64::from_bits(1)),
+        (1.0, Float::F32, U32),
+        (1e-45, Float::F32, f64::from(f32::from_bits(1))),
+    ] {
+        assert_eq!(half_ulp(magnitude, float), half, "{magnitude} {float:?}");
+    }
+    // Up to a power of two the numbers below it count.
+    for (magnitude, half) in [(1.0, U / 2.0), (1.25, U), (4.0, 2.0 * U)] {
+        assert_eq!(rounding_up_to(magnitude, Float::F64), half, "{magnitude}");
+    }
+    for (x, is) in [(1.0, true), (0.125, true), (1.5, false), (0.0, false), (f64::INFINITY, false), (3.0, false)] {
+        assert_eq!(is_power_of_two(x), is, "{x}");
+    }
+}
+
+#[test]
+fn sums_and_differences() {
+    let (a, b) = (Known::within(1.0, 1.5, 3e-10), Known::within(0.25, 0.5, 5e-10));
+    // Up to 2, which is reached exactly.
+    expect(after(Op::Add(0, 1), Float::F64, &[a, b]), (1.25, 2.0), 8e-10 + U, U);
+    expect(after(Op::Sub(0, 1), Float::F64, &[a, b]), (0.5, 1.25), 8e-10 + U, U);
+    expect(after(Op::Sub(1, 0), Float::F64, &[a, b]), (-1.25, -0.5), 8e-10 + U, U);
+    // To 1 by rounding at either end: the sum may be above.
+    let tiny = Known::between(2f64.powi(-60), 2f64.powi(-60));
+    expect(after(Op::Add(0, 1), Float::F64, &[Known::between(0.0, 1.0), tiny]), (2f64.powi(-60), 1.0), U, U);
+    let (c, d) = (Known::between(0.1, 0.5), Known::between(0.2, 0.5));
+    expect(after(Op::Add(0, 1), Float::F64, &[c, d]), (0.1 + 0.2, 1.0), U, U);
+    // 1 + 2⁻²⁴ is exact in two words of `f64` but rounded to 1 in `f32`, by as much as results above 1 are.
+    let close = Known::between(2f64.powi(-24), 2f64.powi(-24));
+    expect(after(Op::Add(0, 1), Float::F32, &[Known::between(0.0, 1.0), close]), (2f64.powi(-24), 1.0), U32, U32);
+    let half = Known::between(0.25, 0.5);
+    expect(after(Op::Add(0, 1), Float::F32, &[half, half]), (0.5, 1.0), U32 / 2.0, U32 / 2.0);
+}
+
+#[test]
+fn products() {
+    let (a, b) = (Known::within(-1.5, 3.0, 3e-10), Known::within(-2.5, 0.75, 5e-10));
+    // −2.5·3 and 1.5·2.5; 2.5·3e-10 + 3·5e-10 + 15e-20.
+    let inherited = 7.5e-10 + 15e-10 + 15e-20;
+    expect(after(Op::Mul(0, 1), Float::F64, &[a, b]), (-7.5, 3.75), inherited + 4.0 * U, 4.0 * U);
+    // To a power of two exactly, and by rounding.
+    let c = Known::between(0.0, 0.5);
+    expect(after(Op::Mul(0, 1), Float::F64, &[c, c]), (0.0, 0.25), U / 8.0, U / 8.0);
+    let (d, e) = (Known::between(0.0, 1.0 + f64::EPSILON), Known::between(0.0, 1.0 - U));
+    expect(after(Op::Mul(0, 1), Float::F64, &[d, e]), (0.0, 1.0), U, U);
+    let (d, e) =
+        (Known::between(0.0, f64::from(1.0 + f32::EPSILON)), Known::between(0.0, f64::from(1.0 - f32::EPSILON / 2.0)));
+    expect(after(Op::Mul(0, 1), Float::F32, &[d, e]), (0.0, 1.0), U32, U32);
+    // By a power of two, of either sign, there is nothing to round; by its like that is wrong there is.
+    for power in [4.0, -4.0] {
+        let (x, scale) = (Known::within(0.1, 0.3, 1e-9), Known::between(power, power));
+        let ends = if power > 0.0 { (4.0 * 0.1, 4.0 * 0.3) } else { (-4.0 * 0.3, -4.0 * 0.1) };
+        expect(after(Op::Mul(0, 1), Float::F64, &[x, scale]), ends, 4e-9, 0.0);
+        expect(after(Op::Mul(1, 0), Float::F64, &[x, scale]), ends, 4e-9, 0.0);
+    }
+    let (x, scale) = (Known::between(0.1, 0.3), Known::within(4.0, 4.0, 1e-9));
+    expect(after(Op::Mul(0, 1), Float::F64, &[x, scale]), (0.4, 1.2), 0.3e-9 + U, U);
+    let (x, scale) = (Known::between(0.1, 0.3), Known::between(2.0, 4.0));
+    expect(after(Op::Mul(0, 1), Float::F64, &[x, scale]), (0.2, 1.2), U, U);
+}
+
+#[test]
+fn squares() {
+    for (low, high, least, most) in [
+        (-1.5, 0.5, 0.0, 2.25),
+        (0.5, 1.5, 0.25, 2.25),
+        (-1.5, -0.5, 0.25, 2.25),
+        (0.0, 1.5, 0.0, 2.25),
+        (-1.5, 0.0, 0.0, 2.25),
+    ] {
+        let x = Known::within(low, high, 1e-9);
+        let error = 3e-9 + 1e-18 + 2.0 * U;
+        expect(after(Op::Mul(0, 0), Float::F64, &[x]), (least, most), error, 2.0 * U);
+    }
+    // Rounded as the program rounds.
+    let x = Known::between(f64::from(0.1f32), f64::from(0.3f32));
+    let square = after(Op::Mul(0, 0), Float::F32, &[x]);
+    assert_eq!((square.low, square.high), (f64::from(0.1f32 * 0.1), f64::from(0.3f32 * 0.3)));
+}
+
+#[test]
+fn quotients() {
+    let a = Known::within(-3.0, 6.0, 3e-10);
+    for (low, high) in [(2.0, 4.0), (-4.0, -2.0)] {
+        let b = Known::within(low, high, 5e-10);
+        let ends = if low > 0.0 { (-1.5, 3.0) } else { (-3.0, 1.5) };
+        let inherited = (3e-10 + 3.0 * 5e-10) / (2.0 - 5e-10);
+        expect(after(Op::Div(0, 1), Float::F64, &[a, b]), ends, inherited + 2.0 * U, 2.0 * U);
+    }
+    // Nothing is known where the divisor may vanish, or its exact value may.
+    for (low, high, error) in
+        [(-1.0, 1.0, 0.0), (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), (1e-9, 1.0, 1e-9), (-1.0, -1e-9, 2e-9)]
+    {
+        let quotient = after(Op::Div(0, 1), Float::F64, &[a, Known::within(low, high, error)]);
+        assert_eq!(quotient.error, f64::INFINITY, "{low} {high} {error}");
+        assert_eq!((quotient.low, quotient.high), (f64::NEG_INFINITY, f64::INFINITY));
+    }
+}
+
+#[test]
+fn roots() {
+    let local = |most: f64| ROOT_ERROR * U * most;
+    let within = 1.0 - 1e-6..1.0 + 1e-6;
+    for (low, high, error, inherited) in
+        [(4.0, 9.0, 1e-9, 0.5e-9), (0.0, 9.0, 1e-10, 1e-5), (1e-16, 9.0, 1e-10, 1e-5), (-1e-9, 9.0, 1e-10, 1e-5)]
+    {
+        let root = after(Op::Root(0), Float::F64, &[Known::within(low, high, error)]);
+        assert!((root.error / (inherited + local(3.0)) - 1.0).abs() < 1e-9, "{low}: {:e}", root.error);
+        assert!((root.local / local(3.0) - 1.0).abs() < 1e-9, "{low}: {:e}", root.local);
+        assert!(root.high > 3.0 && within.contains(&(root.high / (3.0 * (1.0 + 1e-6)))), "{low}: {}", root.high);
+        let least = low.max(0.0).sqrt();
+        assert!(root.low <= least && root.low >= least * (1.0 - 2e-6), "{low}: {}", root.low);
+        assert!(least == 0.0 || root.low < least, "{low}: {}", root.low);
+    }
+}
+
+#[test]
+fn what_only_passes_values_on() {
+    let x = Known::within(-3.0, 2.0, 1e-9);
+    let limit = Known::within(1.0, 1.0, 1e-8);
+    expect(after(Op::Abs(0), Float::F64, &[x]), (0.0, 3.0), 1e-9, 0.0);
+    expect(after(Op::Abs(0), Float::F64, &[Known::within(-3.0, -2.0, 1e-9)]), (2.0, 3.0), 1e-9, 0.0);
+    expect(after(Op::Abs(0), Float::F64, &[Known::within(2.0, 3.0, 1e-9)]), (2.0, 3.0), 1e-9, 0.0);
+    expect(after(Op::Abs(0), Float::F64, &[Known::within(-2.0, 0.0, 1e-9)]), (0.0, 2.0), 1e-9, 0.0);
+    expect(after(Op::Abs(0), Float::F64, &[Known::within(0.0, 2.0, 1e-9)]), (0.0, 2.0), 1e-9, 0.0);
+    expect(after(Op::Min { limit: 1, x: 0 }, Float::F64, &[x, limit]), (-3.0, 1.0), 1e-8, 0.0);
+    expect(after(Op::Max { limit: 1, x: 0 }, Float::F64, &[x, limit]), (1.0, 2.0), 1e-8, 0.0);
+    for op in [Op::Alternate { x: 0, magic: 0 }, Op::Against { x: 0, sign: 0 }] {
+        expect(after(op, Float::F64, &[x]), (-3.0, 3.0), 1e-9, 0.0);
+    }
+    expect(after(Op::Widen(0), Float::F64, &[x]), (-3.0, 2.0), 1e-9, 0.0);
+    let narrow = after(Op::Narrow(0), Float::F32, &[Known::within(-0.1, 3.0, 1e-9)]);
+    expect(narrow, (f64::from(-0.1f32), 3.0), 1e-9 + 2.0 * U32, 2.0 * U32);
+    let constant = after(Op::Constant { value: 0.5, rest: -1e-20 }, Float::F64, &[]);
+    expect(constant, (0.5, 0.5), 1e-20, 1e-20);
+}
+
+#[test]
+fn selections() {
+    let select = Op::Select { a: 0, b: 1, then: 2, otherwise: 3 };
+    let (then, otherwise) = (Known::within(1.0, 2.0, 1e-9), Known::within(-1.0, 0.5, 2e-9));
+    let with = |a: (f64, f64), b: (f64, f64)| {
+        after(select, Float::F64, &[Known::between(a.0, a.1), Known::between(b.0, b.1), then, otherwise])
+    };
+    expect(with((0.0, 1.0), (1.5, 2.0)), (1.0, 2.0), 1e-9, 0.0);
+    expect(with((2.0, 3.0), (1.5, 2.0)), (-1.0, 0.5), 2e-9, 0.0);
+    // In doubt: `a` may be 1 where `b` is, and then isn't below it.
+    for (a, b) in [((0.0, 1.0), (1.0, 2.0)), ((0.0, 3.0), (1.0, 2.0))] {
+        expect(with(a, b), (-1.0, 2.0), 2e-9, 0.0);
+    }
+}
+
+/// t + 1 and its square, forwards and by derivatives, both inflated.
+#[test]
+fn programs() {
+    let mut b = Builder::new(Float::F64);
+    let t = b.input();
+    let third = b.exact(0.3, 1e-18);
+    let sum = b.add(t, third);
+    let square = b.mul(sum, sum);
+    let back = b.sub(square, t);
+    let program = b.finish(vec![square, back]);
+    let known = program.rounding(&[(0, Known::between(1.0, 1.5))]);
+    // |sum| ≤ 1.8 and |square| ≤ 3.24 are rounded by U and 2U, |back| ≤ 2.24 by 2U.
+    let square = 2.0 * 1.8 * (1e-18 + U) + 2.0 * U;
+    for (known, error) in known.iter().zip([square, square + 2.0 * U]) {
+        assert!(known.error >= error && known.error <= error * (1.0 + 1e-11), "{:e} for {error:e}", known.error);
+    }
+    assert_eq!((known[0].low, known[0].high), (1.3 * 1.3, 1.8 * 1.8));
+    // Of x·x − x the derivative is at most 2x − 1, which errors of x forwards don't know.
+    let mut b = Builder::new(Float::F64);
+    let t = b.input();
+    let x = b.exact(0.5, 1e-10);
+    let x = b.add(t, x);
+    let square = b.mul(x, x);
+    let result = b.sub(square, x);
+    let program = b.finish(vec![result]);
+    let error = program.rounding(&[(0, Known::between(0.0, 0.25))])[0].error;
+    assert!((0.5e-10..0.5001e-10).contains(&error), "{error:e}");
+}
