@@ -193,7 +193,7 @@ impl Planned for f32 {
                 all.extend(states!(f32, (7π / 8), 1217, [1e-4]));
                 all
             }
-            "0.999pi" => methods!(f32, (0.999π), 3137, [20], series[1e-3], fourier[1e-2]),
+            "0.999pi" => methods!(f32, (0.999π), 3137, [20], series[1e-3], fourier[1e-1]),
             _ => Vec::new(),
         }
     }
