@@ -106,11 +106,11 @@ impl Kernel {
     }
 }
 
-/// The largest of the errors, or the first that is above `cap`.
+/// The largest of the errors, or the first that is above `cap`; infinite where one is no number.
 pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
     let mut largest: f64 = 0.0;
     for error in errors {
-        largest = largest.max(error);
+        largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
         if largest > cap {
             break;
         }

@@ -147,6 +147,8 @@ impl Plan {
 #[cfg(test)]
 mod curve_tests;
 #[cfg(test)]
+mod full_precision_tests;
+#[cfg(test)]
 mod random_tests;
 #[cfg(test)]
 mod tests;

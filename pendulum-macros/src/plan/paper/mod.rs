@@ -237,7 +237,7 @@ impl Sum {
             let parts: Vec<Part> = scene.outputs.iter().zip(&curves).map(part).collect();
             let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
             let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
-            if worst <= promise {
+            if worst <= promise && parts.iter().all(|part| part.bound.total().is_finite()) {
                 return Ok(Plan {
                     method: self.method.word(),
                     reduction: reduction.clone(),

@@ -17,9 +17,9 @@ impl Reduction {
                 let wide = b.convert(t, Float::F64);
                 self.direct(b, wide, *rate)
             }
-            Method::WideAnyTime { words } => {
+            Method::WideAnyTime { words, fine } => {
                 let wide = b.convert(t, Float::F64);
-                self.wide_any_time(b, wide, words)
+                self.wide_any_time(b, wide, words, *fine)
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
             Method::Linear { words } => {
@@ -127,12 +127,17 @@ impl Reduction {
         self.numbered(b, remainder, magic, count)
     }
 
-    fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
+    fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3], fine: bool) -> Phase {
         let [first, second, third] = words.map(|word| {
             let word = b.constant(word);
             b.mul(t, word)
         });
-        let (first, eights) = modulo_eight(b, first);
+        let (first, mut eights) = modulo_eight(b, first);
+        let mut second = second;
+        if fine {
+            let (rest, more) = modulo_eight(b, second);
+            (second, eights) = (rest, b.add(eights, more));
+        }
         let low = b.add(second, third);
         let sum = b.add(first, low);
         let (magic, n) = self.round(b, sum);
