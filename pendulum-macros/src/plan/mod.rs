@@ -11,6 +11,7 @@ mod harmonics;
 mod hyperbolic;
 pub(crate) mod kernel;
 mod moebius;
+mod moments;
 mod paper;
 mod part;
 pub(crate) mod polynomial;
