@@ -33,15 +33,10 @@ enum Way {
     Passage,
 }
 
-/// The cheapest plan. Full precision is 2⁻⁴⁹ of the largest value; where rounding takes more, as it does of some
-/// accelerations near the top, the best is what is less than twice that.
+/// The cheapest plan.
 pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let mut task = Task::new(scene);
     match (cheapest(scene, &task), scene.goal) {
-        (Err(Refusal::Unreachable { .. }), Goal::Full) => {
-            task.aims.iter_mut().for_each(|aim| aim.limit *= 2.0);
-            cheapest(scene, &task)
-        }
         // The best that can be promised is what full precision promises.
         (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) => {
             task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));

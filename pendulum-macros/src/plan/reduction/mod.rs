@@ -104,7 +104,9 @@ impl Reduction {
             Method::Scaled { .. } => "one product with the rate, in a unit that suits both".to_owned(),
             Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
             Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
-            Method::WideAnyTime { fine: false, .. } => "exact products with the rate in three words of `f64`".to_owned(),
+            Method::WideAnyTime { fine: false, .. } => {
+                "exact products with the rate in three words of `f64`".to_owned()
+            }
             Method::WideAnyTime { fine: true, .. } => {
                 "exact products, modulo 8, with the rate in three words of `f64`".to_owned()
             }
