@@ -26,6 +26,19 @@ fn random_start(random: &mut Random) -> String {
     format!("struct Motion; {start}{horizon}")
 }
 
+/// All outputs of one motion, which share the reduction of the phase.
+fn together(start: &str) {
+    for float in [Float::F64, Float::F32] {
+        let word = float.word();
+        let text = format!("{start}, float = {word}, outputs = [velocity, acceleration, wrapped, position]");
+        let plan = plan(&scene(&text)).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+        for part in plan.parts {
+            let units = if part.output == Output::Position { 48.0 } else { 16.0 };
+            assert!(part.bound.total() <= units * float.unit() * part.largest, "{text}: {:?}", part.output);
+        }
+    }
+}
+
 /// The largest proven and observed errors of each output, as parts of what is allowed, and where they are.
 fn run(scenes: u64, seed: u64, density: usize) -> Vec<[(f64, String); 2]> {
     let mut random = Random::new(seed);
@@ -33,6 +46,7 @@ fn run(scenes: u64, seed: u64, density: usize) -> Vec<[(f64, String); 2]> {
     for _ in 0..scenes {
         let start = random_start(&mut random);
         let outputs = ["velocity", "acceleration", "wrapped", "position", "theta"];
+        together(&start);
         for (output, worst) in outputs.iter().zip(&mut worst) {
             let float = random.choose(&[Float::F64, Float::F64, Float::F32]);
             let text = format!("{start}, float = {}, outputs = [{output}]", float.word());
@@ -78,5 +92,39 @@ fn many() {
     }
     for [(proven, _), (observed, _)] in worst {
         assert!(proven <= 1.0 && observed <= 0.5);
+    }
+}
+
+/// Next to the lowest points before and after t = 0, on both sides of them, where the phase has to have all its digits; of
+/// releases from rest the values at t and −t are one, to the bit.
+#[test]
+fn the_first_passages_keep_their_digits() {
+    for (start, float) in [
+        ("theta0 = π - 7.194052e-7", Float::F64),
+        ("theta0 = -(π - 1e-9)", Float::F64),
+        ("theta0 = π - 1e-142", Float::F32),
+        ("theta0 = π - 1e-5, velocity0 = 1e-6", Float::F64),
+        ("theta0 = 0.3, velocity0 = 1.9765", Float::F64),
+        ("theta0 = -2, velocity0 = 1.08", Float::F64),
+    ] {
+        for output in ["theta", "velocity", "acceleration", "position"] {
+            let scene = scene(&format!("struct Motion; {start}, float = {}, outputs = [{output}]", float.word()));
+            let Regime::Swing(swing) = &scene.motion.regime else { panic!("{start} is no swing") };
+            let plan = plan(&scene).unwrap();
+            let mut probe = Probe::new(&scene, &plan);
+            let (half, launch) = (swing.period.to_f64() / 2.0, swing.launch.to_f64());
+            for lowest in [-0.5, 0.5, -1.5, 1.5] {
+                for off in [1e-6, 1e-3, 0.02, 0.025, 0.1].into_iter().flat_map(|off| [off, -off]) {
+                    let t = float.round((lowest + off - launch) * half);
+                    probe.at(t);
+                    let run = |t: f64| plan.functions[0].program.run(t);
+                    let even = if output == "velocity" { -1.0 } else { 1.0 };
+                    let mirrored: Vec<f64> = run(-t).into_iter().map(|value| value * even).collect();
+                    assert!(launch != 0.0 || run(t) == mirrored, "{start}, {output} at {t:e}");
+                }
+            }
+            let ((t, error), bound) = (probe.worst, plan.parts[0].bound.total());
+            assert!(error <= bound, "{start}, {output}: {error:e} at {t:e}, bound {bound:e}");
+        }
     }
 }

@@ -4,6 +4,7 @@ mod adapted;
 mod aim;
 mod alternatives;
 mod arcsine;
+mod cosines;
 pub(crate) mod curve;
 mod fit;
 mod form;

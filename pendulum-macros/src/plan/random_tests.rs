@@ -98,7 +98,7 @@ impl<'a> Probe<'a> {
     }
 
     /// The error at the time of the scene's type nearest to `t` within the horizon.
-    fn at(&mut self, t: f64) -> f64 {
+    pub(super) fn at(&mut self, t: f64) -> f64 {
         let mut t = self.scene.float.round(t.clamp(-self.horizon, self.horizon));
         if t.abs() > self.horizon {
             let inner = if self.scene.float == Float::F32 { f64::from((t as f32).next_down()) } else { t };

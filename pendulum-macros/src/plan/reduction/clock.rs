@@ -205,7 +205,7 @@ impl Clock<'_> {
         }
     }
 
-    /// Two roundings of sums, relative to the result, and the last word's product: of three words, below 16 anchors, it is
+    /// Three roundings of sums, relative to the result, and the last word's product: of three words, below 16 anchors, it is
     /// rounded to 2⁻⁵⁰ and so is its sum with another. Where the third part isn't small beside the others (t beyond 2²⁵
     /// anchors), the first sum is exact.
     fn any_time(&self, count: usize, origin: Origin) -> Reduction {
@@ -214,7 +214,7 @@ impl Clock<'_> {
         let drift = self.horizon() * self.off(&words) + last;
         let errors = match origin {
             Origin::Anchor => [drift + 2f64.powi(-53), 0.0],
-            Origin::Lowest => [drift, 2.001 * Float::F64.unit()],
+            Origin::Lowest => [drift, 3.001 * Float::F64.unit()],
         };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20))

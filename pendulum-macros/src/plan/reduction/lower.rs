@@ -92,8 +92,7 @@ impl Reduction {
         let x = b.mul(t, rate);
         b.name(x, "x");
         let (magic, n) = self.round(b, x);
-        let rest = b.sub(x, n);
-        let remainder = offset_by(b, rest, self.offset());
+        let remainder = self.less(b, x, n);
         self.numbered(b, remainder, magic, n)
     }
 
@@ -141,8 +140,7 @@ impl Reduction {
         let low = b.add(second, third);
         let sum = b.add(first, low);
         let (magic, n) = self.round(b, sum);
-        let rest = b.sub(first, n);
-        let rest = offset_by(b, rest, self.offset());
+        let rest = self.less(b, first, n);
         let count = b.add(eights, n);
         let remainder = b.add(rest, low);
         self.numbered(b, remainder, magic, count)
@@ -175,30 +173,49 @@ impl Reduction {
         let leading = b.add(first, second);
         let sum = b.add(leading, third);
         let (magic, n) = self.round(b, sum);
-        let rest = b.sub(first, n);
         let eights = b.add(many, some);
         let count = b.add(eights, n);
-        let remainder = self.sum_of_parts(b, [rest, second, third], fourth);
+        let remainder = self.sum_of_parts(b, n, [first, second, third], fourth);
         self.numbered(b, remainder, magic, count)
     }
 
-    /// The four parts and the offset. Without a launch the offset is nought or a half: as long as the third part isn't
-    /// small, all sums but the last are exact. With one they are done in two words.
-    fn sum_of_parts(&self, b: &mut Builder, [rest, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
+    /// The four parts and the offset, less n. Without a launch the offset is nought or a half, and each sum is rounded
+    /// relative to its result, if at all: the first if that is above a quarter, where then the last is nothing beside it.
+    /// With a launch the sums are done in two words; from the lowest point also that with n, beside which a first part below
+    /// a half may be the longer number (Dekker's sum, whose larger operand is n wherever it is rounded: by up to 2⁻⁵⁴, which
+    /// from an anchor is part of the error).
+    fn sum_of_parts(&self, b: &mut Builder, n: Id, [first, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
         let offset = self.offset();
-        if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
-            let rest = offset_by(b, rest, offset);
+        if is_half(offset) {
+            let rest = self.less(b, first, n);
             let sum = b.add(rest, second);
             let sum = b.add(sum, third);
             return fourth.map_or(sum, |fourth| b.add(sum, fourth));
         }
         let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
-        let (mut sum, mut lost) = (rest, fourth.map_or(low, |fourth| b.add(fourth, low)));
+        let low = fourth.map_or(low, |fourth| b.add(fourth, low));
+        let (mut sum, mut lost) = (b.sub(first, n), low);
+        if self.origin == Origin::Lowest {
+            let taken = b.add(sum, n);
+            let error = b.sub(first, taken);
+            lost = b.add(lost, error);
+        }
         for part in [second, third, head] {
             let (next, error) = b.two_sum(sum, part);
             (sum, lost) = (next, b.add(lost, error));
         }
         b.add(sum, lost)
+    }
+
+    /// x + offset − n. Where the offset is a half, it is taken from n, without rounding: x − n alone may be longer than x.
+    fn less(&self, b: &mut Builder, x: Id, n: Id) -> Id {
+        let offset = self.offset();
+        if !is_half(offset) {
+            let rest = b.sub(x, n);
+            return offset_by(b, rest, offset);
+        }
+        let n = offset_by(b, n, -offset);
+        b.sub(x, n)
     }
 
     /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
@@ -224,6 +241,11 @@ impl Reduction {
         let low = b.add(low, third);
         Phase { remainder: b.add(sum, low), magic: t, count: t }
     }
+}
+
+/// Whether it is a multiple of ½.
+fn is_half(offset: Double) -> bool {
+    offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0
 }
 
 /// x + offset, if there is any.
