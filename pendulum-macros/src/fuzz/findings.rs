@@ -139,9 +139,8 @@ fn coefficients_beyond_the_range_of_floats() {
     planned("theta0 = 1e-59, omega = 1e87, method = harmonic, t_max = 1e-84");
 }
 
-/// Each of the tolerances that a refusal might offer is tried with a hundred harmonics and more: 1.2 s, optimised.
+/// Each of the tolerances that a refusal might offer was tried with a hundred harmonics and more: 1.2 s, optimised.
 #[test]
-#[ignore = "to be mended in plan/paper.rs or plan/mod.rs"]
 fn refusals_of_forced_methods_near_the_top_take_less_than_a_second() {
     refused("theta0 = -(π - 1e-5), tol = 7.106886299e-10, method = fourier, t_max = 8.42609616222453e6", "the best is");
 }
