@@ -211,6 +211,22 @@ impl Wave {
         sum
     }
 
+    /// The value at the phase s in one word: wrong by less than 10⁻¹¹ of the terms' sum.
+    pub(crate) fn roughly(&self, s: f64) -> f64 {
+        let angle = std::f64::consts::PI * s;
+        let ((sine, cosine), (turn_sine, turn)) = (
+            (f64::from(self.terms.first().map_or(1, |term| term.0)) * angle).sin_cos(),
+            (f64::from(self.envelope.step) * angle).sin_cos(),
+        );
+        let (mut cosine, mut sine) = (cosine, sine);
+        let mut sum = self.constant.hi + self.linear.hi * s;
+        for &(_, amplitude) in &self.terms {
+            sum += amplitude.hi * if self.parity == Parity::Even { cosine } else { sine };
+            (cosine, sine) = (cosine * turn - sine * turn_sine, sine * turn + cosine * turn_sine);
+        }
+        sum
+    }
+
     /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 1; infinite beyond the strip of convergence.
     pub(crate) fn bound(&self, height: f64) -> f64 {
         let growth = std::f64::consts::PI * height;

@@ -2,6 +2,7 @@
 
 use crate::exact::Real;
 use crate::motion::{Rotation, Swing};
+use crate::plan::moments::Moments;
 use crate::plan::reduction::Reduction;
 use crate::series::{Parity, Wave, rotation_rate, swing_rate};
 use pendulum_runtime::double::Double;
@@ -114,27 +115,22 @@ impl<'a> SwingCurves<'a> {
         Curve { wave, alternates: true, largest, slope, moment, unit }
     }
 
-    /// The largest |z·dθ/dz|, z being the phase from the lowest point. |θ̇| falls from there to the turning point, so that
-    /// its value at one end of a slice and z at the other bound their product.
-    fn moment(&self) -> f64 {
-        let velocity = Wave::swing(self.swing, 1, Double::ONE);
-        let slices = 64;
-        let at = |slice: u32| f64::from(slice) / f64::from(2 * slices);
-        let bound = |slice: u32| velocity.at(Double::new(0.5 - at(slice))).hi.abs() * at(slice + 1);
-        (0..slices).map(bound).fold(0.0, f64::max) * (1.0 + 1e-9)
+    fn moments(&self) -> Moments {
+        Moments::new(&Wave::swing(self.swing, 1, Double::ONE), self.rate().hi, 2.0 * self.modulus())
     }
 
     /// θ; |θ̇| ≤ 2kω.
     pub(crate) fn theta(&self) -> Curve {
         let slope = 2.0 * self.modulus() / self.rate().hi;
-        Curve { moment: self.moment(), ..self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0) }
+        Curve { moment: self.moments().angle, ..self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0) }
     }
 
     /// θ̇.
     pub(crate) fn velocity(&self) -> Curve {
         let omega = self.omega.to_double();
         let slope = omega.hi * self.largest_sine() / self.rate().hi;
-        self.wave(1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slope, omega.hi)
+        let curve = self.wave(1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slope, omega.hi);
+        Curve { moment: omega.hi * self.moments().velocity, ..curve }
     }
 
     /// θ̈ = −ω² sin θ; its derivative is largest at the lowest point.
@@ -143,7 +139,7 @@ impl<'a> SwingCurves<'a> {
         let square = self.omega.square().to_f64();
         let slope = square * 2.0 * self.modulus() / self.rate().hi;
         let curve = self.wave(2, rate * rate, square * self.largest_sine(), slope, square);
-        Curve { moment: square * self.moment(), ..curve }
+        Curve { moment: square * self.moments().acceleration, ..curve }
     }
 
     /// sin(θ/2) = k sn, of half the slope.
@@ -179,24 +175,33 @@ impl<'a> RotationCurves<'a> {
         Curve { wave, alternates: false, largest, slope, moment: 0.5 * slope, unit }
     }
 
+    fn moments(&self) -> Moments {
+        let omega = self.omega.to_f64();
+        let slope = Wave::rotation(self.rotation, 1, Double::ONE);
+        Moments::new(&slope, self.rate().hi / omega, self.rotation.fastest.to_f64() / omega)
+    }
+
     /// The angle from the top less that of uniform rotation, 2πs; its slope is that of the whole.
     pub(crate) fn angle(&self) -> Curve {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
-        self.wave(wave, std::f64::consts::PI, self.rotation.fastest.to_f64(), 1.0)
+        let curve = self.wave(wave, std::f64::consts::PI, self.rotation.fastest.to_f64(), 1.0);
+        Curve { moment: self.moments().angle, ..curve }
     }
 
     /// |θ̇|; its derivative is at most ω².
     pub(crate) fn velocity(&self) -> Curve {
         let omega = self.omega.to_f64();
         let wave = Wave::rotation(self.rotation, 1, self.rate());
-        self.wave(wave, self.rotation.fastest.to_f64(), omega * omega, omega)
+        let curve = self.wave(wave, self.rotation.fastest.to_f64(), omega * omega, omega);
+        Curve { moment: omega * self.moments().velocity, ..curve }
     }
 
     /// θ̈.
     pub(crate) fn acceleration(&self) -> Curve {
         let square = self.omega.square().to_f64();
         let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
-        self.wave(wave, square, square * self.rotation.fastest.to_f64(), square)
+        let curve = self.wave(wave, square, square * self.rotation.fastest.to_f64(), square);
+        Curve { moment: square * self.moments().acceleration, ..curve }
     }
 
     /// cos of half the angle from the top.

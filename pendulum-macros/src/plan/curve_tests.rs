@@ -5,15 +5,15 @@ use super::tests::scene;
 use crate::motion::Regime;
 use pendulum_runtime::double::Double;
 
-/// sup |f|, |f′| and |z·f′|, z being the phase from the lowest point, a quarter of the cosine's period off the anchor.
-fn sampled(curve: &Curve) -> [f64; 3] {
+/// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the cosine's period off the anchor.
+fn sampled(curve: &Curve, mean: f64) -> [f64; 3] {
     const SAMPLES: u32 = 2000;
     const STEP: f64 = 1e-5;
     let at = |s: f64| curve.at(Double::new(s)).to_f64();
     let mut suprema = [0.0_f64; 3];
     for i in 0..=SAMPLES {
         let s = 0.5 * f64::from(i) / f64::from(SAMPLES);
-        let slope = (at(s + STEP) - at(s - STEP)).abs() / (2.0 * STEP);
+        let slope = ((at(s + STEP) - at(s - STEP)) / (2.0 * STEP) + mean).abs();
         let here = [at(s).abs(), slope, (0.5 - s) * slope];
         suprema = std::array::from_fn(|i| suprema[i].max(here[i]));
     }
@@ -24,7 +24,7 @@ fn sampled(curve: &Curve) -> [f64; 3] {
 #[track_caller]
 fn stated(name: &str, curve: &Curve, times: [f64; 3]) {
     let stated = [curve.largest, curve.slope, curve.moment];
-    for ((sampled, stated), times) in sampled(curve).into_iter().zip(stated).zip(times) {
+    for ((sampled, stated), times) in sampled(curve, 0.0).into_iter().zip(stated).zip(times) {
         assert!(sampled <= stated * (1.0 + 1e-6), "{name}: {sampled} exceeds {stated}");
         assert!(stated <= times * sampled, "{name}: {stated} for {sampled}");
     }
@@ -36,17 +36,15 @@ fn curves_of_swings() {
         let scene = scene(&format!("theta0 = {theta0}, omega = 3"));
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
         let curves = SwingCurves::new(swing, &scene.motion.omega);
-        // Slices of the moment are a 64th of the half swing.
+        // Each slice of the moments is a tenth longer than the one before, at most; of the acceleration's two factors each is
+        // bounded by itself.
         stated(theta0, &curves.theta(), [1.001, 1.001, 1.1]);
-        // Its moment is half its slope, which near the top is somewhere else: too large there.
-        stated(theta0, &curves.velocity(), [1.001, 1.001, 20.0]);
-        let acceleration = curves.acceleration();
-        stated(theta0, &acceleration, [1.001, 1.001, f64::INFINITY]);
-        assert!(acceleration.moment < 0.5 * acceleration.slope, "{theta0}");
+        stated(theta0, &curves.velocity(), [1.001, 1.001, 1.1]);
+        stated(theta0, &curves.acceleration(), [1.001, 1.001, 1.11]);
         stated("cosine", &Curve::cosine(&swing.amplitude), [1.001, 1.001, 6.0]);
         // Their slopes count with the other factor's.
         for half in [curves.half_sine(), curves.half_cosine()] {
-            assert!(sampled(&half)[0] <= half.largest * (1.0 + 1e-9));
+            assert!(sampled(&half, 0.0)[0] <= half.largest * (1.0 + 1e-9));
         }
     }
     stated("sine", &Curve::sine(), [1.001, 1.001, 6.0]);
@@ -68,25 +66,33 @@ fn curves_of_rotations() {
         let scene = scene(&format!("velocity0 = {velocity0}, omega = 3"));
         let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
         let curves = RotationCurves::new(rotation, &scene.motion.omega);
-        let angle = curves.angle();
         // Without the uniform part, whose slope is counted.
-        let [largest, slope, moment] = sampled(&angle);
-        assert!(largest <= angle.largest && slope <= angle.slope && moment <= angle.moment, "{velocity0}");
-        // v₀ at the lowest point, and π at the top; the phase there is half a turn.
-        let (fastest, turn) = (rotation.fastest.to_f64(), rotation.period.to_f64());
-        for (found, known) in [(angle.slope, fastest * turn), (angle.moment, 0.5 * fastest * turn)] {
-            assert!((found / known - 1.0).abs() < 1e-9, "{velocity0}: {found} {known}");
+        let angle = curves.angle();
+        let [largest, slope, moment] = sampled(&angle, std::f64::consts::TAU);
+        assert!(
+            largest <= angle.largest && slope <= angle.slope * (1.0 + 1e-6) && moment <= angle.moment,
+            "{velocity0}"
+        );
+        assert!(angle.moment < 1.1 * moment, "{velocity0}: {} for {moment}", angle.moment);
+        for curve in [curves.velocity(), curves.acceleration()] {
+            let [largest, slope, moment] = sampled(&curve, 0.0);
+            // Differences of a velocity that hardly changes are wrong by a millionth.
+            let slack = 1.0 + 1e-5;
+            assert!(largest <= curve.largest * (1.0 + 1e-9) && slope <= curve.slope * slack, "{velocity0}");
+            assert!(
+                moment <= curve.moment * slack && curve.moment < 1.1 * moment,
+                "{velocity0}: {} for {moment}",
+                curve.moment
+            );
         }
-        // ω² is the largest |θ̈| if the pendulum is ever horizontal, as it is. The moment is that at half a turn.
-        stated(velocity0, &curves.velocity(), [1.001, 1.001, 30.0]);
-        let acceleration = curves.acceleration();
-        stated(velocity0, &acceleration, [1.001, 1.3, f64::INFINITY]);
-        assert_eq!(acceleration.moment, 0.5 * acceleration.slope);
+        // v₀ at the lowest point, and π at the top.
+        let (fastest, turn) = (rotation.fastest.to_f64(), rotation.period.to_f64());
+        assert!((angle.slope / (fastest * turn) - 1.0).abs() < 1e-9, "{velocity0}: {}", angle.slope);
         for half in [curves.half_sine(), curves.half_cosine()] {
-            assert!(sampled(&half)[0] <= half.largest * (1.0 + 1e-9) && !half.alternates);
+            assert!(sampled(&half, 0.0)[0] <= half.largest * (1.0 + 1e-9) && !half.alternates);
         }
         // Nothing of a rotation changes its sign from turn to turn.
-        assert!(![angle, curves.velocity(), acceleration].iter().any(|curve| curve.alternates));
+        assert!(![angle, curves.velocity(), curves.acceleration()].iter().any(|curve| curve.alternates));
     }
 }
 

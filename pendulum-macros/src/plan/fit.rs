@@ -52,7 +52,11 @@ impl Fit {
             b.loose(c.hi, c.lo.abs() + slack)
         };
         let coefficients: Vec<Id> = self.coefficients.iter().enumerate().map(constant).collect();
-        estrin(b, z, &coefficients, names)
+        // The constant term is the largest: added last, it is rounded with once, and not at every level.
+        let Some((&first, rest)) = coefficients.split_first() else { return z };
+        let rest = estrin(b, z, rest, names);
+        let rest = b.mul(rest, z);
+        b.add(first, rest)
     }
 
     pub(crate) fn terms(&self) -> usize {

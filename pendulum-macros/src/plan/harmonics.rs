@@ -6,6 +6,7 @@
 //! an error of wₙ, which the sum passes on undiminished at most: the errors add, they don't multiply.
 
 use super::arcsine::Arcsine;
+use super::cosines::Cosines;
 use super::kernel::Kernel;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
@@ -14,7 +15,6 @@ use crate::program::rounding::{Known, half_ulp};
 use crate::program::{Builder, Id, Op};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
-use std::f64::consts::PI;
 
 /// How one output is a sum of harmonics.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +38,11 @@ pub(crate) struct Harmonics {
 impl Harmonics {
     pub(super) fn is_odd(&self) -> bool {
         self.sine.is_some()
+    }
+
+    /// Whether the rounding has a narrow peak: that of the derivative of an arcsine, where its argument comes near 1.
+    pub(super) fn peaks(&self) -> bool {
+        self.is_odd() && self.arcsine.is_some()
     }
 
     pub(super) fn terms(&self) -> usize {
@@ -140,28 +145,18 @@ impl Harmonics {
             if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase }
         };
         let (low, high) = (from_anchor(low), from_anchor(high));
-        let range = |weights: &[Double], wave: fn(f64) -> f64| {
-            let at = |s: f64| {
-                let harmonic = |(n, w): (usize, &Double)| w.hi * wave((2 * n + 1) as f64 * PI * s);
-                weights.iter().enumerate().map(harmonic).sum::<f64>()
-            };
-            let bend = |(n, w): (usize, &Double)| w.hi.abs() * ((2 * n + 1) as f64 * PI).powi(2);
-            let slack = weights.iter().enumerate().map(bend).sum::<f64>() * (high - low).powi(2) / 8.0;
-            let ends = [at(low), at(high)];
-            (ends[0].min(ends[1]) - slack, ends[0].max(ends[1]) + slack)
-        };
-        let known = |weights: &[Double], factor: f64, wave| {
+        let known = |sum: Cosines, order: usize, weights: &[Double], factor: f64| {
             let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0);
             let error = if self.folded.is_some() { cosine } else { recurrence() + half_ulp(1.0, float) };
-            let (low, high) = range(weights, wave);
+            let (low, high) = sum.over(low, high).range(order);
             Known::within(low - error, high + error, error)
         };
         let mut all = vec![];
         if !self.cosines.is_empty() {
-            all.push(("argument", known(&self.cosines, cosine, f64::cos)));
+            all.push(("argument", known(Cosines::odd(&self.cosines), 0, &self.cosines, cosine)));
         }
         if !self.sines.is_empty() {
-            all.push(("slope", known(&self.sines, sine, f64::sin)));
+            all.push(("slope", known(Cosines::integral_of_sines(&self.sines), 1, &self.sines, sine)));
         }
         all
     }

@@ -55,6 +55,8 @@ pub(crate) struct Hyperbolic {
     images: bool,
     denominator: bool,
     correction: bool,
+    /// Whether Q/P is formed with as little rounding as can be, at the price of a division.
+    careful: bool,
     even: Fit,
     odd: Fit,
     /// arctan √v/√v on [0, 1], for θ.
@@ -98,7 +100,9 @@ impl Hyperbolic {
         let omitted =
             [(images, q.sqrt()), (denominator, 2.0 * q), (correction, 2.0 * q.powi(3)), (false, 2.0 * q.powi(6))];
         let truncation = omitted.iter().map(|&(kept, term)| if kept { 0.0 } else { weight * term }).sum();
-        Self { output, passage, images, denominator, correction, even, odd, arctangent, factor, truncation }
+        // A truncation of a few units of rounding is asked for where full precision is.
+        let careful = denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
+        Self { output, passage, images, denominator, correction, careful, even, odd, arctangent, factor, truncation }
     }
 
     /// For the reader.
@@ -215,6 +219,13 @@ impl Hyperbolic {
         let (sigma, q) = (self.passage.sigma, self.passage.q());
         let denominator = linear(b, 1.0, sigma * q, squares);
         b.name(denominator, "denominator");
+        if self.careful {
+            let small = self.excess(b, squares, denominator);
+            let small = b.mul(numerator, small);
+            let small = if sigma > 0.0 { b.add(small, image) } else { b.sub(small, image) };
+            let numerator = b.add(direct, small);
+            return Quotient { numerator, counterpart, squares: Some(squares), denominator: None };
+        }
         let numerator = if self.correction {
             let correction = linear(b, 1.0 - q.powi(4), sigma * q.powi(3), squares);
             b.mul(numerator, correction)
@@ -222,6 +233,18 @@ impl Hyperbolic {
             numerator
         };
         Quotient { numerator, counterpart, squares: Some(squares), denominator: Some(denominator) }
+    }
+
+    /// κ in (1 + σq′³M − q′⁴)/P = 1 + κ. With Q/P = E + (σG + κ(E + σG)) only the last sum is rounded with a unit of E.
+    fn excess(&self, b: &mut Builder, squares: Id, denominator: Id) -> Id {
+        let (sigma, q) = (self.passage.sigma, self.passage.q());
+        let top = if self.correction {
+            linear(b, -q.powi(4), -sigma * q * (1.0 - q * q), squares)
+        } else {
+            let slope = near(b, -sigma * q);
+            b.mul(slope, squares)
+        };
+        b.div(top, denominator)
     }
 
     /// sign·(π − 4 arctan(Q/P)).
@@ -251,7 +274,7 @@ impl Hyperbolic {
             let mut series = linear(b, constant, -sigma * q * (1.0 - correction), squares);
             if self.correction {
                 let square = b.mul(squares, squares);
-                let last = b.constant(q.powi(4));
+                let last = near(b, q.powi(4));
                 let last = b.mul(square, last);
                 series = b.add(series, last);
             }
@@ -356,11 +379,11 @@ impl Hyperbolic {
 
 /// What the outputs are made of.
 struct Quotient {
-    /// Q.
+    /// Q, or Q/P.
     numerator: Id,
     /// E − σG.
     counterpart: Id,
-    /// M, and P, where they matter.
+    /// M, and P where it matters and Q isn't divided by it yet.
     squares: Option<Id>,
     denominator: Option<Id>,
 }
@@ -386,9 +409,15 @@ impl Quotient {
 
 /// constant + slope·x.
 fn linear(b: &mut Builder, constant: f64, slope: f64, x: Id) -> Id {
-    let (constant, slope) = (b.constant(constant), b.constant(slope));
+    let constant = if constant == 1.0 { b.constant(constant) } else { near(b, constant) };
+    let slope = near(b, slope);
     let product = b.mul(slope, x);
     b.add(constant, product)
+}
+
+/// A number that was computed from the nome by a few operations.
+fn near(b: &mut Builder, value: f64) -> Id {
+    b.loose(value, 8.0 * Float::F64.unit() * value.abs())
 }
 
 /// Σ (ln 2)^(2i + k) vⁱ/(2i + k)!, v = f²: sinh(f ln 2)/f for k = 1, (cosh(f ln 2) − 1)/v for k = 2.

@@ -1,5 +1,6 @@
 //! Kernels: what computes one output from the reduced phase; and the functions made of them.
 
+use super::cosines::by_halves;
 use super::harmonics::Harmonics;
 use super::hyperbolic::Hyperbolic;
 use super::polynomial::Polynomial;
@@ -90,27 +91,30 @@ impl Kernel {
         }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
         let half = reduction.half();
-        let at = |index: usize| half * index as f64 / SLICES as f64;
         let harmonics = if let Self::Harmonics(sum) = self { Some((sum, sum.errors(reduction))) } else { None };
-        let slice = |index: usize| {
-            let mut known = vec![(phase, Known::between(at(index), at(index + 1)))];
+        let between = |low: f64, high: f64| {
+            let mut known = vec![(phase, Known::between(low, high))];
             if let Some((harmonics, errors)) = &harmonics {
-                let sums = harmonics.known(reduction, *errors, at(index), at(index + 1));
+                let sums = harmonics.known(reduction, *errors, low, high);
                 known.extend(sums.into_iter().filter_map(|(name, sum)| Some((program.named(name)?, sum))));
             }
             norm(program.rounding(&known).iter().map(|known| known.error))
         };
+        if harmonics.is_some_and(|(harmonics, _)| harmonics.peaks()) {
+            return by_halves([0.0, half], SLICES, MOST_HALVED, between);
+        }
+        let at = |index: u32| half * f64::from(index) / f64::from(SLICES);
         // The motion is fastest, and the rounding worst, at the lowest point.
-        let from_lowest = |index: usize| if reduction.origin == Origin::Anchor { SLICES - 1 - index } else { index };
-        largest((0..SLICES).map(from_lowest).map(slice), cap)
+        let from_lowest = |index: u32| if reduction.origin == Origin::Anchor { SLICES - 1 - index } else { index };
+        largest((0..SLICES).map(from_lowest).map(|index| between(at(index), at(index + 1))), cap)
     }
 }
 
-/// The largest of the errors, or the first that is above `cap`.
+/// The largest of the errors, or the first that is above `cap`; infinite where one is no number.
 pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
     let mut largest: f64 = 0.0;
     for error in errors {
-        largest = largest.max(error);
+        largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
         if largest > cap {
             break;
         }
@@ -119,7 +123,10 @@ pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
 }
 
 /// Subintervals of the phase on which the rounding is analysed separately.
-const SLICES: usize = 64;
+const SLICES: u32 = 64;
+
+/// How often slices are halved where the rounding peaks.
+const MOST_HALVED: usize = 200;
 
 /// √Σx², also where the squares overflow or underflow.
 pub(super) fn norm(parts: impl Iterator<Item = f64>) -> f64 {

@@ -4,6 +4,7 @@ mod adapted;
 mod aim;
 mod alternatives;
 mod arcsine;
+mod cosines;
 pub(crate) mod curve;
 mod fit;
 mod form;
@@ -11,6 +12,7 @@ mod harmonics;
 mod hyperbolic;
 pub(crate) mod kernel;
 mod moebius;
+mod moments;
 mod paper;
 mod part;
 pub(crate) mod polynomial;
@@ -97,15 +99,32 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
             (full.map_or(f64::INFINITY, |plan| plan.worst()), tol)
         }
     };
-    let kept =
-        |offer: &f64| offer.is_finite() && cheapest(&Scene { goal: Goal::Tolerance(*offer), ..scene.clone() }).is_ok();
     let reached = if best < full { [best, full] } else { [full, best] };
     let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
     // A forced method is refused as such.
     let decades = if scene.method.is_some() { 1..1 } else { 1..10 };
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
-    let mut offers = offers.chain(decades);
-    Err(Refusal::Unreachable { best: offers.find(kept).unwrap_or(f64::INFINITY) })
+    let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
+    Err(Refusal::Unreachable { best: first_kept(scene, &offers).unwrap_or(f64::INFINITY) })
+}
+
+/// The first of the tolerances that can be promised; those below what was reached where another was refused come last.
+fn first_kept(scene: &Scene, offers: &[f64]) -> Option<f64> {
+    let ask = |offer: f64| cheapest(&Scene { goal: Goal::Tolerance(offer), ..scene.clone() });
+    let mut reached = 0.0;
+    let mut unlikely = Vec::new();
+    for &offer in offers {
+        if offer < reached {
+            unlikely.push(offer);
+            continue;
+        }
+        match ask(offer) {
+            Ok(_) => return Some(offer),
+            Err(Refusal::Unreachable { best }) if best.is_finite() => reached = best,
+            Err(_) => {}
+        }
+    }
+    unlikely.into_iter().find(|&offer| ask(offer).is_ok())
 }
 
 /// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
@@ -146,6 +165,8 @@ impl Plan {
 
 #[cfg(test)]
 mod curve_tests;
+#[cfg(test)]
+mod full_precision_tests;
 #[cfg(test)]
 mod random_tests;
 #[cfg(test)]

@@ -106,6 +106,9 @@ pub(crate) struct Polynomial {
     pub(crate) truncation: f64,
 }
 
+/// 2⁻¹⁰⁶⁰: some thousand of the smallest numbers.
+const LOST: f64 = f64::from_bits(1 << 14);
+
 /// More points than this take too long.
 const MOST_POINTS: usize = 240;
 
@@ -195,9 +198,23 @@ impl Approximation {
                 *coefficient = *coefficient * unit;
             }
         }
-        let truncation = self.truncation(terms, reduction.overshoot);
+        let lost = self.lost_to_underflow(terms, form, unit);
+        let truncation = self.truncation(terms, reduction.overshoot) + lost;
         let (pole, parity, map) = (self.pole, self.parity, self.map);
         Polynomial { form, pole, parity, map, alternates, coefficients, adapted: None, truncation }
+    }
+
+    /// What coefficients that are too small for two words change: infinite where the powers of the unit are. Powers of a phase
+    /// in units of time are of any size, and an amplitude may be 1e-300.
+    fn lost_to_underflow(&self, terms: usize, form: Form, unit: Double) -> f64 {
+        let eighth = if let Form::Centred { .. } = form { 1.0 } else { (unit * unit * 8.0).hi };
+        let (highest, widest) = (eighth.powi(terms as i32), 1e280);
+        if !(1.0 / widest..widest).contains(&highest) {
+            return f64::INFINITY;
+        }
+        // Of 8p ≤ 2; each coefficient is a sum of some hundred products, each wrong by a few of the smallest numbers.
+        let weight = self.weight() * if self.parity == Parity::Odd { 1.0 / unit.hi } else { 1.0 };
+        weight * LOST * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
     }
 
     /// As [`Self::polynomial`], evaluated by its powers.

@@ -62,7 +62,7 @@ fn planned(text: &str) -> Option<(Scene, Plan)> {
 }
 
 /// Where a plan is tried.
-struct Probe<'a> {
+pub(super) struct Probe<'a> {
     scene: &'a Scene,
     program: &'a Program,
     output: Output,
@@ -72,11 +72,11 @@ struct Probe<'a> {
     first: f64,
     horizon: f64,
     bound: f64,
-    worst: (f64, f64),
+    pub(super) worst: (f64, f64),
 }
 
 impl<'a> Probe<'a> {
-    fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
+    pub(super) fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
         let (step, launch) = match &scene.motion.regime {
             Regime::Swing(swing) => (swing.period.to_f64() / 2.0, swing.launch.to_f64()),
             Regime::Rotation(rotation) => (rotation.period.to_f64(), rotation.launch.to_f64() + 0.5),
@@ -98,7 +98,7 @@ impl<'a> Probe<'a> {
     }
 
     /// The error at the time of the scene's type nearest to `t` within the horizon.
-    fn at(&mut self, t: f64) -> f64 {
+    pub(super) fn at(&mut self, t: f64) -> f64 {
         let mut t = self.scene.float.round(t.clamp(-self.horizon, self.horizon));
         if t.abs() > self.horizon {
             let inner = if self.scene.float == Float::F32 { f64::from((t as f32).next_down()) } else { t };
@@ -132,7 +132,7 @@ impl<'a> Probe<'a> {
     }
 
     /// Everywhere that is known to be bad, and at random.
-    fn everywhere(&mut self, random: &mut Random, density: usize) {
+    pub(super) fn everywhere(&mut self, random: &mut Random, density: usize) {
         let (step, horizon) = (self.step, self.horizon);
         for t in [0.0, self.first, horizon, -horizon, horizon * (2.0 * random.unit() - 1.0)] {
             self.anchor(t, density);

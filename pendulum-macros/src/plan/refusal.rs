@@ -87,8 +87,9 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
 fn unbounded(n: usize, scene: &Scene) -> String {
     if scene.outputs.contains(&Output::Velocity) {
         format!(
-            "`n = {n}`: no bound can be proven for the error of θ̂'s velocity at this amplitude, where the argument of \
-             the arcsine in Eq. 22 comes too near 1: ask for `theta` alone, or state the error as `tol` instead of `n`"
+            "`n = {n}`: no useful bound can be proven for the error of θ̂'s velocity at this amplitude, where the argument \
+             of the arcsine in Eq. 22 comes too near 1: ask for `theta` alone, choose another `n`, or state the error as \
+             `tol` instead of `n`"
         )
     } else {
         format!("`n = {n}`: no bound can be proven for the error of θ̂ here: state the error as `tol` instead of `n`")

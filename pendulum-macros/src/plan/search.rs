@@ -33,15 +33,10 @@ enum Way {
     Passage,
 }
 
-/// The cheapest plan. Full precision is 2⁻⁴⁹ of the largest value; where rounding takes more, as it does of some
-/// accelerations near the top, the best is what is less than twice that.
+/// The cheapest plan.
 pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let mut task = Task::new(scene);
     match (cheapest(scene, &task), scene.goal) {
-        (Err(Refusal::Unreachable { .. }), Goal::Full) => {
-            task.aims.iter_mut().for_each(|aim| aim.limit *= 2.0);
-            cheapest(scene, &task)
-        }
         // The best that can be promised is what full precision promises.
         (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) => {
             task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
@@ -132,10 +127,11 @@ fn candidates<'a>(
     approximations: &[Approximations],
 ) -> Vec<Candidate<'a>> {
     let mut candidates = Vec::new();
-    // At full precision the angle of a rotation is to be as good as it can be where it is small.
+    // At full precision the angle of a rotation is to be as good as it can be where it is small, if another output can be
+    // had from there.
     let angle = |aim: &Aim| matches!(aim.output, Output::Theta | Output::Wrapped);
     let from_lowest = task.turning && scene.goal == Goal::Full && task.aims.iter().any(angle);
-    for reduction in reductions.iter().filter(|reduction| !from_lowest || reduction.origin == Origin::Lowest) {
+    for reduction in reductions {
         let cheapest = |(aim, all): (&Aim, &Approximations)| Some(aim.variants(all, reduction).first()?.1);
         if let Some(kernels) = task.aims.iter().zip(approximations).map(cheapest).sum::<Option<f64>>() {
             let cost = skeleton(reduction, &task.aims).cost() + kernels;
@@ -149,7 +145,8 @@ fn candidates<'a>(
             candidates.push(Candidate { reduction, way: Way::Passage, cost: base + kernels });
         }
     }
-    candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let late = |candidate: &Candidate| from_lowest && candidate.reduction.origin != Origin::Lowest;
+    candidates.sort_by(|a, b| late(a).cmp(&late(b)).then(a.cost.total_cmp(&b.cost)));
     candidates
 }
 
@@ -190,12 +187,21 @@ impl Candidate<'_> {
 
     fn plan(&self, scene: &Scene, task: &Task, approximations: &[Approximations]) -> Result<Plan, f64> {
         let mut rejected = Vec::new();
-        let part = |(aim, all): (&Aim, &Approximations)| match (self.way, &task.passage) {
-            (Way::Polynomials, _) => self.polynomials(scene, task, aim, all, &mut rejected),
-            (Way::Passage, Some(passage)) => aim.passage_part(scene, task, self.reduction, passage),
-            (Way::Passage, None) => Err(f64::INFINITY),
+        let mut part = |(aim, all): (&Aim, &Approximations)| {
+            let passage = || match &task.passage {
+                Some(passage) if self.reduction.origin == Origin::Lowest && scene.method.is_none() => {
+                    aim.passage_part(scene, task, self.reduction, passage)
+                }
+                _ => Err(f64::INFINITY),
+            };
+            let mut polynomials = || self.polynomials(scene, task, aim, all, &mut rejected);
+            // What one way can't promise of an output the other may.
+            match self.way {
+                Way::Polynomials => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
+                Way::Passage => passage().or_else(|reached| polynomials().map_err(|other| other.min(reached))),
+            }
         };
-        let parts = task.aims.iter().zip(approximations).map(part).collect::<Result<Vec<Part>, f64>>()?;
+        let parts = task.aims.iter().zip(approximations).map(&mut part).collect::<Result<Vec<Part>, f64>>()?;
         Ok(self.way.plan(self.reduction, parts, rejected))
     }
 

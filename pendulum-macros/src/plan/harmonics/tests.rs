@@ -5,6 +5,7 @@ use crate::fuzz::random::Random;
 use crate::parse::Float;
 use crate::plan::plan;
 use crate::plan::tests::scene;
+use std::f64::consts::PI;
 
 /// Operation by operation, for two weights: u₂ = b, X = 4c² − 2, Xu₂, u₁ = a + Xu₂, u₁ − u₂, c(u₁ − u₂).
 #[test]

@@ -206,6 +206,13 @@ fn horizon(scene: &Scene, rate: &Real) -> f64 {
     scene.t_max.as_ref().map_or_else(|| 2f64.powi(54) / rate.to_f64(), Real::to_f64)
 }
 
+/// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the largest.
+fn is_useful(part: &Part, scene: &Scene) -> bool {
+    let bound = part.bound.total();
+    let vague = matches!(scene.goal, Goal::Terms(_)) && part.output == Output::Velocity && bound > 2.0 * part.largest;
+    bound.is_finite() && !vague
+}
+
 impl Sum {
     /// The cheapest reduction with which the promise is kept, or, if nothing is promised, whose error is beside the
     /// rounding of the rest.
@@ -234,7 +241,7 @@ impl Sum {
             let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(scene, swing, wanted, reduction)).collect();
             let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
             let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
-            if worst <= promise {
+            if worst <= promise && parts.iter().all(|part| is_useful(part, scene)) {
                 return Ok(Plan {
                     method: self.method.word(),
                     reduction: reduction.clone(),

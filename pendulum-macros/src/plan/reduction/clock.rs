@@ -34,7 +34,8 @@ impl Clock<'_> {
         let last = match self.float {
             Float::F64 => vec![self.any_time(3, Anchor), self.any_time(4, Anchor), self.any_time(4, Lowest)],
             Float::F32 => {
-                vec![self.wide(Anchor), self.wide(Lowest), self.wide_any_time(Anchor), self.wide_any_time(Lowest)]
+                let any_time = [self.wide_any_time(Anchor), self.wide_any_time(Lowest), self.fine_any_time()];
+                [self.wide(Anchor), self.wide(Lowest)].into_iter().chain(any_time).collect()
             }
         };
         let unsure = common.into_iter().chain(cody_waite).flatten();
@@ -163,9 +164,19 @@ impl Clock<'_> {
 
     /// The first two products are exact (24 + 29 bits); the sum of the second and third, below 2²⁶, is rounded to 2⁻²⁸.
     fn wide_any_time(&self, origin: Origin) -> Reduction {
+        self.wide_words(origin, false, 2f64.powi(-27))
+    }
+
+    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: with the second
+    /// product modulo 8 that sum is rounded to 2⁻⁵¹. The third product is below 2⁻³, what three words leave below 2⁻⁵⁷.
+    fn fine_any_time(&self) -> Reduction {
+        self.wide_words(Origin::Lowest, true, 2f64.powi(-50))
+    }
+
+    fn wide_words(&self, origin: Origin, fine: bool, error: f64) -> Reduction {
         let words = split_down(self.rate, 29, 3, Float::F64);
-        let method = Method::WideAnyTime { words: [words[0], words[1], words[2]] };
-        self.reduction(method, origin, self.narrowed(2f64.powi(-27), origin), 2f64.powi(-26))
+        let method = Method::WideAnyTime { words: [words[0], words[1], words[2]], fine };
+        self.reduction(method, origin, self.narrowed(error, origin), 2.0 * error)
     }
 
     /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point.

@@ -17,9 +17,9 @@ impl Reduction {
                 let wide = b.convert(t, Float::F64);
                 self.direct(b, wide, *rate)
             }
-            Method::WideAnyTime { words } => {
+            Method::WideAnyTime { words, fine } => {
                 let wide = b.convert(t, Float::F64);
-                self.wide_any_time(b, wide, words)
+                self.wide_any_time(b, wide, words, *fine)
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
             Method::Linear { words } => {
@@ -92,8 +92,7 @@ impl Reduction {
         let x = b.mul(t, rate);
         b.name(x, "x");
         let (magic, n) = self.round(b, x);
-        let rest = b.sub(x, n);
-        let remainder = offset_by(b, rest, self.offset());
+        let remainder = self.less(b, x, n);
         self.numbered(b, remainder, magic, n)
     }
 
@@ -127,17 +126,21 @@ impl Reduction {
         self.numbered(b, remainder, magic, count)
     }
 
-    fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
+    fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3], fine: bool) -> Phase {
         let [first, second, third] = words.map(|word| {
             let word = b.constant(word);
             b.mul(t, word)
         });
-        let (first, eights) = modulo_eight(b, first);
+        let (first, mut eights) = modulo_eight(b, first);
+        let mut second = second;
+        if fine {
+            let (rest, more) = modulo_eight(b, second);
+            (second, eights) = (rest, b.add(eights, more));
+        }
         let low = b.add(second, third);
         let sum = b.add(first, low);
         let (magic, n) = self.round(b, sum);
-        let rest = b.sub(first, n);
-        let rest = offset_by(b, rest, self.offset());
+        let rest = self.less(b, first, n);
         let count = b.add(eights, n);
         let remainder = b.add(rest, low);
         self.numbered(b, remainder, magic, count)
@@ -172,46 +175,47 @@ impl Reduction {
         let (magic, n) = self.round(b, sum);
         let eights = b.add(many, some);
         let count = b.add(eights, n);
-        let remainder = self.sum_of_parts(b, [first, second, third], fourth, n);
+        let remainder = self.sum_of_parts(b, n, [first, second, third], fourth);
         self.numbered(b, remainder, magic, count)
     }
 
-    /// The four parts less n, and the offset. Without a launch the offset is nought or a half: as long as the third part isn't
-    /// small, all sums but the last are exact. With one they are done in two words.
-    ///
-    /// Where the first part is below half an anchor and n isn't nought, their difference is rounded. About an anchor that is
-    /// little beside half an anchor. The lowest point may be next to it: there a half is taken from n before, which leaves
-    /// only differences above a quarter to be rounded, or what is lost is kept.
-    fn sum_of_parts(&self, b: &mut Builder, [first, second, third]: [Id; 3], fourth: Option<Id>, n: Id) -> Id {
+    /// The four parts and the offset, less n. Without a launch the offset is nought or a half, and each sum is rounded
+    /// relative to its result, if at all: the first if that is above a quarter, where then the last is nothing beside it.
+    /// With a launch the sums are done in two words; from the lowest point also that with n, beside which a first part below
+    /// a half may be the longer number (Dekker's sum, whose larger operand is n wherever it is rounded: by up to 2⁻⁵⁴, which
+    /// from an anchor is part of the error).
+    fn sum_of_parts(&self, b: &mut Builder, n: Id, [first, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
         let offset = self.offset();
-        let from_lowest = self.origin == Origin::Lowest;
-        if offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0 {
-            let rest = if from_lowest {
-                let place = offset_by(b, n, -offset);
-                b.sub(first, place)
-            } else {
-                let rest = b.sub(first, n);
-                offset_by(b, rest, offset)
-            };
+        if is_half(offset) {
+            let rest = self.less(b, first, n);
             let sum = b.add(rest, second);
             let sum = b.add(sum, third);
             return fourth.map_or(sum, |fourth| b.add(sum, fourth));
         }
         let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
         let low = fourth.map_or(low, |fourth| b.add(fourth, low));
-        let (mut sum, mut lost) = if from_lowest {
-            let zero = b.constant(0.0);
-            let back = b.sub(zero, n);
-            let (rest, error) = b.two_sum(first, back);
-            (rest, b.add(low, error))
-        } else {
-            (b.sub(first, n), low)
-        };
+        let (mut sum, mut lost) = (b.sub(first, n), low);
+        if self.origin == Origin::Lowest {
+            let taken = b.add(sum, n);
+            let error = b.sub(first, taken);
+            lost = b.add(lost, error);
+        }
         for part in [second, third, head] {
             let (next, error) = b.two_sum(sum, part);
             (sum, lost) = (next, b.add(lost, error));
         }
         b.add(sum, lost)
+    }
+
+    /// x + offset − n. Where the offset is a half, it is taken from n, without rounding: x − n alone may be longer than x.
+    fn less(&self, b: &mut Builder, x: Id, n: Id) -> Id {
+        let offset = self.offset();
+        if !is_half(offset) {
+            let rest = b.sub(x, n);
+            return offset_by(b, rest, offset);
+        }
+        let n = offset_by(b, n, -offset);
+        b.sub(x, n)
     }
 
     /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
@@ -237,6 +241,11 @@ impl Reduction {
         let low = b.add(low, third);
         Phase { remainder: b.add(sum, low), magic: t, count: t }
     }
+}
+
+/// Whether it is a multiple of ½.
+fn is_half(offset: Double) -> bool {
+    offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0
 }
 
 /// x + offset, if there is any.

@@ -60,8 +60,8 @@ pub(crate) enum Method {
     CodyWaite { rate: f64, words: Vec<f64> },
     /// An `f32` time, R in one `f64` word.
     Wide { rate: f64 },
-    /// An `f32` time, R in three `f64` words whose first two products are exact.
-    WideAnyTime { words: [f64; 3] },
+    /// An `f32` time, R in three `f64` words whose first two products are exact; `fine` if both are taken modulo 8.
+    WideAnyTime { words: [f64; 3], fine: bool },
     /// An `f64` time, R in three or four words; all products that matter but the last are exact.
     AnyTime { words: Vec<f64> },
     /// z = t·R + launch, never reduced: the separatrix has one lowest point. R in three words where there is a launch.
@@ -104,7 +104,12 @@ impl Reduction {
             Method::Scaled { .. } => "one product with the rate, in a unit that suits both".to_owned(),
             Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
             Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
-            Method::WideAnyTime { .. } => "exact products with the rate in three words of `f64`".to_owned(),
+            Method::WideAnyTime { fine: false, .. } => {
+                "exact products with the rate in three words of `f64`".to_owned()
+            }
+            Method::WideAnyTime { fine: true, .. } => {
+                "exact products, modulo 8, with the rate in three words of `f64`".to_owned()
+            }
             Method::AnyTime { words } => format!("exact products with the rate in {} words", words.len()),
             Method::Linear { .. } => "the time itself".to_owned(),
         };

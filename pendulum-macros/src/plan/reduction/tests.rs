@@ -136,6 +136,6 @@ fn errors_are_those_promised() {
     assert_eq!(worst.len(), 19, "{worst:?}");
     for (way, worst) in worst {
         // Of three words the third part's rounding is rarely as large as it might be.
-        assert!(worst > if way.0 == "AnyTime 3" { 0.2 } else { 0.5 }, "{way:?}: of its error only {worst} was seen");
+        assert!(worst > if way.0 == "AnyTime 3" { 0.15 } else { 0.5 }, "{way:?}: of its error only {worst} was seen");
     }
 }

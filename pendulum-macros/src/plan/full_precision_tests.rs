@@ -1,0 +1,130 @@
+//! Full precision is kept for every output at all amplitudes: proven to be within 16 units of rounding of the largest value
+//! (48 of 1 for a position), and seen within half of that.
+//!
+//! ```text
+//! PENDULA_SCENES=1000 cargo test --release -p pendulum-macros full_precision_tests::many -- --ignored --nocapture
+//! ```
+
+use super::random_tests::Probe;
+use super::tests::scene;
+use super::*;
+use crate::fuzz::random::Random;
+use crate::parse::Float;
+
+/// From 1e-9 to π − 1e-9, and as near to the separatrix from above; launched anywhere; for any time or a short one.
+fn random_start(random: &mut Random) -> String {
+    let small = 10f64.powf(0.49 - 9.49 * random.unit());
+    let start = match random.below(8) {
+        0..4 => format!("theta0 = π - {small:.6e}"),
+        4 => format!("theta0 = {small:.6e}"),
+        5 => format!("velocity0 = 2 + {small:.6e}"),
+        6 => format!("theta0 = {:.6}, velocity0 = {:.6}", 3.1 * random.unit(), 2.2 * random.unit()),
+        _ => format!("theta0 = -{:.6}, velocity0 = {small:.6e}", 3.1 * random.unit()),
+    };
+    let horizon =
+        if random.one_in(4) { format!(", t_max = {:.2e}", 10f64.powf(9.0 * random.unit())) } else { String::new() };
+    format!("struct Motion; {start}{horizon}")
+}
+
+/// All outputs of one motion, which share the reduction of the phase.
+fn together(start: &str) {
+    for float in [Float::F64, Float::F32] {
+        let word = float.word();
+        let text = format!("{start}, float = {word}, outputs = [velocity, acceleration, wrapped, position]");
+        let plan = plan(&scene(&text)).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+        for part in plan.parts {
+            let units = if part.output == Output::Position { 48.0 } else { 16.0 };
+            assert!(part.bound.total() <= units * float.unit() * part.largest, "{text}: {:?}", part.output);
+        }
+    }
+}
+
+/// The largest proven and observed errors of each output, as parts of what is allowed, and where they are.
+fn run(scenes: u64, seed: u64, density: usize) -> Vec<[(f64, String); 2]> {
+    let mut random = Random::new(seed);
+    let mut worst = vec![[(0.0, String::new()), (0.0, String::new())]; 5];
+    for _ in 0..scenes {
+        let start = random_start(&mut random);
+        let outputs = ["velocity", "acceleration", "wrapped", "position", "theta"];
+        together(&start);
+        for (output, worst) in outputs.iter().zip(&mut worst) {
+            let float = random.choose(&[Float::F64, Float::F64, Float::F32]);
+            let text = format!("{start}, float = {}, outputs = [{output}]", float.word());
+            let scene = scene(&text);
+            if *output == "theta" && matches!(scene.motion.regime, Regime::Rotation(_)) {
+                continue;
+            }
+            let plan = plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+            let part = &plan.parts[0];
+            let units = if *output == "position" { 48.0 } else { 16.0 };
+            let allowed = units * float.unit() * part.largest;
+            let mut probe = Probe::new(&scene, &plan);
+            if density > 0 {
+                probe.everywhere(&mut random, density);
+            }
+            for (found, worst) in [part.bound.total(), probe.worst.1].into_iter().zip(worst) {
+                if found / allowed > worst.0 {
+                    *worst = (found / allowed, format!("{text} {}", part.description));
+                }
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn full_precision_is_kept() {
+    for [(proven, proven_of), (observed, observed_of)] in run(25, 1, 2) {
+        assert!(proven <= 1.0, "{proven}: {proven_of}");
+        assert!(observed <= 0.5, "{observed}: {observed_of}");
+    }
+}
+
+/// The same, of PENDULA_SCENES scenes from PENDULA_FUZZ_SEED, densely.
+#[test]
+#[ignore = "minutes"]
+fn many() {
+    let setting = |name: &str, default| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
+    let worst =
+        run(setting("PENDULA_SCENES", 300), setting("PENDULA_FUZZ_SEED", 2), setting("PENDULA_DENSITY", 30) as usize);
+    for found in worst.iter().flatten() {
+        println!("{:.3} {}", found.0, found.1);
+    }
+    for [(proven, _), (observed, _)] in worst {
+        assert!(proven <= 1.0 && observed <= 0.5);
+    }
+}
+
+/// Next to the lowest points before and after t = 0, on both sides of them, where the phase has to have all its digits; of
+/// releases from rest the values at t and −t are one, to the bit.
+#[test]
+fn the_first_passages_keep_their_digits() {
+    for (start, float) in [
+        ("theta0 = π - 7.194052e-7", Float::F64),
+        ("theta0 = -(π - 1e-9)", Float::F64),
+        ("theta0 = π - 1e-142", Float::F32),
+        ("theta0 = π - 1e-5, velocity0 = 1e-6", Float::F64),
+        ("theta0 = 0.3, velocity0 = 1.9765", Float::F64),
+        ("theta0 = -2, velocity0 = 1.08", Float::F64),
+    ] {
+        for output in ["theta", "velocity", "acceleration", "position"] {
+            let scene = scene(&format!("struct Motion; {start}, float = {}, outputs = [{output}]", float.word()));
+            let Regime::Swing(swing) = &scene.motion.regime else { panic!("{start} is no swing") };
+            let plan = plan(&scene).unwrap();
+            let mut probe = Probe::new(&scene, &plan);
+            let (half, launch) = (swing.period.to_f64() / 2.0, swing.launch.to_f64());
+            for lowest in [-0.5, 0.5, -1.5, 1.5] {
+                for off in [1e-6, 1e-3, 0.02, 0.025, 0.1].into_iter().flat_map(|off| [off, -off]) {
+                    let t = float.round((lowest + off - launch) * half);
+                    probe.at(t);
+                    let run = |t: f64| plan.functions[0].program.run(t);
+                    let even = if output == "velocity" { -1.0 } else { 1.0 };
+                    let mirrored: Vec<f64> = run(-t).into_iter().map(|value| value * even).collect();
+                    assert!(launch != 0.0 || run(t) == mirrored, "{start}, {output} at {t:e}");
+                }
+            }
+            let ((t, error), bound) = (probe.worst, plan.parts[0].bound.total());
+            assert!(error <= bound, "{start}, {output}: {error:e} at {t:e}, bound {bound:e}");
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Suprema of |z·df/dz| for the angle, the velocity and the acceleration, z being the phase from the lowest point: what an
+//! error of the phase that is relative to z costs.
+//!
+//! From the lowest point to the anchor v = θ̇ falls, so that in a slice of z it lies between its values at the ends. By the
+//! energy, cos θ = 1 − (F² − v²)/(2ω²) with F = v(0) falls with it. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded by the same
+//! intervals.
+
+use crate::series::Wave;
+
+/// Of θ, θ̇/ω and θ̈/ω².
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments {
+    pub(super) angle: f64,
+    pub(super) velocity: f64,
+    pub(super) acceleration: f64,
+}
+
+/// Slices, each longer than the one before by the same factor, which is also about that by which the suprema are exceeded.
+const SLICES: i32 = 64;
+
+/// What samples of the velocity may be wrong by, relative to the largest.
+const SLACK: f64 = 1e-10;
+
+impl Moments {
+    /// Of dθ/ds by the phase s from an anchor. `rate` is the number of anchors per unit of ωt, `fastest` is F/ω.
+    pub(super) fn new(slope: &Wave, rate: f64, fastest: f64) -> Self {
+        // Where the motion is fast, all of it happens in the first thousandths.
+        let first = (0.3 * rate / fastest).min(0.02);
+        let ratio = (0.5 / first).powf(1.0 / f64::from(SLICES - 1));
+        let end = |slice: i32| if slice == 0 { 0.0 } else { first * ratio.powi(slice - 1) };
+        let speed = |z: f64| slope.roughly(0.5 - z).abs() * rate;
+        let mut moments = Self { angle: 0.0, velocity: 0.0, acceleration: 0.0 };
+        let mut before = fastest;
+        for slice in 0..SLICES {
+            let z = end(slice + 1).min(0.5);
+            let here = speed(z);
+            let (slow, fast) = (here - SLACK * fastest, before + SLACK * fastest);
+            let [low, high] = [slow.max(0.0), fast].map(|v| cosine(v, fastest));
+            let sine = if low <= 0.0 && high >= 0.0 { 1.0 } else { (1.0 - low.abs().min(high.abs()).powi(2)).sqrt() };
+            let steepest = [fast, sine, low.abs().max(high.abs()) * fast].map(|steepest| z * steepest / rate);
+            moments.angle = moments.angle.max(steepest[0]);
+            moments.velocity = moments.velocity.max(steepest[1]);
+            moments.acceleration = moments.acceleration.max(steepest[2]);
+            before = here;
+        }
+        let inflated = |x: f64| x * (1.0 + 1e-9);
+        let Self { angle, velocity, acceleration } = moments;
+        Self { angle: inflated(angle), velocity: inflated(velocity), acceleration: inflated(acceleration) }
+    }
+}
+
+/// cos θ at the velocity v, in units of ω.
+fn cosine(v: f64, fastest: f64) -> f64 {
+    (1.0 - (fastest - v) * (fastest + v) / 2.0).clamp(-1.0, 1.0)
+}
