@@ -120,6 +120,13 @@ fn refusals_offer_what_can_be_had() {
 fn the_velocity_of_the_paper_near_the_top() {
     planned("struct A; θ0 = π - 5.52933e-2, n = 9, outputs = [theta, velocity]");
     planned("struct A; theta0 = π - 8.4e-4, n = 66, outputs = [velocity, theta]");
+    // One term's argument is 1 − 10⁻¹³ at the turning point, 1 − 10⁻¹⁵, of which the rounding leaves nothing, 1 − 10⁻⁷.
+    planned("struct A; theta0 = 0.730828103425899196π, n = 1, outputs = [theta, velocity]");
+    let edge = "struct A; theta0 = 0.7308281034259988096π";
+    refused(&format!("{edge}, n = 1, outputs = [theta, velocity]"), "ask for `theta` alone");
+    planned(&format!("{edge}, n = 1, outputs = [theta]"));
+    planned(&format!("{edge}, n = 2, outputs = [theta, velocity]"));
+    refused("struct A; theta0 = 0.7308280027970127π, n = 1, outputs = [velocity], float = f32", "choose another `n`");
 }
 
 /// 2⁻²⁰ of the largest value was out of reach of `f32` next to the separatrix.
