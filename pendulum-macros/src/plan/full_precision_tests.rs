@@ -85,7 +85,7 @@ fn full_precision_is_kept() {
     check(run(25, 1, 2));
 }
 
-/// The same, of PENDULA_SCENES scenes from PENDULA_FUZZ_SEED, densely.
+/// The same, of `PENDULA_SCENES` scenes from `PENDULA_FUZZ_SEED`, densely.
 #[test]
 #[ignore = "minutes"]
 fn many() {

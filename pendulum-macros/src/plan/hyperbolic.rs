@@ -51,10 +51,7 @@ pub(crate) struct Passage {
 pub(crate) struct Hyperbolic {
     output: Output,
     passage: Passage,
-    /// Whether G and the denominator matter.
-    images: bool,
-    denominator: bool,
-    correction: bool,
+    images: Images,
     /// Whether Q/P is formed with as little rounding as can be, at the price of a division.
     careful: bool,
     even: Fit,
@@ -65,6 +62,18 @@ pub(crate) struct Hyperbolic {
     factor: Double,
     /// What leaving out terms changes.
     pub(crate) truncation: f64,
+}
+
+/// What of the passages before and after matters: each more than those before it.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+enum Images {
+    Nothing,
+    /// G.
+    Sum,
+    /// P.
+    Denominator,
+    /// σq′³M − q′⁴.
+    Correction,
 }
 
 /// E below 2 to minus this is nothing beside the roundings of 1.
@@ -95,14 +104,14 @@ impl Hyperbolic {
             angle.then(|| Fit::new(&Domain::reaching(1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
         // An angle, sin θ and e^{iθ} change by at most 4 times as much as Q or P, the velocity by 2F times.
         let weight = if output == Output::Velocity { 2.5 } else { 4.5 };
-        let matters = |term: f64| weight * term > limit / 8.0;
-        let (images, denominator, correction) = (matters(q.sqrt()), matters(2.0 * q), matters(2.0 * q.powi(3)));
-        let omitted =
-            [(images, q.sqrt()), (denominator, 2.0 * q), (correction, 2.0 * q.powi(3)), (false, 2.0 * q.powi(6))];
-        let truncation = omitted.iter().map(|&(kept, term)| if kept { 0.0 } else { weight * term }).sum();
+        let levels = [(Images::Sum, q.sqrt()), (Images::Denominator, 2.0 * q), (Images::Correction, 2.0 * q.powi(3))];
+        let matters = |&&(_, term): &&(Images, f64)| weight * term > limit / 8.0;
+        let images = levels.iter().rev().find(matters).map_or(Images::Nothing, |level| level.0);
+        let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
+        let truncation = left_out.chain([2.0 * q.powi(6)]).map(|term| weight * term).sum();
         // A truncation of a few units of rounding is asked for where full precision is.
-        let careful = denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
-        Self { output, passage, images, denominator, correction, careful, even, odd, arctangent, factor, truncation }
+        let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
+        Self { output, passage, images, careful, even, odd, arctangent, factor, truncation }
     }
 
     /// For the reader.
@@ -190,7 +199,7 @@ impl Hyperbolic {
         let falling = b.add(one, falling);
         let direct = b.mul(power, falling);
         b.name(direct, "direct");
-        if !self.images {
+        if self.images == Images::Nothing {
             return Quotient { numerator: direct, counterpart: direct, squares: None, denominator: None };
         }
         // 2^(j + image_exponent), below which there is nothing to add.
@@ -210,7 +219,7 @@ impl Hyperbolic {
         b.name(image, "image");
         let (sum, difference) = (b.add(direct, image), b.sub(direct, image));
         let (numerator, counterpart) = if self.passage.sigma > 0.0 { (sum, difference) } else { (difference, sum) };
-        if !self.denominator {
+        if self.images == Images::Sum {
             return Quotient { numerator, counterpart, squares: None, denominator: None };
         }
         let squares = [b.mul(direct, direct), b.mul(image, image)];
@@ -226,7 +235,7 @@ impl Hyperbolic {
             let numerator = b.add(direct, small);
             return Quotient { numerator, counterpart, squares: Some(squares), denominator: None };
         }
-        let numerator = if self.correction {
+        let numerator = if self.images == Images::Correction {
             let correction = linear(b, 1.0 - q.powi(4), sigma * q.powi(3), squares);
             b.mul(numerator, correction)
         } else {
@@ -238,7 +247,7 @@ impl Hyperbolic {
     /// κ in (1 + σq′³M − q′⁴)/P = 1 + κ. With Q/P = E + (σG + κ(E + σG)) only the last sum is rounded with a unit of E.
     fn excess(&self, b: &mut Builder, squares: Id, denominator: Id) -> Id {
         let (sigma, q) = (self.passage.sigma, self.passage.q());
-        let top = if self.correction {
+        let top = if self.images == Images::Correction {
             linear(b, -q.powi(4), -sigma * q * (1.0 - q * q), squares)
         } else {
             let slope = near(b, -sigma * q);
@@ -269,10 +278,10 @@ impl Hyperbolic {
         let (sigma, q) = (self.passage.sigma, self.passage.q());
         let mut top = quotient.counterpart;
         if let Some(squares) = quotient.squares {
-            let correction = if self.correction { q.powi(4) } else { 0.0 };
+            let correction = if self.images == Images::Correction { q.powi(4) } else { 0.0 };
             let constant = 1.0 - q * q * (1.0 + correction);
             let mut series = linear(b, constant, -sigma * q * (1.0 - correction), squares);
-            if self.correction {
+            if self.images == Images::Correction {
                 let square = b.mul(squares, squares);
                 let last = near(b, q.powi(4));
                 let last = b.mul(square, last);
@@ -290,19 +299,19 @@ impl Hyperbolic {
 
     /// N over the velocity's numerator at the lowest point, with the terms that are kept.
     fn lowest(&self) -> Double {
-        if !self.images {
+        if self.images == Images::Nothing {
             return Double::new(2.0);
         }
         let (sigma, q) =
             (Double::new(self.passage.sigma), self.passage.image.scale(2f64.powi(self.passage.image_exponent)));
         let m = Double::ONE + q * q;
         let part = |keep: bool, value: Double| if keep { value } else { Double::ZERO };
-        let p = Double::ONE + part(self.denominator, sigma * q * m);
-        let numerator =
-            (Double::ONE + sigma * q) * (Double::ONE + part(self.correction, sigma * q * q * q * m - q * q * q * q));
+        let p = Double::ONE + part(self.images >= Images::Denominator, sigma * q * m);
+        let numerator = (Double::ONE + sigma * q)
+            * (Double::ONE + part(self.images == Images::Correction, sigma * q * q * q * m - q * q * q * q));
         let series = Double::ONE
-            + part(self.denominator, -(q * q) - sigma * q * m)
-            + part(self.correction, q * q * q * q * (m * m + sigma * q * m - q * q));
+            + part(self.images >= Images::Denominator, -(q * q) - sigma * q * m)
+            + part(self.images == Images::Correction, q * q * q * q * (m * m + sigma * q * m - q * q));
         (p * p + numerator * numerator) / ((Double::ONE - sigma * q) * series)
     }
 
