@@ -5,7 +5,8 @@ use super::tests::scene;
 use crate::motion::Regime;
 use pendulum_runtime::double::Double;
 
-/// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the cosine's period off the anchor.
+/// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the cosine's
+/// period off the anchor.
 fn sampled(curve: &Curve, mean: f64) -> [f64; 3] {
     const SAMPLES: u32 = 2000;
     const STEP: f64 = 1e-5;

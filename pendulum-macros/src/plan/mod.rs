@@ -168,6 +168,8 @@ mod curve_tests;
 #[cfg(test)]
 mod full_precision_tests;
 #[cfg(test)]
+mod paper_tests;
+#[cfg(test)]
 mod random_tests;
 #[cfg(test)]
 mod tests;

@@ -206,6 +206,38 @@ fn no_bound_of_a_dearer_plan_is_exceeded() {
     }
 }
 
+/// A bound that is too large is as wrong as one that is too small: of every kernel, from either origin, in either type.
+#[test]
+fn bounds_are_close_to_errors() {
+    let mut random = Random::new(4);
+    for (text, most) in [
+        ("theta0 = 7π/8, tol = 1e-9, t_max = 1e4", 1.2),
+        ("theta0 = 7π/8, tol = 1e-12, t_max = 1e4", 1.5),
+        ("theta0 = 7π/8, tol = 1e-9", 1.2),
+        ("theta0 = 7π/8, tol = 1e-9, t_max = 1e4, outputs = [velocity]", 1.3),
+        ("theta0 = 7π/8, tol = 1e-9, t_max = 1e4, outputs = [acceleration]", 1.3),
+        ("theta0 = 7π/8, tol = 1e-9, t_max = 1e4, outputs = [position]", 1.5),
+        ("theta0 = 7π/8, tol = 1e-4, t_max = 1e3, float = f32", 2.0),
+        ("theta0 = 7π/8, tol = 1e-4, float = f32, outputs = [velocity]", 3.0),
+        ("theta0 = π - 1e-9, tol = 1e-6, t_max = 1e4", 2.0),
+        ("theta0 = π - 1e-9, tol = 1e-6, t_max = 1e4, outputs = [velocity]", 2.5),
+        ("velocity0 = 2, tol = 1e-6, outputs = [position]", 2.0),
+        ("velocity0 = 3, tol = 1e-9, t_max = 1e4", 1.3),
+        ("velocity0 = 3, tol = 1e-9, t_max = 1e4, outputs = [wrapped]", 1.3),
+        ("velocity0 = 3, tol = 1e-9, t_max = 1e4, outputs = [velocity]", 1.2),
+        ("theta0 = 2, tol = 1e-6, t_max = 1e4, method = series", 1.2),
+        ("theta0 = 2, tol = 1e-6, t_max = 1e4, method = fourier", 1.5),
+        ("theta0 = 0.1, tol = 1e-3, t_max = 1e4, method = harmonic", 1.2),
+        ("theta0 = 0.1, tol = 1e-3, t_max = 10, method = small_angle", 1.6),
+        ("theta0 = 2, tol = 1e-5, t_max = 1e4, method = series, outputs = [velocity]", 1.2),
+    ] {
+        // Passages are short, and roundings rarely at their worst.
+        let density = if most < 2.0 { 5 } else { 12 };
+        let ratio = tightness(&format!("struct Motion; {text}"), &mut random, density).unwrap_or(f64::INFINITY);
+        assert!(ratio <= most, "{text}: the bound is {ratio:.2} times what was found");
+    }
+}
+
 /// The same, densely, and how tight the bounds are.
 #[test]
 #[ignore = "minutes: PENDULA_SCENES scenes from PENDULA_FUZZ_SEED"]

@@ -121,3 +121,30 @@ fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
     b.name(angle, "angle");
     b.push(Op::Max { limit: least, x: angle })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::tests::scene;
+    use crate::plan::{Plan, plan};
+
+    fn rotation(text: &str) -> (Turning, Plan) {
+        let plan = plan(&scene(&format!("struct Motion; velocity0 = 3, {text}"))).unwrap();
+        let Kernel::Turning(turning) = &plan.parts[0].kernel else { panic!("{text}: no turning angle") };
+        (turning.clone(), plan)
+    }
+
+    /// Half units in the last place: 2⁻⁵¹ up to 6.3 (2⁻²² in `f32`), 2⁻⁵² up to 3.2; of 7·1001 = 7007 they are 2⁻⁴¹ and 2⁻¹².
+    #[test]
+    fn rounding_of_turns() {
+        for (text, expected) in [
+            ("tol = 1e-6, t_max = 10, float = f64", 5.0 * 2f64.powi(-51) + 3.0 * 2f64.powi(-41)),
+            ("tol = 1e-2, t_max = 10, float = f32", 5.0 * 2f64.powi(-22) + 2.0 * 2f64.powi(-41) + 2f64.powi(-12)),
+            ("tol = 1e-6, t_max = 10, outputs = [wrapped]", 7.0 * 2f64.powi(-52)),
+        ] {
+            let (turning, plan) = rotation(text);
+            let turning = Turning { turns: 1000.0, ..turning };
+            assert_eq!(turning.own_rounding(&plan.reduction), expected, "{text}");
+        }
+    }
+}

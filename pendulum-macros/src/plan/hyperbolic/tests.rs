@@ -11,29 +11,18 @@ use crate::scene::Scene;
 
 const OUTPUTS: [Output; 4] = [Output::Theta, Output::Velocity, Output::Acceleration, Output::Position];
 
-/// |θ|, |θ̇|, |θ̈| and (sin |θ|, −cos θ) at the phase z ≥ 0 from the lowest point.
-fn exact(scene: &Scene, output: Output, z: f64) -> Vec<f64> {
-    let s = Double::new(0.5 - z);
-    let curves: Vec<Curve> = match &scene.motion.regime {
+/// θ, θ̇ and θ̈ by the phase from an anchor; the first without the uniform part of a rotation.
+fn curves(scene: &Scene) -> [Curve; 3] {
+    match &scene.motion.regime {
         Regime::Swing(swing) => {
             let curves = SwingCurves::new(swing, &scene.motion.omega);
-            vec![curves.theta(), curves.velocity(), curves.acceleration()]
+            [curves.theta(), curves.velocity(), curves.acceleration()]
         }
         Regime::Rotation(rotation) => {
             let curves = RotationCurves::new(rotation, &scene.motion.omega);
-            vec![curves.angle(), curves.velocity(), curves.acceleration()]
+            [curves.angle(), curves.velocity(), curves.acceleration()]
         }
         Regime::Separatrix(_) => unreachable!("not tested"),
-    };
-    let mean = if matches!(scene.motion.regime, Regime::Rotation(_)) { 1.0 } else { 0.0 };
-    // A rotation's angle is from the top.
-    let angle = curves[0].at(s) + Double::PI * (s * 2.0) * mean;
-    let angle = if mean > 0.0 { Double::PI - angle } else { angle };
-    match output {
-        Output::Velocity => vec![curves[1].at(s).hi.abs()],
-        Output::Acceleration => vec![curves[2].at(s).hi.abs()],
-        Output::Position => vec![angle.hi.sin(), -angle.hi.cos()],
-        _ => vec![angle.hi],
     }
 }
 
@@ -41,23 +30,39 @@ struct Trial {
     scene: Scene,
     reduction: Reduction,
     passage: Passage,
-    omega: f64,
+    curves: [Curve; 3],
 }
 
 impl Trial {
     fn new(text: &str, float: &str) -> Self {
         let scene = scene(&format!("struct Motion; {text}, omega = 3, float = {float}"));
-        let task = Task::new(&scene);
+        let (task, curves) = (Task::new(&scene), curves(&scene));
         let reduction = task.reductions(&scene).into_iter().filter(|reduction| reduction.origin == Origin::Lowest);
         let reduction = reduction.into_iter().find(|reduction| reduction.unit == Double::ONE).unwrap();
-        Self { scene, reduction, passage: task.passage.unwrap(), omega: 3.0 }
+        Self { scene, reduction, passage: task.passage.unwrap(), curves }
+    }
+
+    /// |θ|, |θ̇|, |θ̈| or (sin |θ|, −cos θ) at the phase z ≥ 0 from the lowest point.
+    fn exact(&self, output: Output, z: f64) -> Vec<f64> {
+        let s = Double::new(0.5 - z);
+        let angle = || {
+            let angle = self.curves[0].at(s);
+            // A rotation's angle is from the top.
+            if self.passage.sigma < 0.0 { (Double::PI - Double::PI * (s * 2.0) - angle).hi } else { angle.hi }
+        };
+        match output {
+            Output::Velocity => vec![self.curves[1].at(s).hi.abs()],
+            Output::Acceleration => vec![self.curves[2].at(s).hi.abs()],
+            Output::Position => vec![angle().sin(), -angle().cos()],
+            _ => vec![angle()],
+        }
     }
 
     /// The kernel, the bound of its error, and what is seen of it.
     fn errors(&self, output: Output, limit: f64) -> (Hyperbolic, f64, f64) {
         let factor = match output {
             Output::Velocity => Task::fastest(&self.scene),
-            Output::Acceleration => Double::new(self.omega * self.omega),
+            Output::Acceleration => Double::new(9.0),
             _ => Double::ONE,
         };
         let hyperbolic = Hyperbolic::new(output, self.passage.clone(), factor, limit);
@@ -71,7 +76,7 @@ impl Trial {
                 let z = self.reduction.float.round(0.5 * (f64::from(i) / 40.0).powi(2));
                 let mut given = program.clone();
                 given.nodes[phase].op = Op::Constant { value: z, rest: 0.0 };
-                let exact = exact(&self.scene, output, z);
+                let exact = self.exact(output, z);
                 let found = given.run(0.0);
                 norm(
                     found.iter().zip(&exact).enumerate().map(|(index, (found, exact))| {

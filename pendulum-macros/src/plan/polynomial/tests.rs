@@ -17,7 +17,7 @@ impl Polynomial {
 
 /// sup |polynomial − curve| for |s| ≤ ½ + `overshoot`.
 fn sampled(polynomial: &Polynomial, curve: &Curve, overshoot: f64) -> f64 {
-    const SAMPLES: u32 = 300;
+    const SAMPLES: u32 = 120;
     let at = |i: u32| {
         // Denser at the ends.
         let part = (std::f64::consts::FRAC_PI_2 * f64::from(i) / f64::from(SAMPLES)).sin();
