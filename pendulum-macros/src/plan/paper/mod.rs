@@ -236,11 +236,20 @@ impl Sum {
         if !matches!(scene.goal, Goal::Tolerance(_)) {
             reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
         }
+        let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
         let mut closest = f64::INFINITY;
+        let mut hopeless = Vec::new();
         for reduction in &reductions {
+            // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
+            let phase = |wanted: &Wanted| wanted.curve.phase_error(reduction) / wanted.curve.unit;
+            if wanted.iter().any(|wanted| phase(wanted) > promise) || hopeless.contains(&reduction.origin) {
+                continue;
+            }
             let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(scene, swing, wanted, reduction)).collect();
             let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
-            let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
+            if parts.iter().any(|part| (part.bound.truncation + part.bound.evaluation) / part.unit > promise) {
+                hopeless.push(reduction.origin);
+            }
             if worst <= promise && parts.iter().all(|part| is_useful(part, scene)) {
                 return Ok(Plan {
                     method: self.method.word(),
