@@ -193,8 +193,7 @@ struct Readme;
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of the largest value: of \|θ0\| for a release, of
 /// `AMPLITUDE` for any swing, of π on the separatrix and for the angle of a rotation, to which the rounding of its turns
-/// is added unless it is wrapped, of the largest θ̇ and θ̈; thrice that for a position. Where rounding takes more, as of some
-/// accelerations near the top, it is up to twice as much.
+/// is added unless it is wrapped, of the largest θ̇ and θ̈; thrice that for a position.
 ///
 /// # Greek letters
 /// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a
