@@ -1,6 +1,8 @@
 //! Largest values, slopes and moments of curves are what bounds of the phase's error stand on: here against samples.
 
+use super::aim::Task;
 use super::curve::{Curve, RotationCurves, SwingCurves};
+use super::reduction::Reduction;
 use super::tests::scene;
 use crate::motion::Regime;
 use pendulum_runtime::double::Double;
@@ -107,6 +109,17 @@ fn signs_of_swings() {
         assert!(curve.alternates);
     }
     assert!(!curves.half_cosine().alternates && Curve::sine().alternates && Curve::cosine(&swing.amplitude).alternates);
+}
+
+/// An error of the phase costs its slope, and its relative part the moment.
+#[test]
+fn errors_of_phases() {
+    let scene = scene("theta0 = 2");
+    let reductions = Task::new(&scene).reductions(&scene);
+    let reduction = |error, relative_error| Reduction { error, relative_error, ..reductions[0].clone() };
+    let mut curve = Curve::sine();
+    (curve.slope, curve.moment) = (3.0, 5.0);
+    assert_eq!(curve.phase_error(&reduction(0.5, 0.25)), 1.5 + 1.25);
 }
 
 /// Sums of harmonics are what they say.

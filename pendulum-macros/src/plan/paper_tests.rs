@@ -62,7 +62,7 @@ fn the_error_of_the_harmonic_motion() {
     }
 }
 
-/// Small angles, Eq. 3: by the end of the horizon the phases differ by (ω − 2π/T)·t_max, here by far more than the cosine does
+/// Small angles, Eq. 3: by the end of the horizon the phases differ by `(ω − 2π/T)·t_max`, here by far more than the cosine does
 /// from the shape; and at most two amplitudes.
 #[test]
 fn the_drift_of_small_angles() {

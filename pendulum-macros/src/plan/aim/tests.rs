@@ -37,19 +37,21 @@ const SEPARATRIX: [fn(f64) -> f64; 4] = [gd, |w| 2.0 / w.cosh(), |w| -gd(w).sin(
 
 #[test]
 fn the_separatrix() {
-    let (scene, task) = task(&format!("velocity0 = 6, omega = 3, {ALL}"));
-    let units = [1.0, 3.0, 9.0, 1.0];
-    for ((aim, f), unit) in task.aims.iter().zip(SEPARATRIX).zip(units) {
-        let [slope, moment] = suprema(f).map(|x| x * unit);
-        let largest = [PI, 6.0, 9.0, 1.0][task.aims.iter().position(|other| other.output == aim.output).unwrap()];
-        assert_eq!((aim.largest, aim.unit), (largest, unit), "{:?}", aim.output);
-        let found = [[1.0, 0.0], [0.0, 1.0]].map(|errors| aim.phase_error(&wrong_by(&scene, &task, errors)));
-        // Of all outputs the angle's is the largest.
-        for (found, seen) in found.into_iter().zip([slope, moment]) {
-            assert!(seen <= found && found <= 2.02 * seen, "{:?}: {found} for {seen}", aim.output);
+    for omega in [3.0f64, 0.125] {
+        let (scene, task) = task(&format!("velocity0 = {}, omega = {omega}, {ALL}", 2.0 * omega));
+        let units = [1.0, omega, omega * omega, 1.0];
+        let largest = [PI, 2.0 * omega, omega * omega, 1.0];
+        for (index, (aim, f)) in task.aims.iter().zip(SEPARATRIX).enumerate() {
+            assert_eq!((aim.largest, aim.unit), (largest[index], units[index]), "{:?}", aim.output);
+            let suprema = suprema(f).map(|x| x * units[index]);
+            let found = [[1.0, 0.0], [0.0, 1.0]].map(|errors| aim.phase_error(&wrong_by(&scene, &task, errors)));
+            // Of all outputs the angle's is the largest.
+            for (found, seen) in found.into_iter().zip(suprema) {
+                assert!(seen <= found && found <= 2.02 * seen, "{:?}: {found} for {seen}", aim.output);
+            }
+            let both = aim.phase_error(&wrong_by(&scene, &task, [1e-3, 1e-2]));
+            assert!((both / (1e-3 * found[0] + 1e-2 * found[1]) - 1.0).abs() < 1e-14);
         }
-        let both = aim.phase_error(&wrong_by(&scene, &task, [1e-3, 1e-2]));
-        assert!((both / (1e-3 * found[0] + 1e-2 * found[1]) - 1.0).abs() < 1e-14);
     }
 }
 

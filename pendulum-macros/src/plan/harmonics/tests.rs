@@ -53,7 +53,7 @@ fn harmonics(text: &str) -> (Harmonics, Reduction) {
     (harmonics.as_ref().clone(), plan.reduction.clone())
 }
 
-/// The intervals hold the sums, and are hardly wider than they.
+/// Between two points a curve is off its chord by at most (high − low)²/8 times the largest second derivative.
 #[test]
 fn intervals_of_sums() {
     for text in [
@@ -62,48 +62,63 @@ fn intervals_of_sums() {
         "theta0 = 2, n = 3, outputs = [velocity]",
         "theta0 = 2, method = series, tol = 1e-6, t_max = 100",
     ] {
-        let (harmonics, reduction) = harmonics(text);
-        let unit = reduction.unit.hi;
-        for errors in [[0.0; 2], [1e-3, 1e-2]] {
-            for slice in 0..64 {
-                let (low, high) = (f64::from(slice) / 128.0, f64::from(slice + 1) / 128.0);
-                let known = harmonics.known(&reduction, errors, low / unit, high / unit);
-                assert_eq!(
-                    known.len(),
-                    usize::from(!harmonics.cosines.is_empty()) + usize::from(!harmonics.sines.is_empty())
-                );
-                for (name, known) in known {
-                    let (weights, wave): (_, fn(f64) -> f64) =
-                        if name == "slope" { (&harmonics.sines, f64::sin) } else { (&harmonics.cosines, f64::cos) };
-                    let at = |i: i32| {
-                        let phase = low + (high - low) * f64::from(i) / 20.0;
-                        let s = if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase };
-                        weights.iter().enumerate().map(|(n, w)| w.hi * wave((2 * n + 1) as f64 * PI * s)).sum::<f64>()
-                    };
-                    let values: Vec<f64> = (0..=20).map(at).collect();
-                    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-                    let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                    let error = if name == "slope" { errors[1] } else { errors[0] };
-                    // An error of the factor counts with the largest sum there can be, that of the cosine of X eight times for
-                    // each weight.
-                    let sum: f64 = weights.iter().map(|w| w.hi.abs()).sum();
-                    assert!(known.error >= sum * error, "{text} {slice} {name}: {:e}", known.error);
-                    let most_error = (sum + 1.0) * (40.0 * error.max(errors[0]) + 60.0 * reduction.float.unit()) * 4.0;
-                    assert!(known.error <= most_error, "{text} {slice} {name}: {:e} {most_error:e}", known.error);
-                    let bend: f64 =
-                        weights.iter().enumerate().map(|(n, w)| w.hi.abs() * ((2 * n + 1) as f64 * PI).powi(2)).sum();
-                    let slack = bend / (8.0 * 128.0 * 128.0);
-                    assert!(
-                        known.low <= least - known.error && known.high >= most + known.error,
-                        "{text} {slice} {name}"
-                    );
-                    let near = 1e-12 + slack * 1.000_001 + known.error;
-                    let wave_slack = bend / (8.0 * 128.0 * 128.0);
-                    assert!(known.low >= least - near - wave_slack, "{text} {slice} {name}: {known:?} {least}");
-                    assert!(known.high <= most + near + wave_slack, "{text} {slice} {name}: {known:?} {most}");
-                }
+        let (harmonics, anchored) = harmonics(text);
+        let lowest = Reduction { origin: Origin::Lowest, ..anchored.clone() };
+        for (reduction, errors) in [(&anchored, [0.0; 2]), (&anchored, [1e-3, 1e-2]), (&lowest, [1e-3, 1e-2])] {
+            for slice in 0..16 {
+                intervals_hold(&harmonics, reduction, errors, [f64::from(slice) / 32.0, f64::from(slice + 1) / 32.0]);
             }
         }
+    }
+}
+
+fn intervals_hold(harmonics: &Harmonics, reduction: &Reduction, errors: [f64; 2], [low, high]: [f64; 2]) {
+    let unit = reduction.unit.hi;
+    let known = harmonics.known(reduction, errors, low / unit, high / unit);
+    let sums = [&harmonics.cosines, &harmonics.sines];
+    assert_eq!(known.len(), sums.iter().filter(|weights| !weights.is_empty()).count());
+    for (name, known) in known {
+        let (weights, wave, error): (_, fn(f64) -> f64, _) =
+            if name == "slope" { (sums[1], f64::sin, errors[1]) } else { (sums[0], f64::cos, errors[0]) };
+        let at = |part: f64| {
+            let phase = low + (high - low) * part;
+            let s = if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase };
+            weights.iter().enumerate().map(|(n, w)| w.hi * wave((2 * n + 1) as f64 * PI * s)).sum::<f64>()
+        };
+        let values: Vec<f64> = (0..=20).map(|i| at(f64::from(i) / 20.0)).collect();
+        let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
+        assert!(known.low <= least - known.error && known.high >= most + known.error, "{name} {low}: {known:?}");
+        let unit = reduction.float.unit();
+        let sum = if harmonics.folded.is_some() {
+            error
+        } else {
+            recurrence_error(weights, errors[0], unit) + error * total(weights, 0) + half_ulp(1.0, reduction.float)
+        };
+        assert!((known.error / sum - 1.0).abs() < 1e-12 || sum == 0.0, "{name}: {:e} {sum:e}", known.error);
+        let bend = |(n, w): (usize, &Double)| w.hi.abs() * ((2 * n + 1) as f64 * PI).powi(2);
+        let slack = weights.iter().enumerate().map(bend).sum::<f64>() * (high - low).powi(2) / 8.0;
+        let ends = [at(0.0), at(1.0)];
+        let expected = [ends[0].min(ends[1]) - slack - sum, ends[0].max(ends[1]) + slack + sum];
+        assert!((known.low - expected[0]).abs() < 1e-12, "{name} {low}: {known:?} {expected:?}");
+        assert!((known.high - expected[1]).abs() < 1e-12, "{name} {low}: {known:?} {expected:?}");
+    }
+}
+
+/// Of the cosine and the sine themselves; 2 units are for the phase's own rounding.
+#[test]
+fn errors_of_cosine_and_sine() {
+    for (text, float) in [("tol = 1e-6", "f64"), ("tol = 1e-3", "f32")] {
+        let (harmonics, reduction) =
+            harmonics(&format!("theta0 = 2, method = series, {text}, float = {float}, outputs = [velocity]"));
+        let unit = reduction.float.unit();
+        let [cosine, sine] = harmonics.errors(&reduction);
+        assert!(
+            (2.5 * unit..9.0 * unit).contains(&cosine) && (2.5 * unit..9.0 * unit).contains(&sine),
+            "{cosine:e} {sine:e}"
+        );
+        let rounding = Kernel::Polynomial(harmonics.cosine.clone()).rounding(&reduction, f64::INFINITY);
+        assert!((cosine / (rounding + harmonics.cosine.truncation + 2.0 * unit) - 1.0).abs() < 1e-12);
+        assert!(harmonics.cosine.truncation > 0.0);
     }
 }
 

@@ -116,3 +116,53 @@ fn poles() {
         assert!((re * re - im * im + pole.height_squared).hypot(2.0 * re * im) < 1e-6, "{pole:?}");
     }
 }
+
+/// Near the top one polynomial takes more points than there may be.
+#[test]
+fn too_many_points() {
+    let (curves, _) = curves("theta0 = π - 1e-6");
+    assert!(Approximation::new(&curves[0].0, 0, 1e-3).is_some());
+    assert!(Approximation::new(&curves[0].0, 0, 1e-20).is_none());
+}
+
+/// Adapted coefficients are for numbers whose powers stay far from overflow and underflow.
+#[test]
+fn moderate_polynomials() {
+    let (curves, reduction) = curves("theta0 = 1");
+    let approximation = Approximation::new(&curves[0].0, 0, 1e-20).unwrap();
+    let moderate = |coefficient: f64, terms: usize, quarter: f64, float: Float| {
+        let polynomial = approximation.in_powers(2, Form::Plain, &reduction, true);
+        let coefficients = vec![Double::new(coefficient); terms];
+        Polynomial { coefficients, ..polynomial }.is_moderate(quarter, float)
+    };
+    for (coefficient, terms, quarter, float, expected) in [
+        (1.0, 5, 0.25, Float::F64, true),
+        (1.0, 5, 1e11, Float::F64, true),
+        (1.0, 5, 1e-11, Float::F64, true),
+        (1.0, 5, 1e13, Float::F64, false),
+        (1.0, 5, 1e-13, Float::F64, false),
+        (1.0, 5, 1e4, Float::F32, false),
+        (1.0, 5, 1e2, Float::F32, true),
+        // 10^(11·14) is too large, 10^(11·13) isn't; of a small first coefficient it makes a moderate one.
+        (1.0, 15, 1e11, Float::F64, false),
+        (1.0, 14, 1e11, Float::F64, true),
+        (1e-155, 5, 1e11, Float::F64, true),
+        (1e-155, 5, 0.25, Float::F64, false),
+        (-1e-155, 5, 0.25, Float::F64, false),
+        (-1e155, 5, 0.25, Float::F64, false),
+    ] {
+        assert_eq!(moderate(coefficient, terms, quarter, float), expected, "{coefficient} {terms} {quarter} {float:?}");
+    }
+}
+
+/// What an error of the polynomial is multiplied with: by s ≤ ½ if it is odd, and over the least value of its poles.
+#[test]
+fn weights() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power, odd) in [(0, 0, 1.0), (1, 0, 0.5), (1, 1, 0.5), (2, 2, 1.0)] {
+        let approximation = Approximation::new(&curves[index].0, power, 1e-12).unwrap();
+        let least = approximation.pole.map_or(1.0, Pole::least);
+        assert_eq!(approximation.weight(), odd / least, "{index} {power}");
+        assert_eq!(approximation.pole.is_some(), power > 0);
+    }
+}

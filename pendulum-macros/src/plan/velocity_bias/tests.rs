@@ -94,6 +94,15 @@ fn of_the_same_rate() {
     swing("0.95π", Method::Series, 6).expect(1.05);
 }
 
+/// |sin x + sin 3x| is at most 8/(3√3), where it isn't at an end, nor its bound sampled there.
+#[test]
+fn of_sums_of_sines() {
+    let curves =
+        Curves { ours: vec![(PI, 1.0 / PI)], exact: vec![(PI, 0.0), (3.0 * PI, -1.0 / (3.0 * PI))], arcsine: false };
+    let (found, known) = (curves.supremum(), 8.0 / 27f64.sqrt());
+    assert!(known <= found && found < 1.01 * known, "{found} for {known}");
+}
+
 /// With all its terms the series is exact, and what is left are the other rate and phase.
 #[test]
 fn of_another_rate_or_phase() {
