@@ -97,9 +97,9 @@ fn of_the_same_rate() {
 /// |sin x + sin 3x| is at most 8/(3√3), where it isn't at an end, nor its bound sampled there.
 #[test]
 fn of_sums_of_sines() {
-    let curves =
-        Curves { ours: vec![(PI, 1.0 / PI)], exact: vec![(PI, 0.0), (3.0 * PI, -1.0 / (3.0 * PI))], arcsine: false };
-    let (found, known) = (curves.supremum(), 8.0 / 27f64.sqrt());
+    let sum = Cosines::new([(1, 1.0 / PI), (3, 1.0 / (3.0 * PI))].into_iter());
+    let found = by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| sum.over(low, high).largest(1));
+    let known = 8.0 / 27f64.sqrt();
     assert!(known <= found && found < 1.01 * known, "{found} for {known}");
 }
 
