@@ -280,3 +280,6 @@ impl Op {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -35,10 +35,9 @@ impl Trial {
         let run = program.run(t);
         let (remainder, count) = (run[0], run[2]);
         let computed = real(remainder) * self.reduction.unit.to_real(context);
-        let half = context.ratio(1, 2);
-        let from = if self.reduction.origin == Origin::Lowest { half } else { context.integer(0) };
-        let passed = &self.rate * &real(t) + &self.launch - from;
         let linear = matches!(self.reduction.method, Method::Linear { .. });
+        let halves = i64::from(self.reduction.origin == Origin::Lowest && !linear);
+        let passed = &self.rate * &real(t) + &self.launch - context.ratio(halves, 2);
         // Beyond 2⁵³ anchors their number itself is rounded, its parity isn't.
         let number = if linear { context.integer(0) } else { (&passed - &computed).round() };
         let exact = passed - &number;
@@ -46,16 +45,7 @@ impl Trial {
         let promised = self.reduction.error + self.reduction.relative_error * phase;
         let about = || format!("{:?} at {t:e}, launched at {:e}", self.reduction, self.launch.to_f64());
         assert!(error <= promised * (1.0 + 1e-12), "{error:e} of {promised:e}: {}", about());
-        assert!(
-            remainder.abs() <= (0.5 + self.reduction.overshoot) / self.reduction.unit.hi * (1.0 + 1e-6),
-            "{remainder}: {}",
-            about()
-        );
-        assert!(
-            remainder.abs() <= self.reduction.half() * (1.0 + 1e-6) || self.reduction.overshoot == 0.0,
-            "{}",
-            about()
-        );
+        assert!(remainder.abs() <= self.reduction.half(), "{remainder}: {}", about());
         if !linear {
             let narrow = self.reduction.float == Float::F32 && !self.is_wide();
             let bits = if narrow { u64::from((run[1] as f32).to_bits()) } else { run[1].to_bits() };
@@ -109,6 +99,10 @@ impl Method {
     }
 }
 
+fn rate(random: &mut Random) -> Real {
+    Context::for_digits(60).decimal(&format!("{:.17}123456789123456789", 0.05 + 3.0 * random.unit())).unwrap()
+}
+
 /// For horizons of less than an anchor, of 2⁵⁴, and between; launched on an anchor, between two, and elsewhere.
 #[test]
 fn errors_are_those_promised() {
@@ -119,23 +113,99 @@ fn errors_are_those_promised() {
         [0.3, 30.0, 3e3, 1e6, 1e10, f64::INFINITY].map(|h| [(h, Float::F64), (h, Float::F32)]).concat()
     {
         for launch in ["0", "0.5", "0.3", "-3.77777777777777777777"] {
-            let rate = context.decimal(&format!("{:.17}123456789123456789", 0.05 + 3.0 * random.unit())).unwrap();
-            let launch = context.decimal(launch).unwrap();
+            let rate = rate(&mut random);
+            let phase = context.decimal(launch).unwrap();
             let t_max = Some(horizon / rate.to_f64()).filter(|t| t.is_finite());
-            let clock = Clock { rate: &rate, launch: launch.to_double(), t_max, float };
+            let clock = Clock { rate: &rate, launch: phase.to_double(), t_max, float };
             let horizon = clock.horizon();
             for reduction in clock.reductions() {
-                let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32);
-                let mut trial = Trial { reduction, rate: rate.clone(), launch: launch.clone(), horizon, worst: 0.0 };
+                let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
+                let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
                 trial.run(&mut random, 20);
                 let worst = worst.entry(key).or_default();
                 *worst = worst.max(trial.worst);
             }
         }
     }
-    assert_eq!(worst.len(), 19, "{worst:?}");
+    // Every way from every launch, but for the one that is only for none.
+    assert_eq!(worst.len(), 17 * 4 + 2, "{worst:?}");
     for (way, worst) in worst {
-        // Of three words the third part's rounding is rarely as large as it might be.
-        assert!(worst > if way.0 == "AnyTime 3" { 0.15 } else { 0.5 }, "{way:?}: of its error only {worst} was seen");
+        // Of any time, sums of several parts are rarely all at their worst; of three words the drift depends on the rate.
+        let least = match way.0.as_str() {
+            "AnyTime 3" => 0.02,
+            "AnyTime 4" => 0.2,
+            _ => 0.35,
+        };
+        assert!(worst > least, "{way:?}: of its error only {worst} was seen");
+    }
+}
+
+/// The time itself, and the launch.
+#[test]
+fn the_separatrix() {
+    let context = Context::for_digits(60);
+    let mut random = Random::new(12);
+    for float in [Float::F64, Float::F32] {
+        for launch in ["0", "0.3", "-3.77777777777777777777", "50.123456789123456789123456789"] {
+            let (rate, launch) = (rate(&mut random), context.decimal(launch).unwrap());
+            let reduction = Clock { rate: &rate, launch: launch.to_double(), t_max: None, float }.linear();
+            assert_eq!((reduction.origin, reduction.unit), (Origin::Lowest, Double::ONE));
+            // Beyond the cap nothing moves.
+            let cap = 2.0 * (700.0 + launch.to_f64().abs()) / rate.to_f64();
+            assert_eq!(reduction.cap, Some(cap));
+            let horizon = 60.0 / rate.to_f64();
+            let mut trial = Trial { reduction, rate, launch, horizon, worst: 0.0 };
+            trial.run(&mut random, 60);
+            assert!(trial.worst > 0.25, "{float:?} {}: {}", trial.launch.to_f64(), trial.worst);
+        }
+    }
+}
+
+/// Which ways there are, by horizon: one word up to an eighth of 1.5·2⁵² (2²³) anchors, scaled ones while 8 bits are left for the
+/// unit, Cody and Waite's up to 2³⁴ (2¹⁵).
+#[test]
+fn ways_of_each_horizon() {
+    let context = Context::for_digits(60);
+    let rate = context.decimal("0.7071067811865475244").unwrap();
+    for (float, anchors, expected) in [
+        (Float::F64, 1.7e10, "OneWord 0, Scaled 0, CodyWaite 2, CodyWaite 3, AnyTime 3, AnyTime 4"),
+        (Float::F64, 1.8e10, "OneWord 0, Scaled 0, AnyTime 3, AnyTime 4"),
+        (Float::F64, 3.5e13, "OneWord 0, Scaled 0, AnyTime 3, AnyTime 4"),
+        (Float::F64, 3.6e13, "OneWord 0, AnyTime 3, AnyTime 4"),
+        (Float::F64, 8.4e14, "OneWord 0, AnyTime 3, AnyTime 4"),
+        (Float::F64, 8.5e14, "AnyTime 3, AnyTime 4"),
+        (Float::F32, 3.2e4, "OneWord 0, Scaled 0, CodyWaite 2, CodyWaite 3, Wide 0, WideAnyTime 0"),
+        (Float::F32, 3.3e4, "OneWord 0, Scaled 0, Wide 0, WideAnyTime 0"),
+        (Float::F32, 6.6e4, "OneWord 0, Wide 0, WideAnyTime 0"),
+        (Float::F32, 1.5e6, "OneWord 0, Wide 0, WideAnyTime 0"),
+        (Float::F32, 1.6e6, "Wide 0, WideAnyTime 0"),
+    ] {
+        let t_max = Some(anchors / rate.to_f64());
+        let ways = |launch| {
+            let reductions = Clock { rate: &rate, launch, t_max, float }.reductions();
+            // From the lowest point they come again.
+            let mut ways: Vec<String> = Vec::new();
+            for name in reductions.iter().map(|way| way.method.name()) {
+                if !ways.contains(&name) {
+                    ways.push(name);
+                }
+            }
+            ways.join(", ")
+        };
+        assert_eq!(ways(Double::ZERO), expected, "{float:?} {anchors:e}");
+        // A scaled unit is for no launch only.
+        assert_eq!(ways(Double::new(0.25)), expected.replace("Scaled 0, ", ""), "{float:?} {anchors:e}");
+    }
+    // Words that would underflow are none.
+    for (rate, float, there) in [
+        ("1e270", Float::F64, false),
+        ("1e240", Float::F64, true),
+        ("1e26", Float::F32, false),
+        ("1e15", Float::F32, true),
+    ] {
+        let rate = context.decimal(rate).unwrap();
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0 / rate.to_f64()), float };
+        let found = clock.reductions().iter().any(|way| matches!(way.method, Method::CodyWaite { .. }));
+        assert_eq!(found, there, "{float:?} {:e}", rate.to_f64());
     }
 }

@@ -1,0 +1,227 @@
+//! What each operation is, does, reads and costs.
+
+use super::*;
+
+/// A program of one operation on constants, some of them in the other type.
+fn run(float: Float, op: impl FnOnce(&mut Builder) -> Id) -> f64 {
+    let mut b = Builder::new(float);
+    let result = op(&mut b);
+    b.finish(vec![result]).run(7.0)[0]
+}
+
+fn of_two(x: f64, y: f64, op: fn(Id, Id) -> Op) -> f64 {
+    run(Float::F64, |b| {
+        let (x, y) = (b.constant(x), b.constant(y));
+        b.push(op(x, y))
+    })
+}
+
+#[test]
+fn operations_as_rust_has_them() {
+    assert_eq!(run(Float::F64, Builder::input), 7.0);
+    assert_eq!(of_two(3.0, 0.7, Op::Add), 3.7);
+    assert_eq!(of_two(3.0, 0.7, Op::Sub), 3.0 - 0.7);
+    assert_eq!(of_two(3.0, 0.7, Op::Mul), 3.0 * 0.7);
+    assert_eq!(of_two(3.0, 0.7, Op::Div), 3.0 / 0.7);
+    assert_eq!(of_two(-3.0, 0.7, |x, _| Op::Abs(x)), 3.0);
+    assert!((of_two(3.0, 0.7, |x, _| Op::Root(x)) - 3f64.sqrt()).abs() <= 4.0 * f64::EPSILON);
+    for (x, limit) in [(1.0, 2.0), (2.0, 1.0), (2.0, 2.0), (-1.0, 0.5)] {
+        assert_eq!(of_two(x, limit, |x, limit| Op::Min { limit, x }), f64::min(x, limit));
+        assert_eq!(of_two(x, limit, |x, limit| Op::Max { limit, x }), f64::max(x, limit));
+        assert_eq!(
+            of_two(x, limit, |a, b| Op::Select { a, b, then: a, otherwise: b }),
+            if x < limit { x } else { limit }
+        );
+        assert_eq!(
+            of_two(x, limit, |a, b| Op::Select { a, b, then: b, otherwise: a }),
+            if x < limit { limit } else { x }
+        );
+    }
+    // NaN passes, and is below nothing.
+    assert!(of_two(f64::NAN, 1.0, |x, limit| Op::Min { limit, x }).is_nan());
+    assert!(of_two(f64::NAN, 1.0, |x, limit| Op::Max { limit, x }).is_nan());
+    assert_eq!(of_two(5.0, -1.0, |x, sign| Op::Against { x, sign }), 5.0);
+    assert_eq!(of_two(5.0, 1.0, |x, sign| Op::Against { x, sign }), -5.0);
+    assert_eq!(of_two(5.0, -0.0, |x, sign| Op::Against { x, sign }), 5.0);
+    // 27 significant bits.
+    assert_eq!(of_two(1.0 + f64::EPSILON + 2f64.powi(-26), 0.0, |x, _| Op::Head(x)), 1.0 + 2f64.powi(-26));
+    assert_eq!(of_two(1.0 + 2f64.powi(-27), 0.0, |x, _| Op::Head(x)), 1.0);
+}
+
+#[test]
+fn integers_in_sums() {
+    for float in [Float::F64, Float::F32] {
+        for n in [-3.0, -2.0, 0.0, 1.0, 2.0, 7.0] {
+            let value = run(float, |b| {
+                let (n, magic, x) = (b.constant(n), b.constant(float.magic()), b.constant(5.0));
+                let magic = b.add(n, magic);
+                b.push(Op::Alternate { x, magic })
+            });
+            assert_eq!(value, if n % 2.0 == 0.0 { 5.0 } else { -5.0 }, "{float:?} {n}");
+        }
+        // Rounded to the nearest integer, whatever the sign.
+        for (x, n) in [(2.4, 2.0), (-2.6, -3.0), (0.5, 0.0), (1.5, 2.0)] {
+            let rounded = run(float, |b| {
+                let (x, magic) = (b.constant(x), b.constant(float.magic()));
+                let sum = b.add(x, magic);
+                b.sub(sum, magic)
+            });
+            assert_eq!(rounded, n, "{float:?} {x}");
+        }
+    }
+    for n in [-1000.0, -1.0, 0.0, 5.0] {
+        assert_eq!(of_two(n + Float::F64.magic(), 0.0, |magic, _| Op::PowerOfTwo { magic }), n.exp2());
+    }
+}
+
+#[test]
+fn types() {
+    assert_eq!([Float::F64.unit(), Float::F32.unit()], [2f64.powi(-53), 2f64.powi(-24)]);
+    assert_eq!([Float::F64.bits(), Float::F32.bits()], [53, 24]);
+    assert_eq!([Float::F64.magic(), Float::F32.magic()], [1.5 * 2f64.powi(52), 1.5 * 2f64.powi(23)]);
+    // Every operation is rounded to its type.
+    let third = run(Float::F32, |b| {
+        let (x, y) = (b.constant(1.0), b.constant(3.0));
+        b.div(x, y)
+    });
+    assert_eq!(third, f64::from(1.0f32 / 3.0));
+    let root = run(Float::F32, |b| {
+        let x = b.constant(2.0);
+        b.push(Op::Root(x))
+    });
+    assert_eq!(root, f64::from(2f32.sqrt()));
+    // There and back; nothing where it is of that type already.
+    let mut b = Builder::new(Float::F32);
+    let t = b.input();
+    assert_eq!(b.convert(t, Float::F32), t);
+    let wide = b.convert(t, Float::F64);
+    let third = b.exact(1.0 / 3.0, 1e-20);
+    let product = b.mul(wide, third);
+    let narrow = b.convert(product, Float::F32);
+    assert_eq!(b.float(), Float::F32);
+    let program = b.finish(vec![narrow]);
+    assert_eq!(program.run(7.0)[0], f64::from((7.0 / 3.0) as f32));
+    assert_eq!(program.nodes.iter().map(|node| node.float).filter(|&float| float == Float::F64).count(), 3);
+}
+
+/// Constants keep what they are off.
+#[test]
+fn constants() {
+    let rest = |float, constant: fn(&mut Builder) -> Id| {
+        let mut b = Builder::new(float);
+        let id = constant(&mut b);
+        match b.finish(vec![id]).nodes[0].op {
+            Op::Constant { value, rest } => (value, rest),
+            other => panic!("{other:?}"),
+        }
+    };
+    let tenth = f64::from(0.1f32);
+    assert_eq!(rest(Float::F64, |b| b.exact(0.1, 1e-20)), (0.1, 1e-20));
+    assert_eq!(rest(Float::F32, |b| b.exact(0.1, 1e-12)), (tenth, (0.1 - tenth) + 1e-12));
+    assert_eq!(rest(Float::F32, |b| b.loose(0.1, 1e-12)), (tenth, (0.1 - tenth).abs() + 1e-12));
+    assert_eq!(rest(Float::F64, |b| b.constant(0.1)), (0.1, 0.0));
+}
+
+/// Shared operations are there once, and those that no result needs not at all.
+#[test]
+fn sharing_and_pruning() {
+    let mut b = Builder::new(Float::F64);
+    let t = b.input();
+    let (one, two) = (b.constant(1.0), b.constant(2.0));
+    let unused = b.mul(t, two);
+    let sum = b.add(t, one);
+    assert_eq!(b.add(t, one), sum);
+    assert_ne!(b.sub(t, one), sum);
+    b.name(sum, "sum");
+    let select = b.push(Op::Select { a: t, b: one, then: sum, otherwise: t });
+    let (total, lost) = b.two_sum(select, sum);
+    let _ = unused;
+    let program = b.finish(vec![total, lost]);
+    assert_eq!(program.nodes.iter().filter(|node| matches!(node.op, Op::Mul(..))).count(), 0);
+    assert_eq!(program.named("sum").map(|id| program.nodes[id].op), Some(Op::Add(0, 1)));
+    assert_eq!(program.named("none"), None);
+    // t = ½: 1.5 + 1.5; of 2⁶⁰ the 1 is lost in both sums, and t + t exact.
+    assert_eq!(program.run(0.5), [3.0, 0.0]);
+    assert_eq!(program.run(2f64.powi(60)), [2f64.powi(61), 0.0]);
+    // What a sum loses.
+    let lost = |x: f64, y: f64| {
+        let mut b = Builder::new(Float::F64);
+        let (x, y) = (b.constant(x), b.constant(y));
+        let (sum, lost) = b.two_sum(x, y);
+        b.finish(vec![sum, lost]).run(0.0)
+    };
+    assert_eq!(lost(1.0, 2f64.powi(-60)), [1.0, 2f64.powi(-60)]);
+    assert_eq!(lost(2f64.powi(-60), -1.0), [-1.0, 2f64.powi(-60)]);
+}
+
+/// Every operation's operands are kept, and renamed, when nodes before them go.
+#[test]
+fn operands() {
+    let ops = [
+        Op::Add(1, 2),
+        Op::Sub(1, 2),
+        Op::Mul(1, 2),
+        Op::Div(1, 2),
+        Op::Root(1),
+        Op::Abs(1),
+        Op::Head(1),
+        Op::Widen(1),
+        Op::Narrow(1),
+        Op::Min { limit: 1, x: 2 },
+        Op::Max { limit: 1, x: 2 },
+        Op::Select { a: 1, b: 2, then: 3, otherwise: 4 },
+        Op::Alternate { x: 1, magic: 2 },
+        Op::Against { x: 1, sign: 2 },
+        Op::PowerOfTwo { magic: 1 },
+    ];
+    for op in ops {
+        let node = |op| Node { op, float: Float::F64, name: None };
+        let constants = (0..5).map(|value| node(Op::Constant { value: f64::from(value), rest: 0.0 }));
+        // Node 0 is unused.
+        let program = Program { nodes: constants.chain([node(op)]).collect(), results: vec![5] }.pruned();
+        let (result, used) = program.nodes.split_last().unwrap();
+        let values: Vec<f64> = result
+            .op
+            .operands()
+            .iter()
+            .map(|&id| match used[id].op {
+                Op::Constant { value, .. } => value,
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        let before: Vec<f64> = op.operands().iter().map(|&id| id as f64).collect();
+        assert_eq!(values, before, "{op:?}");
+        assert_eq!(program.results, [used.len()], "{op:?}");
+        assert_eq!(used.len(), before.len(), "{op:?}");
+    }
+}
+
+/// A sum of two products costs 3, in `f32` where it is wide twice that; constants and the input nothing.
+#[test]
+fn costs() {
+    let mut b = Builder::new(Float::F32);
+    let t = b.input();
+    let c = b.constant(2.0);
+    let square = b.mul(t, t);
+    let wide = b.convert(square, Float::F64);
+    let more = b.add(wide, wide);
+    let narrow = b.convert(more, Float::F32);
+    let scaled = b.mul(narrow, c);
+    let program = b.finish(vec![scaled]);
+    assert_eq!(program.operations(), 5);
+    // Two products, an addition of twice as many bits, two conversions of which one has a wide result.
+    assert_eq!(program.cost(), 1.0 + 4.0 + 2.0 + 2.0 + 1.0);
+    // In the order of what they were measured to cost.
+    let cost = |op: fn(Id, Id) -> Op| {
+        let mut b = Builder::new(Float::F64);
+        let (x, y) = (b.input(), b.constant(3.0));
+        let result = b.push(op(x, y));
+        b.finish(vec![result]).cost()
+    };
+    let free = 0.0;
+    let dearer = [free, cost(Op::Add), cost(|x, limit| Op::Min { limit, x }), cost(|x, _| Op::Widen(x)), cost(Op::Div)];
+    let dearest = [cost(Op::Div), cost(|a, b| Op::Select { a, b, then: a, otherwise: b }), cost(|x, _| Op::Root(x))];
+    assert!(dearer.is_sorted() && dearest.is_sorted() && dearer[1] > 0.0 && dearest[2] > 10.0 * dearest[1]);
+    assert_eq!(cost(|x, limit| Op::Max { limit, x }), cost(|x, sign| Op::Against { x, sign }));
+    assert_eq!([cost(Op::Mul), cost(Op::Sub)], [1.0, 1.0]);
+}
