@@ -53,6 +53,7 @@ fn the_largest_times_are_finite() {
 fn errors_of_all_sizes_have_bounds() {
     planned("struct A; θ0 = -(1e-259), omega = 8.1777e-3, t_max = 1e-115, outputs = [acceleration, position, theta]");
     planned("theta0 = 1e-300");
+    planned("struct A; theta0 = π - 1e-18, omega = 1e-152, t_max = 2.1e3, outputs = [acceleration, wrapped, position]");
     planned("struct A; theta0 = 6π/14, omega = 1e80, tol = 0.3, outputs = [position, velocity, acceleration, theta]");
     refused("theta0 = 1e-301", "below 1e-300");
     refused("velocity0 = 1e-36, float = f32", "below 1e-35");

@@ -27,8 +27,8 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
         let broken = |((aim, part), function): ((&Aim, &Part), &super::Function)| {
             let values = function.program.run(t);
             let error = aim.distance(task, s, odd, &values)?;
-            // The curves themselves are good to 2⁻⁷⁵ of the largest value.
-            (error > part.bound.total() + part.largest * 2f64.powi(-70)).then_some(part.output)
+            // The curves themselves are good to 2⁻⁷⁵ of the largest value, and to some thousands of the smallest number.
+            (error > part.bound.total() + part.largest * 2f64.powi(-70) + 2f64.powi(-1060)).then_some(part.output)
         };
         task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken)
     };
