@@ -59,4 +59,6 @@ fn of_arcsine(ours: &Cosines, exact: &Cosines, low: f64, high: f64) -> f64 {
 }
 
 #[cfg(test)]
+mod edge_tests;
+#[cfg(test)]
 mod tests;
