@@ -105,3 +105,47 @@ fn what_methods_cannot_do() {
     // No more terms than are of use.
     assert!(planned("theta0 = π - 1e-14, tol = 1e-9, method = fourier").is_err());
 }
+
+/// θ̂ and its derivative 2y′/√(1 − y²), y = Σ(−1)ⁿ⁻¹k·b₂ₙ₋₁ cos((2n−1)πs), of swings to either side; and the distance of both
+/// from the exact motion, which is what is promised of them.
+#[test]
+fn the_paper_and_its_derivative() {
+    for (start, n, most) in [("theta0 = 1", 1, 1.1), ("theta0 = -0.7π", 2, 1.4), ("theta0 = 7π/8, omega = 2", 4, 12.0)]
+    {
+        let text = format!("struct Motion; {start}, n = {n}, outputs = [theta, velocity]");
+        let (scene, plan) = (scene(&text), planned(&text).unwrap());
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let k = swing.elliptic.modulus.to_f64();
+        let weights: Vec<f64> = plan.coefficients.iter().map(|b| k * b.to_f64()).collect();
+        assert_eq!((weights.len(), plan.terms(), plan.parts[1].kernel.terms()), (n, n, n));
+        let rate = 2.0 / swing.period.to_f64();
+        let side = if swing.mirrored { -1.0 } else { 1.0 };
+        let mut worst = [0.0_f64; 2];
+        for i in 0..60 {
+            let t = (f64::from(i) + 0.37) / 15.0 / rate;
+            let sum = |f: &dyn Fn(f64) -> f64| {
+                let term = |(n, w): (usize, &f64)| {
+                    if n % 2 == 0 { w * f((2 * n + 1) as f64) } else { -w * f((2 * n + 1) as f64) }
+                };
+                weights.iter().enumerate().map(term).sum::<f64>()
+            };
+            let phase = std::f64::consts::PI * rate * t;
+            let y = sum(&|m| (m * phase).cos());
+            let slope = sum(&|m| -m * (m * phase).sin()) * std::f64::consts::PI * rate;
+            let known = [2.0 * y.asin() * side, 2.0 * slope / (1.0 - y * y).sqrt() * side];
+            let found = [plan.functions[0].program.run(t)[0], plan.functions[1].program.run(t)[0]];
+            let both = plan.functions[2].program.run(t);
+            assert_eq!(both, found, "{text} {t}");
+            let state = State::at(&scene.motion, t);
+            for (index, output) in [Output::Theta, Output::Velocity].into_iter().enumerate() {
+                assert!((found[index] - known[index]).abs() < 1e-13, "{text} {t} {index}: {found:?} {known:?}");
+                worst[index] = worst[index].max((found[index] - state.output(output)[0].to_f64()).abs());
+            }
+        }
+        for (index, (part, worst)) in plan.parts.iter().zip(worst).enumerate() {
+            let bound = part.bound.total();
+            let most = if index == 0 { 1.2 } else { most };
+            assert!(worst <= bound && bound <= most * worst, "{text} {index}: {worst:e} of {bound:e}");
+        }
+    }
+}
