@@ -17,10 +17,13 @@ fn formatted(invocation: &str) -> String {
 }
 
 fn compare(name: &str, invocation: &str) {
-    let path = format!("{}/tests/expansions/{name}.rs", env!("CARGO_MANIFEST_DIR"));
-    let expansion = formatted(invocation);
+    compare_with(&format!("expansions/{name}.rs"), &formatted(invocation));
+}
+
+fn compare_with(file: &str, expansion: &str) {
+    let path = format!("{}/tests/{file}", env!("CARGO_MANIFEST_DIR"));
     if std::env::var_os("PENDULA_BLESS").is_some() {
-        std::fs::write(&path, &expansion).unwrap();
+        std::fs::write(&path, expansion).unwrap();
     }
     let committed = std::fs::read_to_string(&path).unwrap_or_default();
     let differs = expansion.lines().zip(committed.lines()).find(|(new, old)| new != old);
@@ -52,4 +55,54 @@ snapshots! {
                theta0 = 1, velocity0 = -1/2, omega = 3, tol = 1e-6, outputs = [theta, acceleration]"
     mistake: "pub struct Wrong;
               theta0 = 4, n = 0"
+}
+
+/// Scenes of every kernel, form and reduction: what is chosen, and what the others would have cost.
+const SCENES: [&str; 24] = [
+    "theta0 = 1e-3",
+    "theta0 = 1, tol = 1e-3, t_max = 10",
+    "theta0 = 1, tol = 1e-6, t_max = 1e3",
+    "theta0 = 7π/8, tol = 1e-9, t_max = 1e6",
+    "theta0 = 7π/8, tol = 1e-9, t_max = 1e6, outputs = [velocity]",
+    "theta0 = 7π/8, tol = 1e-9, t_max = 1e6, outputs = [acceleration]",
+    "theta0 = 7π/8, tol = 1e-9, t_max = 1e6, outputs = [position]",
+    "theta0 = 7π/8, t_max = 1e6, outputs = [theta, velocity]",
+    "theta0 = 0.99π, tol = 1e-6, float = f32",
+    "theta0 = 0.999π, tol = 1e-12",
+    "theta0 = π - 1e-6, tol = 1e-5, outputs = [position, velocity]",
+    "theta0 = 1, velocity0 = -1, tol = 1e-14, t_max = 1e3",
+    "velocity0 = 2, tol = 1e-9, outputs = [theta, acceleration]",
+    "velocity0 = 2.001, tol = 1e-9, t_max = 1e4",
+    "velocity0 = 3, tol = 1e-5, t_max = 1e3, float = f32, outputs = [wrapped]",
+    "velocity0 = -5, tol = 1e-10, t_max = 1e4, outputs = [theta, velocity]",
+    "velocity0 = 3, outputs = [position]",
+    "theta0 = 2, n = 2",
+    "theta0 = 0.9π, n = 4, outputs = [theta, velocity]",
+    "theta0 = 2, method = fourier, tol = 1e-6",
+    "theta0 = 2, method = series, tol = 1e-6, outputs = [theta, velocity]",
+    "theta0 = 0.1, method = harmonic, tol = 1e-3",
+    "theta0 = 0.1, method = small_angle, t_max = 10",
+    "theta0 = 2, method = polynomial, tol = 1e-4, t_max = 1e3",
+];
+
+/// The plan of a scene, but for its constants.
+fn outline(text: &str) -> String {
+    let scene = crate::plan::tests::scene(&format!("struct Motion; {text}"));
+    let plan = crate::plan::plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+    let (operations, reduction) = (plan.operations(), plan.reduction.describe());
+    let mut lines = vec![format!("{text}\n  {}: {operations} operations, phase by {reduction}", plan.method)];
+    for part in &plan.parts {
+        let (word, bound) = (part.output.word(), part.bound);
+        let [truncation, phase, evaluation] = [bound.truncation, bound.phase, bound.evaluation];
+        lines.push(format!("  {word} by a {}", part.description));
+        lines.push(format!("    wrong by {truncation:.1e} + {phase:.1e} + {evaluation:.1e}"));
+    }
+    lines.extend(plan.rejected.iter().map(|reason| format!("  not {reason}")));
+    lines.join("\n")
+}
+
+#[test]
+fn plans() {
+    let outlines: Vec<String> = SCENES.iter().map(|text| outline(text)).collect();
+    compare_with("plans.txt", &(outlines.join("\n\n") + "\n"));
 }

@@ -172,6 +172,6 @@ mod paper_tests;
 #[cfg(test)]
 mod random_tests;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 #[cfg(test)]
 mod truth;
