@@ -1,8 +1,10 @@
 //! The methods of the paper: as many terms as a tolerance needs, and errors that are known in closed form.
 
 use super::tests::scene;
+use super::truth::State;
 use super::{Plan, Refusal, plan};
 use crate::motion::Regime;
+use crate::parse::Output;
 use crate::plan::curve::SwingCurves;
 
 fn planned(text: &str) -> Result<Plan, Refusal> {
