@@ -52,3 +52,66 @@ fn truncate(x: f64, bits: i32) -> f64 {
     }
     f64::from_bits(x.to_bits() & !((1u64 << (53 - bits)) - 1))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Context;
+
+    /// Words rounded down are never negative, have few bits, and leave less than the last one's unit.
+    #[test]
+    fn words_rounded_down() {
+        let context = Context::for_digits(60);
+        // Just below, on and just above numbers of few bits.
+        for text in
+            ["0.9999999999999999999999999", "1.0000000000000000000000001", "1.25", "0.7853981633974483096156608"]
+        {
+            let x = context.decimal(text).unwrap();
+            for (bits, count) in [(20, 3), (39, 2), (26, 4)] {
+                let words = split_down(&x, bits, count, Float::F64);
+                assert_eq!(words.len(), count);
+                let mut rest = x.clone();
+                for (index, &word) in words.iter().enumerate() {
+                    assert!(word >= 0.0, "{text}: {words:?}");
+                    let last = index + 1 == count;
+                    assert!(
+                        last || word == 0.0 || word.to_bits().trailing_zeros() >= 53 - bits as u32,
+                        "{text}: {words:?}"
+                    );
+                    rest = rest - context.float(word).unwrap();
+                    assert!(!rest.is_negative(), "{text}: {words:?}");
+                    // All but its last bits are used.
+                    let unit = if last { 53 } else { bits };
+                    assert!(rest.to_f64() <= word * 2f64.powi(1 - unit) || word == 0.0, "{text} {index}: {words:?}");
+                }
+            }
+        }
+        let x = context.decimal("0.7853981633974483096156608").unwrap();
+        assert!(split_down(&x, 12, 2, Float::F32).iter().all(|&word| f64::from(word as f32) == word));
+    }
+
+    /// Words to nearest: each is off by half of its unit at most, which is so many bits below the one before.
+    #[test]
+    fn words_to_nearest() {
+        let context = Context::for_digits(60);
+        for text in ["0.9999999999999999999999999", "1.0000000000000000000000001", "3.0", "0.7853981633974483096156608"]
+        {
+            let x = context.decimal(text).unwrap();
+            let words: [f64; 4] = split_near(&x, &[26, 25, 25]);
+            let mut rest = x.clone();
+            let mut unit = 2f64.powi(exponent(x.to_f64()) + 1);
+            for (word, bits) in words.iter().zip([26, 25, 25, 53]) {
+                unit *= 2f64.powi(-bits);
+                rest = rest - context.float(*word).unwrap();
+                if bits < 53 {
+                    assert_eq!((word / unit).fract(), 0.0, "{text}: {words:?}");
+                    assert!(rest.abs().to_f64() <= 0.5 * unit, "{text}: {words:?}");
+                }
+            }
+            assert!(rest.abs().to_f64() <= words[3].abs() * 2f64.powi(-53), "{text}: {words:?}");
+        }
+        for (x, known) in [(1.0, 0), (1.99, 0), (2.0, 1), (0.5, -1), (-4.0, 2)] {
+            assert_eq!(exponent(x), known);
+        }
+    }
+}

@@ -36,6 +36,18 @@ fn derivatives_of_operations() {
     ] {
         assert_eq!(passed(op, slope, &[a, b]), Some(expected.to_vec()), "{op:?}");
     }
+    // The same of a positive slope, and of one that reaches from nought.
+    for (op, slope, expected) in [
+        (Op::Div(0, 1), (1.0, 2.0), [(-1.0, -0.25), (-2.0, -0.0625)]),
+        (Op::Root(0), (1.0, 2.0), [(0.25, 1.0), (0.0, 0.0)]),
+        (Op::Mul(0, 1), (0.0, 1.0), [(-4.0, 0.0), (0.0, 4.0)]),
+        (Op::Mul(0, 1), (-1.0, 0.0), [(0.0, 4.0), (-4.0, 0.0)]),
+    ] {
+        assert_eq!(passed(op, slope, &[a, b]), Some(expected.to_vec()), "{op:?}");
+    }
+    // Of what doesn't matter nothing depends on anything, be it infinite.
+    let infinite = Known::between(f64::NEG_INFINITY, f64::INFINITY);
+    assert_eq!(passed(Op::Mul(0, 1), (0.0, 0.0), &[infinite, a]), Some(vec![(0.0, 0.0); 2]));
     // The same operand twice gets both.
     assert_eq!(passed(Op::Mul(0, 0), (1.0, 1.0), &[a]), Some(vec![(2.0, 8.0)]));
     // Of a positive slope the minimum passes none or all.
