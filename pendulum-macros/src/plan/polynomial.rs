@@ -19,6 +19,7 @@ use crate::plan::curve::Curve;
 use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Reduction;
 use crate::plan::variables::Variables;
+use crate::program::rounding::UNDERFLOW;
 use crate::program::{Builder, Id};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
@@ -105,9 +106,6 @@ pub(crate) struct Polynomial {
     /// sup |approximation − curve|.
     pub(crate) truncation: f64,
 }
-
-/// 2⁻¹⁰⁶⁰: some thousand of the smallest numbers.
-const LOST: f64 = f64::from_bits(1 << 14);
 
 /// More points than this take too long.
 const MOST_POINTS: usize = 240;
@@ -212,9 +210,9 @@ impl Approximation {
         if !(1.0 / widest..widest).contains(&highest) {
             return f64::INFINITY;
         }
-        // Of 8p ≤ 2; each coefficient is a sum of some hundred products, each wrong by a few of the smallest numbers.
+        // Of 8p ≤ 2.
         let weight = self.weight() * if self.parity == Parity::Odd { 1.0 / unit.hi } else { 1.0 };
-        weight * LOST * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
+        weight * UNDERFLOW * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
     }
 
     /// As [`Self::polynomial`], evaluated by its powers.

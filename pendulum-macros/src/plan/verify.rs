@@ -7,6 +7,7 @@ use super::aim::{Aim, Task};
 use super::{Part, Plan};
 use crate::exact::Real;
 use crate::parse::Output;
+use crate::program::rounding::UNDERFLOW;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
@@ -27,8 +28,8 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
         let broken = |((aim, part), function): ((&Aim, &Part), &super::Function)| {
             let values = function.program.run(t);
             let error = aim.distance(task, s, odd, &values)?;
-            // The curves themselves are good to 2⁻⁷⁵ of the largest value, and to some thousands of the smallest number.
-            (error > part.bound.total() + part.largest * 2f64.powi(-70) + 2f64.powi(-1060)).then_some(part.output)
+            // The curves themselves are good to 2⁻⁷⁵ of the largest value, and where that underflows to this.
+            (error > part.bound.total() + part.largest * 2f64.powi(-70) + UNDERFLOW).then_some(part.output)
         };
         task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken)
     };

@@ -62,6 +62,10 @@ impl Known {
     }
 }
 
+/// Some thousands of the smallest numbers, 2⁻¹⁰⁶⁰: what sums and products in two words are wrong by, whose second word
+/// underflows.
+pub(crate) const UNDERFLOW: f64 = f64::from_bits(1 << 14);
+
 /// Covers the rounding of the analysis itself, whose chains are a few hundred operations long.
 const INFLATION: f64 = 1.0 + 1e-12;
 
