@@ -47,7 +47,8 @@ pub(crate) fn interpolation_error(bound: f64, rho: f64, points: usize) -> f64 {
 
 /// The fewest points for which [`interpolation_error`] is at most `limit`; infinite or NaN where none are.
 pub(crate) fn points_for(bound: f64, rho: f64, limit: f64) -> f64 {
-    ((4.0 * bound / (rho - 1.0) / limit).ln() / rho.ln()).ceil().max(1.0) + 1.0
+    let degree = ((4.0 * bound / (rho - 1.0) / limit).ln() / rho.ln()).ceil();
+    if degree < 1.0 { 2.0 } else { degree + 1.0 }
 }
 
 /// Bounds what interpolation at so many Chebyshev points multiplies values with, Lebesgue's constant (Rivlin 1974).

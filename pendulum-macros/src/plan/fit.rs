@@ -1,7 +1,7 @@
 //! Polynomials for fixed functions on [0, Z]: what a plan uses of exponentials, arctangents and arcsines.
 
-use super::polynomial::estrin;
-use crate::chebyshev::{CosineTable, scale, shift, to_powers};
+use super::estrin::estrin;
+use crate::chebyshev::{CosineTable, interpolation_error, points_for, scale, shift, to_powers};
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
@@ -29,16 +29,15 @@ impl Domain {
 }
 
 impl Fit {
-    /// The Chebyshev interpolant, cut where its error is below `limit`; error of interpolation as in
-    /// [`super::polynomial`].
+    /// The Chebyshev interpolant, cut where its error is below `limit`.
     pub(crate) fn new(domain: &Domain, limit: f64, function: impl Fn(Double) -> Double) -> Self {
         let Domain { end, rho, bound } = *domain;
-        let error = |points: usize| 4.0 * bound * rho.powf(1.0 - points as f64) / (rho - 1.0);
-        let points = (4..200).find(|&points| error(points) < limit / 16.0).unwrap_or(200);
+        let points = points_for(bound, rho, limit / 16.0).clamp(4.0, 200.0) as usize;
+        let error = interpolation_error(bound, rho, points);
         let table = CosineTable::new(points);
         let values: Vec<Double> = table.points().map(|u| function((u + Double::ONE) * (0.5 * end))).collect();
         let series = table.coefficients(&values, points);
-        let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error(points);
+        let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error;
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
         let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));
         let coefficients = scale(powers, Double::new(2.0) / Double::new(end));

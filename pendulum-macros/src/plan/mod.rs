@@ -6,6 +6,7 @@ mod alternatives;
 mod arcsine;
 mod cosines;
 pub(crate) mod curve;
+mod estrin;
 mod fit;
 mod form;
 mod harmonics;

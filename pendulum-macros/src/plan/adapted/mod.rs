@@ -14,7 +14,7 @@ mod shifts;
 
 pub(crate) use shifts::Choices;
 
-use super::polynomial::estrin;
+use super::estrin::estrin;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 use shifts::{divide, roots, value};

@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::plan::aim::Task;
+use crate::plan::curve::Curve;
+use crate::plan::reduction::Reduction;
 use crate::plan::tests::scene;
 
 impl Polynomial {

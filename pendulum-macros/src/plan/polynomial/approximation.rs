@@ -1,37 +1,34 @@
-//! Polynomials in the square of the phase about an anchor.
+//! A curve as a Chebyshev series in the square of the phase, with a bound of its error.
 //!
-//! About a turning point θ is an even function of the phase s, and analytic in p = s² farther than in any variable
-//! centred at the lowest point: its nearest singularities lie above the lowest point, s = ½ ± iK′/(2K), at the end of
-//! the interval and not over its middle. At 7π/8 each coefficient gains a factor 4.47, against 2.71 for an odd polynomial
-//! about the lowest point.
-//!
-//! **Error.** The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays
+//! The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays
 //! within the strip |Im s| ≤ sinh(½ ln ρ)/2, where the Fourier series bounds the curve by B; the interpolant's error is at
 //! most 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation Practice*, theorem 8.2). Dropping its
 //! coefficients beyond the degree d adds at most the sum of their magnitudes. M is chosen so that the former is negligible;
 //! the latter, explicitly known, is the truncation error.
 
-use super::adapted::{Adapted, Choices};
-use super::form::Form;
-use crate::chebyshev::{CosineTable, scale, shift, to_powers};
-use crate::parse::Float;
+use super::Polynomial;
+use super::pole::Pole;
+use crate::chebyshev::{CosineTable, interpolation_error, points_for, scale, shift, to_powers};
+use crate::plan::adapted::{Adapted, Choices};
 use crate::plan::curve::Curve;
+use crate::plan::form::Form;
 use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Reduction;
-use crate::plan::variables::Variables;
 use crate::program::rounding::UNDERFLOW;
-use crate::program::{Builder, Id};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+
+/// More points than this take too long.
+const MOST_POINTS: usize = 240;
 
 /// A curve's Chebyshev coefficients on p ∈ [0, ¼], in 8p − 1; of curve/s if it is odd, times a power of the pole's
 /// polynomial if that is divided out.
 #[derive(Clone, Debug)]
 pub(crate) struct Approximation {
     parity: Parity,
-    pole: Option<Pole>,
+    pub(super) pole: Option<Pole>,
     /// Applied to p, if any: the series is of its image.
     map: Option<Moebius>,
     series: Vec<Double>,
@@ -40,75 +37,6 @@ pub(crate) struct Approximation {
     /// The shifts found, by terms and chunk.
     choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
 }
-
-/// ((8p − place)² + height²)^power, which vanishes at the nearest pair of singularities. θ̇ has simple poles there, θ̈ and
-/// the position double ones, θ itself logarithms, which dividing doesn't remove.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pole {
-    place: f64,
-    height_squared: f64,
-    power: i32,
-}
-
-impl Pole {
-    /// Of a curve whose singularities are s = ½ ± i·strip. Numbers near the true ones serve as well: these are exact.
-    pub(crate) fn new(strip: f64, power: i32) -> Self {
-        let round = |x: f64| f64::from(x as f32);
-        Self { place: round(2.0 - 8.0 * strip * strip), height_squared: round(64.0 * strip * strip), power }
-    }
-
-    /// At 8p − 1 = u.
-    fn at(self, u: Double) -> Double {
-        let distance = u + Double::new(1.0 - self.place);
-        let single = distance * distance + Double::new(self.height_squared);
-        (1..self.power).fold(single, |product, _| product * single)
-    }
-
-    /// The least value for 0 ≤ 8p ≤ 2.
-    fn least(self) -> f64 {
-        let distance = (-self.place).max(self.place - 2.0).max(0.0);
-        (distance * distance + self.height_squared).powi(self.power) * (1.0 - 1e-3)
-    }
-
-    /// Bounds the magnitude for |s| ≤ `radius`.
-    fn most(self, radius: f64) -> f64 {
-        let distance = 8.0 * radius * radius + self.place.abs();
-        (distance * distance + self.height_squared).powi(self.power)
-    }
-
-    /// Divides `value`; `centred` is 8p − centre.
-    fn divide(self, b: &mut Builder, value: Id, centred: Id, centre: f64) -> Id {
-        let place = b.constant(self.place - centre);
-        let distance = b.sub(centred, place);
-        let square = b.mul(distance, distance);
-        let height = b.constant(self.height_squared);
-        let mut divisor = b.add(square, height);
-        let single = b.name(divisor, "d");
-        for _ in 1..self.power {
-            divisor = b.mul(divisor, single);
-        }
-        b.div(value, divisor)
-    }
-}
-
-/// A polynomial, or a quotient, to be evaluated.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Polynomial {
-    pub(crate) form: Form,
-    pub(crate) pole: Option<Pole>,
-    pub(crate) parity: Parity,
-    map: Option<Moebius>,
-    pub(crate) alternates: bool,
-    /// Powers of the form's variable, lowest first.
-    pub(crate) coefficients: Vec<Double>,
-    /// How it is evaluated if not by its powers.
-    adapted: Option<Adapted>,
-    /// sup |approximation − curve|.
-    pub(crate) truncation: f64,
-}
-
-/// More points than this take too long.
-const MOST_POINTS: usize = 240;
 
 impl Approximation {
     /// Interpolates `curve` so well that the error left is below `negligible`; `None` if that takes too many points.
@@ -261,7 +189,7 @@ impl Approximation {
     }
 
     /// What an error of the polynomial is multiplied with in the value, at most.
-    fn weight(&self) -> f64 {
+    pub(super) fn weight(&self) -> f64 {
         let odd = if self.parity == Parity::Odd { 0.5 } else { 1.0 };
         odd / self.pole.map_or(1.0, Pole::least)
     }
@@ -280,125 +208,12 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<(
             // |s| ≥ height on the ellipse's image.
             bound /= height;
         }
-        let factor = 4.0 * bound / log_rho.exp_m1();
-        let points = ((factor / negligible).ln() / log_rho).ceil().max(3.0) + 1.0;
-        (points.is_finite() && points <= MOST_POINTS as f64)
-            .then(|| (points as usize, factor * (-log_rho * (points - 1.0)).exp()))
+        let rho = log_rho.exp();
+        let points = points_for(bound, rho, negligible);
+        (points <= MOST_POINTS as f64).then(|| {
+            let points = points.max(4.0) as usize;
+            (points, interpolation_error(bound, rho, points))
+        })
     };
     heights.into_iter().filter_map(choice).min_by_key(|&(points, _)| points)
 }
-
-/// Names of the powers that the evaluation of a polynomial squares its variable to.
-const PLAIN_POWERS: [&str; 8] = ["p", "p2", "p4", "p8", "p16", "p32", "p64", "p128"];
-const CENTRED_POWERS: [&str; 8] = ["u", "u2", "u4", "u8", "u16", "u32", "u64", "u128"];
-
-impl Polynomial {
-    /// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes of
-    /// 1e-268 and periods of 1e150 have plans, but not by adapted coefficients.
-    fn is_moderate(&self, quarter: f64, float: Float) -> bool {
-        let widest = if float == Float::F64 { 1e12 } else { 1e3 };
-        let largest = self
-            .coefficients
-            .iter()
-            .fold((0.0, 1.0), |(most, power): (f64, f64), c| (most.max((c.hi * power).abs()), power * quarter));
-        (1.0 / widest..widest).contains(&quarter) && (1e-150..1e150).contains(&largest.0)
-    }
-
-    /// Evaluates it, with its sign.
-    pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
-        let value = self.magnitude(b, variables);
-        b.name(value, name);
-        match (self.alternates, self.parity) {
-            (true, parity) => variables.sign(b, value, parity),
-            (false, Parity::Odd) => variables.sign_of_odd(b, value),
-            (false, Parity::Even) => value,
-        }
-    }
-
-    /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
-    pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let variables = &self.map.map_or(*variables, |map| variables.mapped(b, map));
-        let mut value = match &self.adapted {
-            Some(adapted) => {
-                let y = variables.shifted(b, adapted.shift);
-                adapted.lower(b, y)
-            }
-            None => self.by_powers(b, variables),
-        };
-        if let Some(pole) = self.pole {
-            let centre = self.form.centre();
-            let centred = variables.centred(b, centre);
-            value = pole.divide(b, value, centred, centre);
-        }
-        if self.parity == Parity::Odd {
-            value = b.mul(variables.distance, value);
-        }
-        value
-    }
-
-    fn by_powers(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let (x, powers) = match self.form {
-            Form::Centred { centre } => (variables.centred(b, centre), &CENTRED_POWERS),
-            Form::Plain | Form::Adapted { .. } => (variables.shifted(b, 0.0), &PLAIN_POWERS),
-        };
-        let coefficients: Vec<Id> = self.coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
-        estrin(b, x, &coefficients, powers)
-    }
-
-    /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
-    pub(crate) fn mirrors(&self, from_top: bool) -> bool {
-        if from_top { self.parity == Parity::Odd } else { self.alternates }
-    }
-
-    pub(crate) fn negate(&mut self) {
-        self.coefficients.iter_mut().for_each(|c| *c = -*c);
-        if let Some(adapted) = &mut self.adapted {
-            adapted.negate();
-        }
-    }
-
-    /// For the reader.
-    pub(crate) fn describe(&self) -> String {
-        let terms = self.coefficients.len();
-        let over = self.pole.map_or(String::new(), |pole| format!(" over one of {}", 2 * pole.power + 1));
-        let (variable, how) = match &self.adapted {
-            Some(adapted) => (adapted.variable(), adapted.describe()),
-            None => (self.form.variable(), String::new()),
-        };
-        let image = self.map.map_or(String::new(), |map| format!(", s² replaced by {}", map.describe()));
-        format!("polynomial of {terms} terms in {variable}{over}{image}{how}")
-    }
-}
-
-/// Σ cⱼxʲ by pairs, pairs of pairs and so on (Estrin 1960): the chain of dependent operations grows with the logarithm of
-/// the number of terms.
-pub(crate) fn estrin(b: &mut Builder, x: Id, coefficients: &[Id], names: &[&'static str]) -> Id {
-    let mut sums = coefficients.to_vec();
-    let mut power = x;
-    let mut level = 0;
-    while sums.len() > 1 {
-        sums = sums
-            .chunks(2)
-            .map(|pair| match *pair {
-                [low, high] => {
-                    let high = b.mul(high, power);
-                    b.add(low, high)
-                }
-                [low] => low,
-                _ => unreachable!("chunks of two"),
-            })
-            .collect();
-        if sums.len() > 1 {
-            power = b.mul(power, power);
-            level += 1;
-            // Higher powers than have names occur in kernels that no promise needs; the search tries and drops them.
-            if let Some(name) = names.get(level) {
-                b.name(power, name);
-            }
-        }
-    }
-    sums[0]
-}
-
-#[cfg(test)]
-mod tests;
