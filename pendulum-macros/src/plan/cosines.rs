@@ -1,4 +1,4 @@
-//! Sums of cosines near a point: where the sum and its derivatives lie, by Taylor's theorem; and suprema by bisection.
+//! Sums of cosines near a point: where the sum and its derivatives lie, by Taylor's theorem.
 
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
@@ -92,30 +92,6 @@ impl Local {
     }
 }
 
-/// Bounds a function on [low, high], given one on any interval, by halving the interval with the largest bound: until that
-/// gains less than a part in `precision`, or `most` times.
-pub(super) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
-    const GAIN: f64 = 0.97;
-    let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(cells);
-    let cell = |low: f64, high: f64| (bound(low, high), low, high);
-    let mut open: Vec<(f64, f64, f64)> = (0..cells).map(|index| cell(at(index), at(index + 1))).collect();
-    let mut settled: f64 = 0.0;
-    for _ in 0..most {
-        let worst = (0..open.len()).max_by(|&a, &b| open[a].0.total_cmp(&open[b].0));
-        let Some(worst) = worst.filter(|&worst| open[worst].0 > settled) else { break };
-        let (before, low, high) = open.swap_remove(worst);
-        let middle = 0.5 * (low + high);
-        let halves = [cell(low, middle), cell(middle, high)];
-        let after = halves[0].0.max(halves[1].0);
-        if before.is_finite() && after > GAIN * before {
-            settled = settled.max(after);
-        } else {
-            open.extend(halves);
-        }
-    }
-    open.iter().fold(settled, |most, cell| most.max(cell.0))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,15 +114,5 @@ mod tests {
                 assert!(to - from <= 2.0 * (most - least) + width, "{cell}, {order}: {from} to {to}");
             }
         }
-    }
-
-    #[test]
-    fn halving_finds_a_narrow_peak() {
-        // sup of s/(s² + a²) is 1/(2a), at s = a.
-        let a = 1e-6;
-        let bound = |low: f64, high: f64| high / (low * low + a * a);
-        let found = by_halves([0.0, 1.0], 16, 200, bound);
-        assert!(found >= 0.5 / a && found < 0.56 / a, "{found}");
-        assert_eq!(by_halves([0.0, 1.0], 4, 10, |low, _| if low == 0.0 { f64::INFINITY } else { 1.0 }), f64::INFINITY);
     }
 }

@@ -7,7 +7,6 @@
 
 use super::arcsine::Arcsine;
 use super::cosines::Cosines;
-use super::kernel::Kernel;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
@@ -121,13 +120,10 @@ impl Harmonics {
         b.name(sum, "argument")
     }
 
-    /// The errors of the cosine and the sine.
-    pub(super) fn errors(&self, reduction: &Reduction) -> [f64; 2] {
-        let error = |polynomial: &Polynomial| {
-            Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY)
-                + polynomial.truncation
-                + 2.0 * reduction.float.unit()
-        };
+    /// The errors of the cosine and the sine, given the rounding of a polynomial.
+    pub(super) fn errors(&self, reduction: &Reduction, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
+        let error =
+            |polynomial: &Polynomial| rounding(polynomial) + polynomial.truncation + 2.0 * reduction.float.unit();
         [error(self.folded.as_ref().unwrap_or(&self.cosine)), self.sine.as_ref().map_or(0.0, error)]
     }
 

@@ -1,10 +1,10 @@
 //! Kernels: what computes one output from the reduced phase; and the functions made of them.
 
-use super::cosines::by_halves;
 use super::harmonics::Harmonics;
 use super::hyperbolic::Hyperbolic;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
+use super::supremum::{by_halves, largest, norm};
 use super::turning::Turning;
 use super::variables::Variables;
 use super::{Function, Part};
@@ -91,7 +91,10 @@ impl Kernel {
         }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
         let half = reduction.half();
-        let harmonics = if let Self::Harmonics(sum) = self { Some((sum, sum.errors(reduction))) } else { None };
+        let of_polynomial =
+            |polynomial: &Polynomial| Self::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
+        let errors = |sum: &Harmonics| sum.errors(reduction, of_polynomial);
+        let harmonics = if let Self::Harmonics(sum) = self { Some((sum, errors(sum))) } else { None };
         let between = |low: f64, high: f64| {
             let mut known = vec![(phase, Known::between(low, high))];
             if let Some((harmonics, errors)) = &harmonics {
@@ -110,35 +113,11 @@ impl Kernel {
     }
 }
 
-/// The largest of the errors, or the first that is above `cap`; infinite where one is no number.
-pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
-    let mut largest: f64 = 0.0;
-    for error in errors {
-        largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
-        if largest > cap {
-            break;
-        }
-    }
-    largest
-}
-
 /// Subintervals of the phase on which the rounding is analysed separately.
 const SLICES: u32 = 64;
 
 /// How often slices are halved where the rounding peaks.
 const MOST_HALVED: usize = 200;
-
-/// √Σx², also where the squares overflow or underflow.
-pub(super) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
-    const FAR: f64 = 3.273_390_607_896_142e150; // 2⁵⁰⁰
-    let parts: Vec<f64> = parts.collect();
-    let scaled = |factor: f64| parts.iter().map(|x| x * factor).map(|x| x * x).sum::<f64>().sqrt() / factor;
-    match parts.iter().fold(0.0, |most: f64, x| most.max(x.abs())) {
-        most if most > FAR => scaled(1.0 / (FAR * FAR)),
-        most if most < 1.0 / FAR => scaled(FAR * FAR),
-        _ => scaled(1.0),
-    }
-}
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
 fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Polynomial) -> Vec<Id> {
@@ -181,20 +160,4 @@ pub(super) fn functions(reduction: &Reduction, parts: &[Part]) -> Vec<Function> 
         functions.push(Function { name: "state", program });
     }
     functions
-}
-
-#[cfg(test)]
-mod tests {
-    use super::norm;
-
-    #[test]
-    fn norms_of_all_sizes() {
-        for scale in [1e-316, 1e-200, 1.0, 1e200, 1e300] {
-            let found = norm([3.0 * scale, 4.0 * scale].into_iter());
-            // A subnormal has few digits.
-            assert!((found / (5.0 * scale) - 1.0).abs() < 1e-8, "{scale:e}: {found:e}");
-        }
-        assert_eq!(norm([].into_iter()), 0.0);
-        assert_eq!(norm([f64::INFINITY].into_iter()), f64::INFINITY);
-    }
 }

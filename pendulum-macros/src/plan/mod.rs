@@ -20,6 +20,7 @@ pub(crate) mod polynomial;
 pub(crate) mod reduction;
 mod refusal;
 mod search;
+mod supremum;
 mod turning;
 pub(crate) mod variables;
 mod velocity_bias;

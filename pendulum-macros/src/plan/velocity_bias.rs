@@ -1,7 +1,8 @@
 //! How far the derivative of an approximate θ is from θ̇.
 
-use super::cosines::{Cosines, by_halves};
+use super::cosines::Cosines;
 use super::curve::SwingCurves;
+use super::supremum::by_halves;
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Method;

@@ -1,0 +1,32 @@
+//! The functions that are approximated by polynomials.
+
+use pendulum_runtime::double::Double;
+use std::f64::consts::LN_2;
+
+/// Σ (ln 2)^(2i + k) vⁱ/(2i + k)!, v = f²: sinh(f ln 2)/f for k = 1, (cosh(f ln 2) − 1)/v for k = 2.
+pub(super) fn series(v: Double, k: u32) -> Double {
+    // ln 2 in two words.
+    let ln = Double { hi: LN_2, lo: 2.319_046_813_846_299_6e-17 };
+    let square = ln * ln * v;
+    let mut term = if k == 2 { ln * ln * 0.5 } else { ln };
+    let (mut sum, mut n) = (term, f64::from(k));
+    while term.hi > 1e-34 {
+        term = term * square / Double::new((n + 1.0) * (n + 2.0));
+        sum = sum + term;
+        n += 2.0;
+    }
+    sum
+}
+
+/// arctan √v/√v, by one Newton step from the `f64` value.
+pub(super) fn arctangent_ratio(v: Double) -> Double {
+    if v.hi < 1e-12 {
+        return Double::ONE - v / Double::new(3.0);
+    }
+    let x = v.sqrt();
+    let start = x.hi.atan();
+    let angle = Double::new(start) / Double::PI;
+    let (sine, cosine) = (crate::chebyshev::sin_pi(angle), crate::chebyshev::cos_pi(angle));
+    let step = (x * cosine - sine) / (cosine + x * sine);
+    (Double::new(start) + step - step * step * step / Double::new(3.0)) / x
+}

@@ -1,0 +1,217 @@
+//! The kernel of motions that come near the top: swings, rotations and the separatrix between them.
+//!
+//! There most of a period is spent near the top, and the rest is the same passage through the lowest point for all of
+//! them, θ = 2 gd w with w = (π/K′)·(u − u of the lowest point). With E = e^(−|w|), G = q′/E, the image of the next
+//! passage, and σ = 1 for a swing, −1 for a rotation, 0 on the separatrix (q′ = 0),
+//!
+//! π − |θ| = 4 arctan A, A = Q/P, Q = (E + σG)(1 + σq′³M − q′⁴), P = 1 + σq′M, M = E² + G²,
+//!
+//! which is the dual theta quotient (tan(θ/4) = [sinh X − q′ sinh 3X + …]/[cosh X + q′ cosh 3X + …], X = w/2, for a swing)
+//! solved for tan((π − θ)/4); the terms left out are below q′⁶ relative to Q and P. From it, with sin(θ/2) = (P² − Q²)/N
+//! and cos(θ/2) = 2QP/N, N = P² + Q², follow position and acceleration. The velocity's numerator is a theta function too:
+//!
+//! |θ̇| = F·Σ (−σ)ᵐ q′^(m²) E^(2m+1)/N = F·(E − σG)(1 − q′² − q′⁶ − σq′(1 − q′⁴)M + q′⁴M²)/N up to q′⁹,
+//!
+//! since E³ − σG³ = (E − σG)(M + σq′) and E⁵ − σG⁵ = (E − σG)(M² + σq′M − q′²), EG being q′;
+//!
+//! F being such that the velocity at the lowest point, E = 1, is the exact one.
+//!
+//! E = 2^(−j)·2^(−f) with j the integer nearest to |w|/ln 2: 2^(±f) = 1 + (f²·C(f²) ± f·S(f²)), by polynomials, serve E
+//! and G.
+
+mod functions;
+mod outputs;
+mod quotient;
+
+use super::fit::{Domain, Fit};
+use super::supremum::{largest, norm};
+use super::variables::Variables;
+use crate::parse::{Float, Output};
+use crate::program::rounding::Known;
+use crate::program::{Builder, Id, Op, Program};
+use functions::{arctangent_ratio, series};
+use pendulum_runtime::double::Double;
+use std::f64::consts::LN_2;
+
+/// What is the same for all outputs of one motion.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Passage {
+    /// log₂ e·|w| per unit of the phase.
+    pub(crate) rate: Double,
+    /// σ.
+    pub(crate) sigma: f64,
+    /// q′ = mantissa·2^exponent; 0 on the separatrix.
+    pub(crate) image: Double,
+    pub(crate) image_exponent: i32,
+    /// The largest |phase|.
+    pub(crate) half: f64,
+    /// Set where the direction changes from passage to passage: a swing.
+    pub(crate) alternates: bool,
+    /// −1 for the mirror image.
+    pub(crate) direction: f64,
+}
+
+/// The kernel of one output.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Hyperbolic {
+    output: Output,
+    passage: Passage,
+    images: Images,
+    /// Whether Q/P is formed with as little rounding as can be, at the price of a division.
+    careful: bool,
+    even: Fit,
+    odd: Fit,
+    /// arctan √v/√v on [0, 1], for θ.
+    arctangent: Option<Fit>,
+    /// What the output is a multiple of: 1, the largest velocity, ω².
+    factor: Double,
+    /// What leaving out terms changes.
+    pub(crate) truncation: f64,
+}
+
+/// What of the passages before and after matters: each more than those before it.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+enum Images {
+    Nothing,
+    /// G.
+    Sum,
+    /// P.
+    Denominator,
+    /// σq′³M − q′⁴.
+    Correction,
+}
+
+/// E below 2 to minus this is nothing beside the roundings of 1.
+const NEGLIGIBLE_BINADE: i32 = 24;
+
+impl Passage {
+    fn q(&self) -> f64 {
+        self.image.hi * 2f64.powi(self.image_exponent)
+    }
+}
+
+impl Hyperbolic {
+    /// With all approximations within `limit`, in units of `factor`.
+    pub(crate) fn new(output: Output, passage: Passage, factor: Double, limit: f64) -> Self {
+        let q = passage.q();
+        let half_ln = 0.5 * LN_2;
+        // |f² ln²2| < 1 on the ellipse that reaches as far left as 4·¼.
+        let domain = Domain::reaching(0.25, -2.0, half_ln.cosh() * 2.0);
+        let fraction = limit / 128.0;
+        let even = Fit::new(&domain, fraction, |v| series(v, 2));
+        let odd = Fit::new(&domain, fraction, |v| series(v, 1));
+        // On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of whose inverse the arctangent is a mean.
+        let angle = matches!(output, Output::Theta | Output::Wrapped);
+        let arctangent =
+            angle.then(|| Fit::new(&Domain::reaching(1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
+        // An angle, sin θ and e^{iθ} change by at most 4 times as much as Q or P, the velocity by 2F times.
+        let weight = if output == Output::Velocity { 2.5 } else { 4.5 };
+        let levels = [(Images::Sum, q.sqrt()), (Images::Denominator, 2.0 * q), (Images::Correction, 2.0 * q.powi(3))];
+        let matters = |&&(_, term): &&(Images, f64)| weight * term > limit / 8.0;
+        let images = levels.iter().rev().find(matters).map_or(Images::Nothing, |level| level.0);
+        let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
+        let truncation = left_out.chain([2.0 * q.powi(6)]).map(|term| weight * term).sum();
+        // A truncation of a few units of rounding is asked for where full precision is.
+        let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
+        Self { output, passage, images, careful, even, odd, arctangent, factor, truncation }
+    }
+
+    /// For the reader.
+    pub(crate) fn describe(&self) -> String {
+        let angle =
+            self.arctangent.as_ref().map_or(String::new(), |fit| format!(", an arctangent of {} terms", fit.terms()));
+        format!("2 gd w by an exponential of {} terms{angle}", self.terms())
+    }
+
+    pub(crate) fn terms(&self) -> usize {
+        self.even.terms() + self.odd.terms()
+    }
+
+    /// Emits the kernel.
+    pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
+        let float = b.float();
+        let magnitude = b.convert(variables.magnitude, Float::F64);
+        let quotient = self.quotient(b, magnitude);
+        // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the negative.
+        let direction = self.passage.direction * if self.passage.alternates { 1.0 } else { -1.0 };
+        match self.output {
+            Output::Theta | Output::Wrapped => {
+                let value = self.angle(b, &quotient, direction);
+                let value = b.convert(value, float);
+                b.name(value, name);
+                vec![self.sign(b, variables, value)]
+            }
+            Output::Velocity => {
+                let value = self.velocity(b, &quotient);
+                let value = b.convert(value, float);
+                b.name(value, name);
+                vec![if self.passage.alternates {
+                    b.push(Op::Alternate { x: value, magic: variables.magic })
+                } else {
+                    value
+                }]
+            }
+            Output::Acceleration => {
+                let value = self.acceleration(b, &quotient, direction);
+                let value = b.convert(value, float);
+                b.name(value, name);
+                vec![self.sign(b, variables, value)]
+            }
+            Output::Position => {
+                let [x, y] = Self::position(b, &quotient, direction);
+                let [x, y] = [x, y].map(|value| b.convert(value, float));
+                vec![self.sign(b, variables, x), y]
+            }
+        }
+    }
+
+    /// The sign of the angle: that of the phase from the lowest point, and of the passage.
+    fn sign(&self, b: &mut Builder, variables: &Variables, value: Id) -> Id {
+        let value = variables.side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }));
+        if self.passage.alternates { b.push(Op::Alternate { x: value, magic: variables.magic }) } else { value }
+    }
+
+    /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
+    pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
+        let binades = (self.passage.rate.hi * self.passage.half).ceil() as i32;
+        let most = binades.min(NEGLIGIBLE_BINADE);
+        let slices = |j: i32| {
+            let count = match j {
+                0 => 64,
+                1..4 => 16,
+                _ => 2,
+            };
+            // w ≥ 0: the first binade has no left half.
+            let first = if j == 0 { count / 2 } else { 0 };
+            (first..count).map(move |slice| {
+                let at = |index: i32| f64::from(index) / f64::from(count) - 0.5;
+                (j, at(slice), at(slice + 1))
+            })
+        };
+        let bound = |(j, low, high): (i32, f64, f64)| {
+            let power = |exponent: i32| 2f64.powi(exponent.max(-1022));
+            let image = |j: i32| power(j + self.passage.image_exponent);
+            // The last one stands for all that follow.
+            let (powers, images) = if j == most && most < binades {
+                ((0.0, power(-j)), (0.0, image(binades)))
+            } else {
+                ((power(-j), power(-j)), (image(j), image(j)))
+            };
+            let known = [("f", (low, high)), ("power", powers), ("image_power", images)];
+            let given: Vec<(Id, Known)> = known
+                .into_iter()
+                .filter_map(|(name, (low, high))| Some((program.named(name)?, Known::between(low, high))))
+                .collect();
+            norm(program.rounding(&given).iter().map(|known| known.error))
+        };
+        largest((0..=most).flat_map(slices).map(bound), cap)
+    }
+
+    /// What the rounding of w adds, relative to w: the rate's, and the product's.
+    pub(crate) fn relative_error() -> f64 {
+        2.001 * Float::F64.unit()
+    }
+}
+
+#[cfg(test)]
+mod tests;

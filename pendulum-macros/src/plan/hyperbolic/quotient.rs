@@ -1,0 +1,140 @@
+//! Q/P and what it is made of, emitted.
+
+use super::{Hyperbolic, Images};
+use crate::parse::Float;
+use crate::program::{Builder, Id, Op};
+
+/// The phase beyond which E is nothing beside 1 whatever is asked.
+const FURTHEST: f64 = 900.0;
+
+/// What the outputs are made of.
+pub(super) struct Quotient {
+    /// Q, or Q/P.
+    pub(super) numerator: Id,
+    /// E − σG.
+    pub(super) counterpart: Id,
+    /// M, and P where it matters and Q isn't divided by it yet.
+    pub(super) squares: Option<Id>,
+    pub(super) denominator: Option<Id>,
+}
+
+/// N = P² + Q², P² − Q² and QP.
+pub(super) struct Parts {
+    pub(super) norm: Id,
+    pub(super) difference: Id,
+    pub(super) product: Id,
+}
+
+impl Quotient {
+    pub(super) fn parts(&self, b: &mut Builder) -> Parts {
+        let one = b.constant(1.0);
+        let square = b.mul(self.numerator, self.numerator);
+        let base = self.denominator.map_or(one, |denominator| b.mul(denominator, denominator));
+        let (norm, difference) = (b.add(base, square), b.sub(base, square));
+        b.name(norm, "norm");
+        let product = self.denominator.map_or(self.numerator, |denominator| b.mul(self.numerator, denominator));
+        Parts { norm, difference, product }
+    }
+}
+
+impl Hyperbolic {
+    /// The parts of the outputs.
+    pub(super) fn quotient(&self, b: &mut Builder, magnitude: Id) -> Quotient {
+        let rate = b.exact(self.passage.rate.hi, self.passage.rate.lo);
+        let w = b.mul(magnitude, rate);
+        let furthest = b.constant(FURTHEST);
+        let w = b.push(Op::Min { limit: furthest, x: w });
+        b.name(w, "w");
+        let constant = b.constant(Float::F64.magic());
+        // −j, so that its bits are the exponent.
+        let integer = b.sub(constant, w);
+        b.name(integer, "exponent");
+        let j = b.sub(constant, integer);
+        let f = b.sub(w, j);
+        b.name(f, "f");
+        let square = b.mul(f, f);
+        b.name(square, "v");
+        // cosh − 1, small beside the 1 that is added last.
+        let even = self.even.lower(b, square, &["v", "v2", "v4", "v8"]);
+        let even = b.mul(square, even);
+        b.name(even, "even");
+        let one = b.constant(1.0);
+        let odd = self.odd.lower(b, square, &["v", "v2", "v4", "v8"]);
+        let odd = b.mul(f, odd);
+        b.name(odd, "odd");
+        let power = b.push(Op::PowerOfTwo { magic: integer });
+        b.name(power, "power");
+        let falling = b.sub(even, odd);
+        let falling = b.add(one, falling);
+        let direct = b.mul(power, falling);
+        b.name(direct, "direct");
+        if self.images == Images::Nothing {
+            return Quotient { numerator: direct, counterpart: direct, squares: None, denominator: None };
+        }
+        // 2^(j + image_exponent), below which there is nothing to add.
+        let shift = b.constant(f64::from(self.passage.image_exponent));
+        let exponent = b.add(j, shift);
+        let least = b.constant(-1022.0);
+        let exponent = b.push(Op::Max { limit: least, x: exponent });
+        let exponent = b.add(exponent, constant);
+        b.name(exponent, "image_exponent");
+        let power = b.push(Op::PowerOfTwo { magic: exponent });
+        b.name(power, "image_power");
+        let mantissa = b.exact(self.passage.image.hi, self.passage.image.lo);
+        let rising = b.add(even, odd);
+        let rising = b.add(one, rising);
+        let scaled = b.mul(mantissa, rising);
+        let image = b.mul(power, scaled);
+        b.name(image, "image");
+        let (sum, difference) = (b.add(direct, image), b.sub(direct, image));
+        let (numerator, counterpart) = if self.passage.sigma > 0.0 { (sum, difference) } else { (difference, sum) };
+        if self.images == Images::Sum {
+            return Quotient { numerator, counterpart, squares: None, denominator: None };
+        }
+        let squares = [b.mul(direct, direct), b.mul(image, image)];
+        let squares = b.add(squares[0], squares[1]);
+        b.name(squares, "squares");
+        let (sigma, q) = (self.passage.sigma, self.passage.q());
+        let denominator = linear(b, 1.0, sigma * q, squares);
+        b.name(denominator, "denominator");
+        if self.careful {
+            let small = self.excess(b, squares, denominator);
+            let small = b.mul(numerator, small);
+            let small = if sigma > 0.0 { b.add(small, image) } else { b.sub(small, image) };
+            let numerator = b.add(direct, small);
+            return Quotient { numerator, counterpart, squares: Some(squares), denominator: None };
+        }
+        let numerator = if self.images == Images::Correction {
+            let correction = linear(b, 1.0 - q.powi(4), sigma * q.powi(3), squares);
+            b.mul(numerator, correction)
+        } else {
+            numerator
+        };
+        Quotient { numerator, counterpart, squares: Some(squares), denominator: Some(denominator) }
+    }
+
+    /// κ in (1 + σq′³M − q′⁴)/P = 1 + κ. With Q/P = E + (σG + κ(E + σG)) only the last sum is rounded with a unit of E.
+    fn excess(&self, b: &mut Builder, squares: Id, denominator: Id) -> Id {
+        let (sigma, q) = (self.passage.sigma, self.passage.q());
+        let top = if self.images == Images::Correction {
+            linear(b, -q.powi(4), -sigma * q * (1.0 - q * q), squares)
+        } else {
+            let slope = near(b, -sigma * q);
+            b.mul(slope, squares)
+        };
+        b.div(top, denominator)
+    }
+}
+
+/// constant + slope·x.
+pub(super) fn linear(b: &mut Builder, constant: f64, slope: f64, x: Id) -> Id {
+    let constant = if constant == 1.0 { b.constant(constant) } else { near(b, constant) };
+    let slope = near(b, slope);
+    let product = b.mul(slope, x);
+    b.add(constant, product)
+}
+
+/// A number that was computed from the nome by a few operations.
+pub(super) fn near(b: &mut Builder, value: f64) -> Id {
+    b.loose(value, 8.0 * Float::F64.unit() * value.abs())
+}

@@ -1,0 +1,75 @@
+//! Bounds over intervals, from bounds on parts of them; and norms.
+
+/// The largest of the errors, or the first that is above `cap`; infinite where one is no number.
+pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
+    let mut largest: f64 = 0.0;
+    for error in errors {
+        largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
+        if largest > cap {
+            break;
+        }
+    }
+    largest
+}
+
+/// Bounds a function on [low, high], given one on any interval, by halving the interval with the largest bound: until that
+/// gains less than a thirtieth, or `most` times.
+pub(super) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
+    const GAIN: f64 = 0.97;
+    let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(cells);
+    let cell = |low: f64, high: f64| (bound(low, high), low, high);
+    let mut open: Vec<(f64, f64, f64)> = (0..cells).map(|index| cell(at(index), at(index + 1))).collect();
+    let mut settled: f64 = 0.0;
+    for _ in 0..most {
+        let worst = (0..open.len()).max_by(|&a, &b| open[a].0.total_cmp(&open[b].0));
+        let Some(worst) = worst.filter(|&worst| open[worst].0 > settled) else { break };
+        let (before, low, high) = open.swap_remove(worst);
+        let middle = 0.5 * (low + high);
+        let halves = [cell(low, middle), cell(middle, high)];
+        let after = halves[0].0.max(halves[1].0);
+        if before.is_finite() && after > GAIN * before {
+            settled = settled.max(after);
+        } else {
+            open.extend(halves);
+        }
+    }
+    open.iter().fold(settled, |most, cell| most.max(cell.0))
+}
+
+/// √Σx², also where the squares overflow or underflow.
+pub(super) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
+    const FAR: f64 = 3.273_390_607_896_142e150; // 2⁵⁰⁰
+    let parts: Vec<f64> = parts.collect();
+    let scaled = |factor: f64| parts.iter().map(|x| x * factor).map(|x| x * x).sum::<f64>().sqrt() / factor;
+    match parts.iter().fold(0.0, |most: f64, x| most.max(x.abs())) {
+        most if most > FAR => scaled(1.0 / (FAR * FAR)),
+        most if most < 1.0 / FAR => scaled(FAR * FAR),
+        _ => scaled(1.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halving_finds_a_narrow_peak() {
+        // sup of s/(s² + a²) is 1/(2a), at s = a.
+        let a = 1e-6;
+        let bound = |low: f64, high: f64| high / (low * low + a * a);
+        let found = by_halves([0.0, 1.0], 16, 200, bound);
+        assert!(found >= 0.5 / a && found < 0.56 / a, "{found}");
+        assert_eq!(by_halves([0.0, 1.0], 4, 10, |low, _| if low == 0.0 { f64::INFINITY } else { 1.0 }), f64::INFINITY);
+    }
+
+    #[test]
+    fn norms_of_all_sizes() {
+        for scale in [1e-316, 1e-200, 1.0, 1e200, 1e300] {
+            let found = norm([3.0 * scale, 4.0 * scale].into_iter());
+            // A subnormal has few digits.
+            assert!((found / (5.0 * scale) - 1.0).abs() < 1e-8, "{scale:e}: {found:e}");
+        }
+        assert_eq!(norm([].into_iter()), 0.0);
+        assert_eq!(norm([f64::INFINITY].into_iter()), f64::INFINITY);
+    }
+}
