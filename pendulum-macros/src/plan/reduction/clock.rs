@@ -167,16 +167,18 @@ impl Clock<'_> {
         self.wide_words(origin, false, 2f64.powi(-27))
     }
 
-    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: with the second
-    /// product modulo 8 that sum is rounded to 2⁻⁵¹. The third product is below 2⁻³, what three words leave below 2⁻⁵⁷.
+    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: n is taken from the
+    /// first product, which is exact, then the second is added, exactly or to 2⁻⁵⁴, and the third, below 2⁻³, to 2⁻⁵⁴. What
+    /// three words leave is below 2⁻⁵⁷.
     fn fine_any_time(&self) -> Reduction {
-        self.wide_words(Origin::Lowest, true, 2f64.powi(-50))
+        self.wide_words(Origin::Lowest, true, 2f64.powi(-52))
     }
 
     fn wide_words(&self, origin: Origin, fine: bool, error: f64) -> Reduction {
         let words = split_down(self.rate, 29, 3, Float::F64);
         let method = Method::WideAnyTime { words: [words[0], words[1], words[2]], fine };
-        self.reduction(method, origin, self.narrowed(error, origin), 2.0 * error)
+        // n is rounded from sums of up to 2²⁶ either way.
+        self.reduction(method, origin, self.narrowed(error, origin), 2f64.powi(-26))
     }
 
     /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point.

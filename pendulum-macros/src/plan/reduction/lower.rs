@@ -92,7 +92,7 @@ impl Reduction {
         let x = b.mul(t, rate);
         b.name(x, "x");
         let (magic, n) = self.round(b, x);
-        let remainder = self.less(b, x, n);
+        let remainder = self.less(b, &[x], n);
         self.numbered(b, remainder, magic, n)
     }
 
@@ -131,26 +131,23 @@ impl Reduction {
             let word = b.constant(word);
             b.mul(t, word)
         });
-        let (first, mut eights) = modulo_eight(b, first);
-        let mut second = second;
-        if fine {
-            let (rest, more) = modulo_eight(b, second);
-            (second, eights) = (rest, b.add(eights, more));
-        }
-        let low = b.add(second, third);
-        let sum = b.add(first, low);
+        let (first, eights) = modulo_eight(b, first);
+        let (others, last) = if fine { (b.add(first, third), second) } else { (first, b.add(second, third)) };
+        let sum = b.add(others, last);
         let (magic, n) = self.round(b, sum);
-        let rest = self.less(b, first, n);
+        let (parts, last): (&[Id], _) = if fine { (&[first, second], third) } else { (&[first], last) };
+        let rest = self.less(b, parts, n);
         let count = b.add(eights, n);
-        let remainder = b.add(rest, low);
+        let remainder = b.add(rest, last);
         self.numbered(b, remainder, magic, count)
     }
 
     /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the sum of
     /// the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24), hence
     /// exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below 2^(e−75).
-    /// The first two are taken modulo 8, exactly; only the sums of the four parts are rounded.
-    /// With three words the third is all the rest, and its product with t the last part.
+    /// The first is taken modulo 8, exactly, and the sum of the first three rounded to n, up to 2³¹ and off by at most
+    /// 2⁻²². The first less n is exact, and with the second a multiple of 2^(e−77) again of a few anchors: so only the sums
+    /// with the last two parts are rounded. With three words the third is all the rest, and its product with t the last part.
     fn any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
         let words: Vec<Id> = words.iter().map(|&word| b.constant(word)).collect();
         let (r1, r2, r3) = (words[0], words[1], words[2]);
@@ -159,10 +156,9 @@ impl Reduction {
         let tail = b.sub(t, head);
         b.name(tail, "tail");
         let first = b.mul(head, r1);
-        let (first, many) = modulo_eight(b, first);
+        let (first, eights) = modulo_eight(b, first);
         b.name(first, "first");
         let second = cross(b, (tail, r1), (head, r2));
-        let (second, some) = modulo_eight(b, second);
         b.name(second, "second");
         let third = cross(b, (tail, r2), (if words.len() > 3 { head } else { t }, r3));
         b.name(third, "third");
@@ -170,10 +166,10 @@ impl Reduction {
             let fourth = cross(b, (tail, r3), (t, r4));
             b.name(fourth, "fourth")
         });
-        let leading = b.add(first, second);
-        let sum = b.add(leading, third);
+        // The second is there last.
+        let others = b.add(first, third);
+        let sum = b.add(others, second);
         let (magic, n) = self.round(b, sum);
-        let eights = b.add(many, some);
         let count = b.add(eights, n);
         let remainder = self.sum_of_parts(b, n, [first, second, third], fourth);
         self.numbered(b, remainder, magic, count)
@@ -187,9 +183,7 @@ impl Reduction {
     fn sum_of_parts(&self, b: &mut Builder, n: Id, [first, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
         let offset = self.offset();
         if is_half(offset) {
-            let rest = self.less(b, first, n);
-            let sum = b.add(rest, second);
-            let sum = b.add(sum, third);
+            let sum = self.less(b, &[first, second, third], n);
             return fourth.map_or(sum, |fourth| b.add(sum, fourth));
         }
         let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
@@ -207,15 +201,15 @@ impl Reduction {
         b.add(sum, lost)
     }
 
-    /// x + offset − n. Where the offset is a half, it is taken from n, without rounding: x − n alone may be longer than x.
-    fn less(&self, b: &mut Builder, x: Id, n: Id) -> Id {
+    /// The sum of the parts and the offset, less n. Where the offset is a half, it is taken from n, without rounding: the
+    /// first part less n alone may be longer than that part.
+    fn less(&self, b: &mut Builder, parts: &[Id], n: Id) -> Id {
         let offset = self.offset();
-        if !is_half(offset) {
-            let rest = b.sub(x, n);
-            return offset_by(b, rest, offset);
-        }
-        let n = offset_by(b, n, -offset);
-        b.sub(x, n)
+        let (before, after) = if is_half(offset) { (offset, Double::ZERO) } else { (Double::ZERO, offset) };
+        let n = offset_by(b, n, -before);
+        let rest = b.sub(parts[0], n);
+        let rest = parts[1..].iter().fold(rest, |rest, &part| b.add(rest, part));
+        offset_by(b, rest, after)
     }
 
     /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to

@@ -60,7 +60,7 @@ pub(crate) enum Method {
     CodyWaite { rate: f64, words: Vec<f64> },
     /// An `f32` time, R in one `f64` word.
     Wide { rate: f64 },
-    /// An `f32` time, R in three `f64` words whose first two products are exact; `fine` if both are taken modulo 8.
+    /// An `f32` time, R in three `f64` words whose first two products are exact; `fine` if they are added to −n one by one.
     WideAnyTime { words: [f64; 3], fine: bool },
     /// An `f64` time, R in three or four words; all products that matter but the last are exact.
     AnyTime { words: Vec<f64> },
@@ -108,7 +108,7 @@ impl Reduction {
                 "exact products with the rate in three words of `f64`".to_owned()
             }
             Method::WideAnyTime { fine: true, .. } => {
-                "exact products, modulo 8, with the rate in three words of `f64`".to_owned()
+                "exact products, from the largest on, with the rate in three words of `f64`".to_owned()
             }
             Method::AnyTime { words } => format!("exact products with the rate in {} words", words.len()),
             Method::Linear { .. } => "the time itself".to_owned(),
