@@ -150,7 +150,7 @@ struct Readme;
 /// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
-/// NaN and ±∞ in t give NaN, every other t a finite result. For a release from rest θ(−t) = θ(t), and −θ0 gives the
+/// NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞). For a release from rest θ(−t) = θ(t), and −θ0 gives the
 /// mirror image, to the bit within the horizon; beyond it, the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`).
 ///
 /// ```

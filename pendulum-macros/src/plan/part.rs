@@ -9,7 +9,7 @@ use super::polynomial::{Approximation, Polynomial};
 use super::reduction::{Origin, Reduction};
 use super::supremum::norm;
 use super::turning::Turning;
-use super::{Bound, Part};
+use super::{Bound, Part, Plan};
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
@@ -46,6 +46,14 @@ impl Approximations {
     /// Those of a candidate; outputs without poles have no choice.
     pub(super) fn choose(&self, divided: bool) -> &[Approximation] {
         if divided && !self.divided.is_empty() { &self.divided } else { &self.plain }
+    }
+}
+
+impl Task {
+    /// How much of its limit the worst output takes.
+    pub(super) fn part_of_limits(&self, scene: &Scene, plan: &Plan) -> f64 {
+        let parts = self.aims.iter().zip(&plan.parts);
+        parts.map(|(aim, part)| aim.part_of_limit(scene, part, &plan.reduction)).fold(0.0, f64::max)
     }
 }
 
@@ -120,8 +128,7 @@ impl Aim {
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
             let kernel = self.kernel(scene, task, reduction, polynomials);
             let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
-            let grows = scene.goal == Goal::Full && self.output == Output::Theta;
-            let turns = if grows { 0.0 } else { kernel.rounding_of_turns(reduction) };
+            let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
             evaluation = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
                 Ok(part) => return Ok(part),
@@ -188,13 +195,23 @@ impl Aim {
         Err(reached)
     }
 
+    /// Whether what its turns are rounded by doesn't count.
+    fn grows(&self, scene: &Scene) -> bool {
+        scene.goal == Goal::Full && self.output == Output::Theta
+    }
+
+    /// How much of its limit the part takes.
+    pub(super) fn part_of_limit(&self, scene: &Scene, part: &Part, reduction: &Reduction) -> f64 {
+        let turns = if self.grows(scene) { part.kernel.rounding_of_turns(reduction) } else { 0.0 };
+        (part.bound.total() - turns) / self.limit
+    }
+
     /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns of
     /// an angle that grows without bound cost what they cost: the promise is about the rest.
     fn accept(&self, scene: &Scene, kernel: Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
         let turns = kernel.rounding_of_turns(reduction);
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
-        let grows = scene.goal == Goal::Full && self.output == Output::Theta;
-        let judged = if grows { bound } else { whole };
+        let judged = if self.grows(scene) { bound } else { whole };
         if judged.total().is_nan() || judged.total() > self.limit {
             return Err(judged.total() / self.unit);
         }

@@ -52,20 +52,17 @@ fn cheapest(scene: &Scene, task: &Task) -> Result<Plan, Refusal> {
     let mut closest = f64::INFINITY;
     let mut rejected = Vec::new();
     let candidates = candidates(scene, &reductions, task, &approximations);
+    let mut best: Option<(f64, usize, Plan)> = None;
     for (index, candidate) in candidates.iter().enumerate() {
         match candidate.plan(scene, task, &approximations) {
             Ok(plan) => {
-                if let Some(output) = verify::broken(scene, task, &plan) {
-                    return Err(Refusal::Broken { output });
+                let part = task.part_of_limits(scene, &plan);
+                if best.as_ref().is_none_or(|(least, ..)| part < *least) {
+                    best = Some((part, index, plan));
                 }
-                let next =
-                    candidates.get(index + 1..).and_then(|rest| rest.iter().find(|next| next.way != candidate.way));
-                rejected.extend(
-                    next.map(|next| format!("{}: it costs about {:.0} operations", next.describe(), next.cost)),
-                );
-                rejected.extend(alternatives::costs(scene, candidate.reduction));
-                let rejected = plan.rejected.iter().cloned().chain(rejected).collect();
-                return Ok(Plan { rejected, ..plan });
+                if part <= comfortable(scene) {
+                    break;
+                }
             }
             Err(reached) => {
                 closest = closest.min(reached);
@@ -73,7 +70,20 @@ fn cheapest(scene: &Scene, task: &Task) -> Result<Plan, Refusal> {
             }
         }
     }
-    Err(Refusal::Unreachable { best: closest })
+    let (_, index, plan) = best.ok_or(Refusal::Unreachable { best: closest })?;
+    if let Some(output) = verify::broken(scene, task, &plan) {
+        return Err(Refusal::Broken { output });
+    }
+    let next = candidates[index..].iter().find(|next| next.way != candidates[index].way);
+    rejected.extend(next.map(|next| format!("{}: it costs about {:.0} operations", next.describe(), next.cost)));
+    rejected.extend(alternatives::costs(scene, candidates[index].reduction));
+    let rejected = plan.rejected.iter().cloned().chain(rejected).collect();
+    Ok(Plan { rejected, ..plan })
+}
+
+/// The part of its limits that a plan had better keep.
+fn comfortable(scene: &Scene) -> f64 {
+    if scene.goal == Goal::Full { COMFORTABLE } else { 1.0 }
 }
 
 /// The least that can be promised of the worst output.
@@ -215,14 +225,13 @@ impl Candidate<'_> {
         all: &Approximations,
         rejected: &mut Vec<String>,
     ) -> Result<Part, f64> {
-        let comfortable = if scene.goal == Goal::Full { COMFORTABLE } else { 1.0 };
         let mut best: Result<Part, f64> = Err(f64::INFINITY);
         let variants = aim.variants(all, self.reduction);
         let word = aim.output.word();
         for (index, (variant, cost)) in variants.iter().enumerate() {
             let found = aim.part(scene, task, all.choose(variant.divided), self.reduction, variant.form);
             let reached = found.as_ref().map_or_else(|&reached| reached, |part| part.bound.total() / part.unit);
-            if found.is_ok() && reached * aim.unit <= comfortable * aim.limit {
+            if found.as_ref().is_ok_and(|part| aim.part_of_limit(scene, part, self.reduction) <= comfortable(scene)) {
                 let next = variants.get(index + 1).map(|(next, dearer)| {
                     format!("{} for `{word}`: it costs about {:.1} operations more", next.describe(), dearer - cost)
                 });

@@ -14,14 +14,14 @@
 ///
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
-/// * phase: Cody and Waite's remainder of 2 words, wrong by at most 2.9e-17 anchors
-/// * theta: polynomial of 14 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.692e-10 rad (2.7e-10 of truncation, 3.4e-16 of phase, 7.6e-15 of rounding); 36 operations
-/// * velocity: polynomial of 15 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.217e-10 rad·ω (2.2e-10 of truncation, 1.7e-16 of phase, 1.2e-14 of rounding); 40 operations
+/// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
+/// * theta: polynomial of 14 terms in s², coefficients adapted in blocks of 4; proven error ≤ 3.161e-10 rad (2.7e-10 of truncation, 4.7e-11 of phase, 8.2e-15 of rounding); 33 operations
+/// * velocity: polynomial of 15 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.456e-10 rad·ω (2.2e-10 of truncation, 2.4e-11 of phase, 1.1e-14 of rounding); 37 operations
 /// * not a polynomial in s², adapted in blocks of 8 for `theta`: it costs about 1.5 operations more
 /// * not a polynomial in s², adapted in blocks of 8 for `velocity`: it costs about 1.5 operations more
 /// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 151 operations
 /// * not `harmonic`: it is wrong by about 5e-1
-/// * not `series`: 12 harmonics, about 61 operations
+/// * not `series`: 12 harmonics, about 58 operations
 /// * not `fourier`: about 13 harmonics, the arcsine of whose sum bends more than θ does
 pub struct Clock;
 #[allow(
@@ -61,85 +61,88 @@ impl Clock {
     /// The number of terms of the approximation.
     pub const TERMS: usize = 14;
     /// Operations that one call of the first function executes.
-    pub const OPERATIONS: usize = 36;
+    pub const OPERATIONS: usize = 33;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 2.692401668104248e-10;
+    pub const MAX_ERROR: f64 = 3.160831762616435e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 2.2169327957925062e-10;
-    /// θ(t), rad; NaN if t is not finite. 36 operations.
+    pub const MAX_VELOCITY_ERROR: f64 = 2.4557237387301046e-10;
+    /// θ(t), rad; NaN if t is not finite. 33 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
-        let magic = t * 0.516665045200957 + 6755399441055744.0;
+        let x = t * 0.516665045200957;
+        let magic = x + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
-        let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
+        let s = x - n;
         let v = s * s;
-        let y = if 0.9365303320242175_f64 < v { 0.9365303320242175_f64 } else { v };
+        let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let w = y * y;
         let w2 = w * w;
         let w4 = w2 * w2;
-        let result = (-0.21167013757405648 * y - 1.4348564309150027)
-            * (w + 8.92139366090917) + 15.549812639059756
-            + ((-0.014536551913868474 * y + 0.11075453720109249)
-                * (w - 22.63757244621774) + 2.8386088483279104) * w2
-            + ((1.3639956024941755 * y - 1.268908267964459) * (w + 0.5125911474275531)
-                + 0.24798080068530537
-                + (0.13693109967750627 * y - 0.6978265091858055) * w2) * w4;
+        let result = (-11.127692324514193 * y - 20.135950112739103)
+            * (w + 0.6357246117222599) + 15.549812639059756
+            + ((-150.4992295678894 * y + 306.09240999551116) * (w - 1.6131181405842931)
+                + 559.0271598810305) * w2
+            + ((2781078.1905812677 * y - 690635.0533737267) * (w + 0.036526446489913114)
+                + 9617.734188685616 + (3918014.176985177 * y - 5330028.505294716) * w2)
+                * w4;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
-    /// θ̇(t), rad per unit of t; NaN if t is not finite. 40 operations.
+    /// θ̇(t), rad per unit of t; NaN if t is not finite. 37 operations.
     #[inline(always)]
     #[must_use]
     pub const fn velocity(t: f64) -> f64 {
-        let magic = t * 0.516665045200957 + 6755399441055744.0;
+        let x = t * 0.516665045200957;
+        let magic = x + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
-        let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
-        let v = if 0.9677449726163487_f64 < s { 0.9677449726163487_f64 } else { s };
-        let clamped = if v < -0.9677449726163487 { -0.9677449726163487 } else { v };
+        let s = x - n;
+        let v = if 0.5_f64 < s { 0.5_f64 } else { s };
+        let clamped = if v < -0.5 { -0.5 } else { v };
         let y = clamped * clamped;
         let w = y * y;
         let w2 = w * w;
         let w4 = w2 * w2;
         let result = clamped
-            * ((2.6488841332868325 * y - 1.2698057634701574) * (w - 2.1667361230103306)
-                - 6.528119199908748
-                + ((2.997051261956164 * y - 2.031808632869422) * (w + 0.5040447776874944)
-                    + 4.315902499775383) * w2
-                + ((78.52226084770291 * y - 66.64024150477209) * (w + 0.5161634292097182)
-                    + 16.451611120654647
-                    + ((-3.66307272572286 * y + 22.3742386625538) * y
-                        - 56.93922034441709) * w2) * w4);
+            * ((269.52521334335813 * y - 34.48989652975724) * (w - 0.15439824010242847)
+                - 12.635109072202928
+                + ((60056.21585952839 * y - 10868.378504378346)
+                    * (w + 0.035917445498460404) + 1645.090902071581) * w2
+                + ((309873148.00223905 * y - 70201415.96175317)
+                    * (w + 0.03678100172368564) + 1234963.3431517202
+                    + ((-759945078.5422319 * y + 1239090687.4935837) * y
+                        - 841752672.3370137) * w2) * w4);
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
-    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 64 operations.
+    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 61 operations.
     #[inline(always)]
     #[must_use]
     pub const fn state(t: f64) -> (f64, f64) {
-        let magic = t * 0.516665045200957 + 6755399441055744.0;
+        let x = t * 0.516665045200957;
+        let magic = x + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
-        let s = t - n * 1.9354899451427627 - n * 1.3193586841992646e-11;
-        let v = if 0.9677449726163487_f64 < s { 0.9677449726163487_f64 } else { s };
-        let clamped = if v < -0.9677449726163487 { -0.9677449726163487 } else { v };
+        let s = x - n;
+        let v = if 0.5_f64 < s { 0.5_f64 } else { s };
+        let clamped = if v < -0.5 { -0.5 } else { v };
         let y = clamped * clamped;
         let w = y * y;
         let w2 = w * w;
         let w4 = w2 * w2;
-        let first_result = (-0.21167013757405648 * y - 1.4348564309150027)
-            * (w + 8.92139366090917) + 15.549812639059756
-            + ((-0.014536551913868474 * y + 0.11075453720109249)
-                * (w - 22.63757244621774) + 2.8386088483279104) * w2
-            + ((1.3639956024941755 * y - 1.268908267964459) * (w + 0.5125911474275531)
-                + 0.24798080068530537
-                + (0.13693109967750627 * y - 0.6978265091858055) * w2) * w4;
+        let first_result = (-11.127692324514193 * y - 20.135950112739103)
+            * (w + 0.6357246117222599) + 15.549812639059756
+            + ((-150.4992295678894 * y + 306.09240999551116) * (w - 1.6131181405842931)
+                + 559.0271598810305) * w2
+            + ((2781078.1905812677 * y - 690635.0533737267) * (w + 0.036526446489913114)
+                + 9617.734188685616 + (3918014.176985177 * y - 5330028.505294716) * w2)
+                * w4;
         let second_result = clamped
-            * ((2.6488841332868325 * y - 1.2698057634701574) * (w - 2.1667361230103306)
-                - 6.528119199908748
-                + ((2.997051261956164 * y - 2.031808632869422) * (w + 0.5040447776874944)
-                    + 4.315902499775383) * w2
-                + ((78.52226084770291 * y - 66.64024150477209) * (w + 0.5161634292097182)
-                    + 16.451611120654647
-                    + ((-3.66307272572286 * y + 22.3742386625538) * y
-                        - 56.93922034441709) * w2) * w4);
+            * ((269.52521334335813 * y - 34.48989652975724) * (w - 0.15439824010242847)
+                - 12.635109072202928
+                + ((60056.21585952839 * y - 10868.378504378346)
+                    * (w + 0.035917445498460404) + 1645.090902071581) * w2
+                + ((309873148.00223905 * y - 70201415.96175317)
+                    * (w + 0.03678100172368564) + 1234963.3431517202
+                    + ((-759945078.5422319 * y + 1239090687.4935837) * y
+                        - 841752672.3370137) * w2) * w4);
         (
             f64::from_bits(first_result.to_bits() ^ (magic.to_bits() << 63)),
             f64::from_bits(second_result.to_bits() ^ (magic.to_bits() << 63)),

@@ -49,17 +49,11 @@ impl Clock<'_> {
         [error, relative_error]: [f64; 2],
         overshoot: f64,
     ) -> Reduction {
+        let (scale, cap) = self.within_range(&method);
         let unit = match method {
             Method::CodyWaite { .. } => self.rate.to_double(),
-            Method::Scaled { anchor, .. } => Double::ONE / Double::new(anchor),
-            _ => Double::ONE,
-        };
-        // Where a product can overflow: of `f32` times only that with a single `f32` word, the others being of `f64`.
-        let (overflows, most) = match (self.float, &method) {
-            (_, Method::CodyWaite { .. }) => (false, 0.0),
-            (Float::F64, _) => (self.rate.to_f64() > 0.25, 2f64.powi(1000)),
-            (Float::F32, Method::OneWord { .. } | Method::Scaled { .. }) => (self.rate.to_f64() > 0.5, 2f64.powi(120)),
-            (Float::F32, _) => (false, 0.0),
+            Method::Scaled { anchor, .. } => Double::ONE / Double::new(anchor * scale),
+            _ => Double::new(1.0 / scale),
         };
         // The launch phase is added in two words where there are any. Where it is a rounded time, that has been counted.
         let exact = self.is_exact() || matches!(method, Method::AnyTime { .. });
@@ -78,7 +72,29 @@ impl Clock<'_> {
             relative_error,
             overshoot,
             unit,
-            cap: overflows.then(|| self.float.round(most / self.rate.to_f64().max(1.0))),
+            scale,
+            cap,
+        }
+    }
+
+    /// What keeps the product of the time with its factor from overflowing: a power of two beside a factor above 1, or, of
+    /// factors so large that powers of the phase would get out of hand, a cap of the time. Products of Cody and Waite's
+    /// overflow without harm; those of `f32` times with `f64` words don't.
+    fn within_range(&self, method: &Method) -> (f64, Option<f64>) {
+        let rate = self.rate.to_f64();
+        let factor = match method {
+            Method::OneWord { .. } | Method::AnyTime { .. } => rate,
+            Method::Scaled { scaled, .. } => rate.max(*scaled),
+            _ => 0.0,
+        };
+        let (halvings, most) = match self.float {
+            Float::F64 => (18, 2f64.powi(1000)),
+            Float::F32 => (3, 2f64.powi(120)),
+        };
+        match 1 + exponent(factor) {
+            _ if factor < 0.99 => (1.0, None),
+            needed if needed <= halvings => (2f64.powi(-needed), None),
+            _ => (1.0, Some(self.float.round(most / factor))),
         }
     }
 
@@ -200,6 +216,7 @@ impl Clock<'_> {
             relative_error: relative,
             overshoot: 0.0,
             unit: Double::ONE,
+            scale: 1.0,
             cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
         }
     }
@@ -213,11 +230,12 @@ impl Clock<'_> {
     }
 
     /// Three roundings of sums, relative to the result (one is that of [`Self::halfway`] or of the first sum, which is exact
-    /// where the last word's product matters), and that product: of three words, below 16 anchors, it is rounded to 2⁻⁵⁰ and so
-    /// is its sum with another.
+    /// where the last word's product matters), and that product: of three words, below 16 anchors at the end of the
+    /// longest horizon, it is rounded to 2⁻⁵⁰ there and so is its sum with another.
     fn any_time(&self, count: usize, origin: Origin) -> Reduction {
         let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
-        let last = if count == 3 { 2f64.powi(-49) } else { 2f64.powi(-72) };
+        let part = (self.horizon() * self.rate.to_f64() / UNLIMITED).min(1.0);
+        let last = if count == 3 { 2f64.powi(-49) * part } else { 2f64.powi(-72) };
         let drift = self.horizon() * self.off(&words) + last;
         let errors = match origin {
             Origin::Anchor => [drift + 2f64.powi(-53), 0.0],

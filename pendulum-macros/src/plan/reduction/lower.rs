@@ -68,8 +68,8 @@ impl Reduction {
 
     /// The magic sum of x + offset, and the nearest integer.
     fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
-        let x = offset_by(b, x, self.offset());
-        let constant = b.float().magic();
+        let x = offset_by(b, x, self.offset() * self.scale);
+        let constant = b.float().magic() * self.scale;
         let constant = b.constant(constant);
         let magic = b.add(x, constant);
         b.name(magic, "magic");
@@ -79,16 +79,17 @@ impl Reduction {
 
     /// The phase, origins counted from the one numbered 0.
     fn numbered(&self, b: &mut Builder, remainder: Id, magic: Id, count: Id) -> Phase {
-        let first = self.first_number();
-        if first == 0.0 {
+        let first = Double::new(self.first_number() * self.scale);
+        let [magic, count] = [magic, count].map(|sum| offset_by(b, sum, first));
+        if self.scale == 1.0 {
             return Phase { remainder, magic, count };
         }
-        let first = b.constant(first);
-        Phase { remainder, magic: b.add(magic, first), count: b.add(count, first) }
+        let scale = b.constant(1.0 / self.scale);
+        Phase { remainder, magic, count: b.mul(count, scale) }
     }
 
     fn direct(&self, b: &mut Builder, t: Id, rate: f64) -> Phase {
-        let rate = b.constant(rate);
+        let rate = b.constant(rate * self.scale);
         let x = b.mul(t, rate);
         b.name(x, "x");
         let (magic, n) = self.round(b, x);
@@ -96,12 +97,14 @@ impl Reduction {
         self.numbered(b, remainder, magic, n)
     }
 
-    fn scaled(&self, b: &mut Builder, t: Id, constants: [f64; 3]) -> Phase {
-        let [rate, scaled, anchor] = constants.map(|constant| b.constant(constant));
+    fn scaled(&self, b: &mut Builder, t: Id, [rate, scaled, anchor]: [f64; 3]) -> Phase {
+        let factors = [rate * self.scale, scaled * self.scale, anchor];
+        let [rate, scaled, anchor] = factors.map(|factor| b.constant(factor));
         let x = b.mul(t, rate);
         let (magic, count) = self.round(b, x);
         let (distance, whole) = (b.mul(t, scaled), b.mul(count, anchor));
-        Phase { remainder: b.sub(distance, whole), magic, count }
+        let remainder = b.sub(distance, whole);
+        self.numbered(b, remainder, magic, count)
     }
 
     fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {
@@ -131,7 +134,7 @@ impl Reduction {
             let word = b.constant(word);
             b.mul(t, word)
         });
-        let (first, eights) = modulo_eight(b, first);
+        let (first, eights) = self.modulo_eight(b, first);
         let (others, last) = if fine { (b.add(first, third), second) } else { (first, b.add(second, third)) };
         let sum = b.add(others, last);
         let (magic, n) = self.round(b, sum);
@@ -149,14 +152,14 @@ impl Reduction {
     /// 2⁻²². The first less n is exact, and with the second a multiple of 2^(e−77) again of a few anchors: so only the sums
     /// with the last two parts are rounded. With three words the third is all the rest, and its product with t the last part.
     fn any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
-        let words: Vec<Id> = words.iter().map(|&word| b.constant(word)).collect();
+        let words: Vec<Id> = words.iter().map(|&word| b.constant(word * self.scale)).collect();
         let (r1, r2, r3) = (words[0], words[1], words[2]);
         let head = b.push(Op::Head(t));
         b.name(head, "head");
         let tail = b.sub(t, head);
         b.name(tail, "tail");
         let first = b.mul(head, r1);
-        let (first, eights) = modulo_eight(b, first);
+        let (first, eights) = self.modulo_eight(b, first);
         b.name(first, "first");
         let second = cross(b, (tail, r1), (head, r2));
         b.name(second, "second");
@@ -186,6 +189,7 @@ impl Reduction {
             let sum = self.less(b, &[first, second, third], n);
             return fourth.map_or(sum, |fourth| b.add(sum, fourth));
         }
+        let offset = offset * self.scale;
         let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
         let low = fourth.map_or(low, |fourth| b.add(fourth, low));
         let (mut sum, mut lost) = (b.sub(first, n), low);
@@ -206,10 +210,18 @@ impl Reduction {
     fn less(&self, b: &mut Builder, parts: &[Id], n: Id) -> Id {
         let offset = self.offset();
         let (before, after) = if is_half(offset) { (offset, Double::ZERO) } else { (Double::ZERO, offset) };
-        let n = offset_by(b, n, -before);
+        let n = offset_by(b, n, -before * self.scale);
         let rest = b.sub(parts[0], n);
         let rest = parts[1..].iter().fold(rest, |rest, &part| b.add(rest, part));
-        offset_by(b, rest, after)
+        offset_by(b, rest, after * self.scale)
+    }
+
+    /// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴, and that multiple: adding 1.5·2⁵⁵ rounds to one.
+    fn modulo_eight(&self, b: &mut Builder, x: Id) -> (Id, Id) {
+        let constant = b.constant(8.0 * Float::F64.magic() * self.scale);
+        let sum = b.add(x, constant);
+        let eights = b.sub(sum, constant);
+        (b.sub(x, eights), eights)
     }
 
     /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
@@ -256,12 +268,4 @@ fn cross(b: &mut Builder, left: (Id, Id), right: (Id, Id)) -> Id {
     let left = b.mul(left.0, left.1);
     let right = b.mul(right.0, right.1);
     b.add(left, right)
-}
-
-/// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴, and that multiple: adding 1.5·2⁵⁵ rounds to one.
-fn modulo_eight(b: &mut Builder, x: Id) -> (Id, Id) {
-    let constant = b.constant(8.0 * Float::F64.magic());
-    let sum = b.add(x, constant);
-    let eights = b.sub(sum, constant);
-    (b.sub(x, eights), eights)
 }

@@ -35,7 +35,9 @@ pub(crate) struct Reduction {
     pub(crate) overshoot: f64,
     /// Anchors per unit of the reduced variable.
     pub(crate) unit: Double,
-    /// Times beyond ±this are replaced by it, where the products would overflow.
+    /// A power of two that phases are multiplied with besides.
+    pub(crate) scale: f64,
+    /// Times beyond ±this are replaced by it.
     pub(crate) cap: Option<f64>,
 }
 
