@@ -58,7 +58,7 @@ impl Forever {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 59;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.5917609933539832e-15;
+    pub const MAX_ERROR: f64 = 1.5916329447029267e-15;
     /// θ(t), rad; NaN if t is not finite. 59 operations.
     #[inline(always)]
     #[must_use]

@@ -36,7 +36,8 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     let maps = PLACES.iter().map(|&place| Some(Moebius::new(place)));
     let looks = std::iter::once(None).chain(maps).filter_map(|map| Some((rough_terms(weights, map)?, map)));
     let (rough, map) = looks.min_by_key(|&(terms, _)| terms)?;
-    let negligible = limit / 512.0;
+    // A limit far above the motion itself asks for no less.
+    let negligible = limit.min(weights.iter().map(|w| w.hi.abs()).sum()) / 512.0;
     // Coefficients fall off geometrically.
     let rate = ROUGH.ln() / rough as f64;
     let terms = (negligible / 4.0).ln() / rate;

@@ -19,6 +19,7 @@ use crate::series::Parity;
 use pendulum_runtime::double::Double;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// More points than this take too long.
 const MOST_POINTS: usize = 240;
@@ -34,6 +35,9 @@ pub(crate) struct Approximation {
     series: Vec<Double>,
     /// Error of the whole series.
     remainder: f64,
+    /// Points of interpolation, and ln ρ of the ellipse where the curve is bounded.
+    points: usize,
+    log_rho: f64,
     /// The shifts found, by terms and chunk.
     choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
 }
@@ -43,17 +47,18 @@ impl Approximation {
     pub(crate) fn new(curve: &Curve, power: i32, negligible: f64) -> Option<Self> {
         let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
         let negligible = negligible * pole.map_or(1.0, Pole::least);
-        let (points, error) = enough_points(curve, pole, negligible)?;
-        Some(Self::with_points(curve, pole, negligible, points, error))
+        let interpolation = enough_points(curve, pole, negligible)?;
+        Some(Self::with_points(curve, pole, negligible, interpolation))
     }
 
     /// As [`Self::new`], for a curve without singularities.
     pub(crate) fn entire(curve: &Curve, negligible: f64) -> Self {
-        let (points, error) = enough_points(curve, None, negligible).unwrap_or((MOST_POINTS, f64::INFINITY));
-        Self::with_points(curve, None, negligible, points, error)
+        let useless = Interpolation { points: MOST_POINTS, log_rho: 0.0, error: f64::INFINITY };
+        Self::with_points(curve, None, negligible, enough_points(curve, None, negligible).unwrap_or(useless))
     }
 
-    fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, points: usize, error: f64) -> Self {
+    fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, interpolation: Interpolation) -> Self {
+        let Interpolation { points, log_rho, error } = interpolation;
         let table = CosineTable::new(points);
         let sample = |u: Double| {
             let s = ((u + Double::ONE) * 0.125).sqrt();
@@ -69,26 +74,64 @@ impl Approximation {
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
         }
-        Self { parity: curve.parity(), pole, map: None, series, remainder, choices: RefCell::default() }
+        Self {
+            parity: curve.parity(),
+            pole,
+            map: None,
+            series,
+            remainder,
+            points,
+            log_rho,
+            choices: RefCell::default(),
+        }
     }
 
     /// An even function of which the series and its error are known.
     pub(crate) fn known(map: Option<Moebius>, series: Vec<Double>, remainder: f64) -> Self {
-        Self { parity: Parity::Even, pole: None, map, series, remainder, choices: RefCell::default() }
+        let (parity, pole, points, log_rho) = (Parity::Even, None, series.len(), f64::INFINITY);
+        Self { parity, pole, map, series, remainder, points, log_rho, choices: RefCell::default() }
     }
 
     /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
-        let dropped: f64 = self.series.iter().skip(terms).map(|c| c.hi.abs()).sum();
-        // 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot); there |Tⱼ| ≤ cosh(j·arcosh(1 + ε)) ≤ cosh(j·√(2ε)).
-        let stretch = (self.series.len() as f64 * (16.0 * overshoot * (1.0 + overshoot)).sqrt()).cosh();
+        self.without(terms..self.series.len(), overshoot) + self.least_truncation(overshoot)
+    }
+
+    /// What dropping these terms changes.
+    fn without(&self, dropped: Range<usize>, overshoot: f64) -> f64 {
+        let growth = growth(overshoot);
+        let sum: f64 = dropped.map(|j| self.series[j].hi.abs() * (j as f64 * growth).cosh()).sum();
+        sum * self.outer_weight(overshoot)
+    }
+
+    /// The error of the whole series. Its part due to the points is a sum of Tⱼ for j from their number on, in which the
+    /// weights fall like ρ⁻ʲ; outside of the interval Tⱼ grows by a factor from one to the next.
+    fn least_truncation(&self, overshoot: f64) -> f64 {
+        let growth = growth(overshoot);
+        if growth >= 0.9 * self.log_rho {
+            return f64::INFINITY;
+        }
+        let tail = (1.0 - (-self.log_rho).exp()) / (1.0 - (growth - self.log_rho).exp());
+        self.remainder * tail * (self.points as f64 * growth).cosh() * self.outer_weight(overshoot)
+    }
+
+    fn outer_weight(&self, overshoot: f64) -> f64 {
         let weight = if self.parity == Parity::Odd { 0.5 + overshoot } else { 1.0 };
-        (dropped + self.remainder) * stretch * weight / self.pole.map_or(1.0, Pole::least) * (1.0 + 1e-12)
+        weight / self.pole.map_or(1.0, Pole::least) * (1.0 + 1e-12)
     }
 
     /// The fewest terms, at least two, whose truncation error is at most `limit`.
     pub(crate) fn terms_for(&self, limit: f64, overshoot: f64) -> Option<usize> {
-        (2..=self.series.len()).find(|&terms| self.truncation(terms, overshoot) <= limit)
+        let mut truncation = self.least_truncation(overshoot);
+        let mut enough = None;
+        for terms in (2..=self.series.len()).rev() {
+            if truncation > limit {
+                break;
+            }
+            enough = Some(terms);
+            truncation += self.without(terms - 1..terms, overshoot);
+        }
+        enough
     }
 
     pub(crate) fn terms(&self) -> usize {
@@ -195,8 +238,19 @@ impl Approximation {
     }
 }
 
-/// The number of points that makes the interpolation error negligible, and that error.
-fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<(usize, f64)> {
+/// 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot); there |Tⱼ| ≤ cosh(j·arcosh(1 + ε)) ≤ cosh(j·√(2ε)).
+fn growth(overshoot: f64) -> f64 {
+    (16.0 * overshoot * (1.0 + overshoot)).sqrt()
+}
+
+struct Interpolation {
+    points: usize,
+    log_rho: f64,
+    error: f64,
+}
+
+/// As many points as make the interpolation error negligible.
+fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Interpolation> {
     let strip = curve.strip();
     let heights = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * strip).min(1.5));
     let choice = |height: f64| {
@@ -212,8 +266,8 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<(
         let points = points_for(bound, rho, negligible);
         (points <= MOST_POINTS as f64).then(|| {
             let points = points.max(4.0) as usize;
-            (points, interpolation_error(bound, rho, points))
+            Interpolation { points, log_rho, error: interpolation_error(bound, rho, points) }
         })
     };
-    heights.into_iter().filter_map(choice).min_by_key(|&(points, _)| points)
+    heights.into_iter().filter_map(choice).min_by_key(|interpolation| interpolation.points)
 }

@@ -133,7 +133,7 @@ impl Clock<'_> {
         let rounding = half_ulp(anchors * anchor * 1.001, self.float) + half_ulp(anchor, self.float);
         let error = self.horizon() * off(anchor) * 1.001 + rounding / anchor;
         let method = Method::Scaled { rate: self.float.round(rate.hi), scaled, anchor };
-        Some(self.reduction(method, Origin::Anchor, [error, 0.0], 4.0 * anchors * self.float.unit()))
+        Some(self.reduction(method, Origin::Anchor, [error, 0.0], self.misplaced(anchors)))
     }
 
     /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
@@ -167,8 +167,13 @@ impl Clock<'_> {
             Origin::Anchor => [drift + launched + differences * rounding(0.5), 0.0],
             Origin::Lowest => [drift + launched, differences * self.float.unit() * 1.001],
         };
-        let overshoot = 4.0 * anchors * self.float.unit();
-        Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, overshoot))
+        Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, self.misplaced(anchors)))
+    }
+
+    /// How far beyond half an anchor a remainder may be that isn't what n was rounded from: by the roundings of the rate, of
+    /// its product with the time and of the launch.
+    fn misplaced(&self, anchors: f64) -> f64 {
+        3.01 * anchors * self.float.unit()
     }
 
     fn wide(&self, origin: Origin) -> Reduction {
