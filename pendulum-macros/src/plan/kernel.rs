@@ -5,13 +5,14 @@ use super::hyperbolic::Hyperbolic;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::supremum::{by_halves, largest, norm};
-use super::turning::Turning;
+use super::turning::{Turning, within_half_turn};
 use super::variables::Variables;
 use super::{Function, Part};
 use crate::parse::Output;
-use crate::program::rounding::Known;
+use crate::program::rounding::{Known, half_ulp};
 use crate::program::{Builder, Id, Program};
 use crate::series::Parity;
+use std::f64::consts::PI;
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +27,8 @@ pub(crate) enum Kernel {
     Hyperbolic(Box<Hyperbolic>),
     /// The angle of a rotation.
     Turning(Turning),
+    /// An angle kept within [−π, π), near the top.
+    Within(Box<Self>),
 }
 
 impl Kernel {
@@ -37,6 +40,10 @@ impl Kernel {
             Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
             Self::Hyperbolic(hyperbolic) => hyperbolic.lower(b, variables, name),
             Self::Turning(turning) => vec![turning.lower(b, variables, name)],
+            Self::Within(angle) => {
+                let value = angle.lower(b, variables, name)[0];
+                vec![within_half_turn(b, value)]
+            }
         }
     }
 
@@ -47,7 +54,7 @@ impl Kernel {
             Self::Circle { cosine, .. } => cosine.parity == Parity::Odd,
             Self::Harmonics(harmonics) => harmonics.is_odd(),
             Self::Hyperbolic(_) => false,
-            Self::Turning(turning) => turning.angle.is_odd(),
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.is_odd(),
         }
     }
 
@@ -60,7 +67,7 @@ impl Kernel {
             }
             Self::Harmonics(harmonics) => harmonics.describe(),
             Self::Hyperbolic(hyperbolic) => hyperbolic.describe(),
-            Self::Turning(turning) => turning.angle.describe(),
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.describe(),
         }
     }
 
@@ -70,7 +77,7 @@ impl Kernel {
             Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.coefficients.len(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Hyperbolic(hyperbolic) => hyperbolic.terms(),
-            Self::Turning(turning) => turning.angle.terms(),
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.terms(),
         }
     }
 
@@ -86,8 +93,12 @@ impl Kernel {
         if let Self::Hyperbolic(hyperbolic) = self {
             return hyperbolic.rounding(&program, cap);
         }
-        if let Self::Turning(turning) = self {
-            return turning.angle.rounding(reduction, cap);
+        if let Self::Turning(Turning { angle, .. }) = self {
+            return angle.rounding(reduction, cap);
+        }
+        if let Self::Within(angle) = self {
+            // Between the largest number below π and π itself is less than a unit of π.
+            return angle.rounding(reduction, cap) + 2.0 * half_ulp(PI, reduction.float);
         }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
         let half = reduction.half();

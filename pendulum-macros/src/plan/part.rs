@@ -13,6 +13,7 @@ use super::{Bound, Part, Plan};
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
+use std::f64::consts::PI;
 
 /// How a curve is approximated: in which form, and whether poles are divided out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,11 +153,12 @@ impl Aim {
         }
     }
 
-    /// The angle of a rotation, wrapped or with its turns; anything else as it is.
+    /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else as it is.
     fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !matches!(self.output, Output::Theta | Output::Wrapped) {
-            return kernel;
+            let beyond = wrapped && self.largest + self.limit >= PI.next_down();
+            return if beyond { Kernel::Within(Box::new(kernel)) } else { kernel };
         }
         let (direction, turns) = (task.direction, task.turns(scene));
         let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);

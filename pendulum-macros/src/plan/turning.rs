@@ -45,7 +45,7 @@ impl Turning {
                 b.sub(angle, half)
             }
         };
-        if self.wrapped { within_half_turn(b, angle) } else { self.with_turns(b, variables.count, angle) }
+        if self.wrapped { modulo_turn(b, angle) } else { self.with_turns(b, variables.count, angle) }
     }
 
     /// 2π·phase.
@@ -96,15 +96,9 @@ impl Turning {
     }
 }
 
-/// Within [−π, π): beside the top the phase may have been counted from the turn before or after.
-fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
-    let (most, least) = match b.float() {
-        Float::F64 => (std::f64::consts::PI.next_down(), -std::f64::consts::PI),
-        Float::F32 => {
-            let below = f64::from(std::f32::consts::PI.next_down());
-            (below, -below)
-        }
-    };
+/// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before or
+/// after.
+fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let half = std::f64::consts::PI;
     let (half, minus) = (b.exact(half, 0.0), b.exact(-half, 0.0));
     let turn = Double::PI * 2.0;
@@ -116,6 +110,18 @@ fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
     let angle = b.push(Op::Select { a: angle, b: minus, then: forth, otherwise: angle });
     b.name(angle, "angle");
     // Rounding may put it on the wrong end.
+    within_half_turn(b, angle)
+}
+
+/// The nearest number within [−π, π).
+pub(super) fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
+    let (most, least) = match b.float() {
+        Float::F64 => (std::f64::consts::PI.next_down(), -std::f64::consts::PI),
+        Float::F32 => {
+            let below = f64::from(std::f32::consts::PI.next_down());
+            (below, -below)
+        }
+    };
     let (most, least) = (b.constant(most), b.constant(least));
     let angle = b.push(Op::Min { limit: most, x: angle });
     b.name(angle, "angle");
@@ -127,6 +133,7 @@ mod tests {
     use super::*;
     use crate::plan::tests::scene;
     use crate::plan::{Plan, plan};
+    use std::f64::consts::PI;
 
     fn rotation(text: &str) -> (Turning, Plan) {
         let plan = plan(&scene(&format!("struct Motion; velocity0 = 3, {text}"))).unwrap();
@@ -145,6 +152,25 @@ mod tests {
             let (turning, plan) = rotation(text);
             let turning = Turning { turns: 1000.0, ..turning };
             assert_eq!(turning.own_rounding(&plan.reduction), expected, "{text}");
+        }
+    }
+
+    /// Motions that come closer to the top than their errors are.
+    #[test]
+    fn angles_of_swings_stay_within_half_a_turn() {
+        for (text, times) in [
+            ("theta0 = π - 0.0000000082218, tol = 0.00249, float = f32", [0.0, 1.0]),
+            ("theta0 = π - 0.0000018052, omega = 0.1, tol = 0.000227", [0.0, 588.461_959_353_386_5]),
+            ("theta0 = π - 2e-9, float = f32", [0.0, 0.5]),
+            ("theta0 = 2e-9 - π, tol = 1e-3, t_max = 40", [0.0, -1.0]),
+            ("velocity0 = 2, tol = 1e-3", [40.0, -1e300]),
+        ] {
+            let plan = plan(&scene(&format!("struct Motion; {text}, outputs = [wrapped]"))).unwrap();
+            let above = |x: f64| if text.contains("f32") { x > f64::from(3.141_592_5_f32) } else { x >= PI };
+            for t in times {
+                let angle = plan.functions[0].program.run(t)[0];
+                assert!(!above(angle) && angle >= -PI && angle.abs() > 3.1, "{text}: {angle}");
+            }
         }
     }
 }

@@ -48,17 +48,17 @@ impl Approximation {
         let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
         let negligible = negligible * pole.map_or(1.0, Pole::least);
         let interpolation = enough_points(curve, pole, negligible)?;
-        Some(Self::with_points(curve, pole, negligible, interpolation))
+        Some(Self::with_points(curve, pole, negligible, &interpolation))
     }
 
     /// As [`Self::new`], for a curve without singularities.
     pub(crate) fn entire(curve: &Curve, negligible: f64) -> Self {
         let useless = Interpolation { points: MOST_POINTS, log_rho: 0.0, error: f64::INFINITY };
-        Self::with_points(curve, None, negligible, enough_points(curve, None, negligible).unwrap_or(useless))
+        Self::with_points(curve, None, negligible, &enough_points(curve, None, negligible).unwrap_or(useless))
     }
 
-    fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, interpolation: Interpolation) -> Self {
-        let Interpolation { points, log_rho, error } = interpolation;
+    fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, interpolation: &Interpolation) -> Self {
+        let Interpolation { points, log_rho, error } = *interpolation;
         let table = CosineTable::new(points);
         let sample = |u: Double| {
             let s = ((u + Double::ONE) * 0.125).sqrt();
