@@ -74,6 +74,30 @@ fn promises_are_kept_or_refused() {
     assert!(best > 1e-16 && best < 1e-14, "the best is {best:e}");
 }
 
+/// In units of what a tolerance of 1 means: of an error of 8 at ω = 4 a velocity has 2.
+#[test]
+fn the_worst_output() {
+    let mut plan = planned("theta0 = 1, omega = 4, tol = 1e-3, outputs = [theta, velocity]");
+    plan.parts[0].bound = Bound { truncation: 0.5, phase: 0.25, evaluation: 0.125 };
+    plan.parts[1].bound = Bound { truncation: 0.0, phase: 8.0, evaluation: 0.0 };
+    assert!((plan.worst() / 2.0 - 1.0).abs() < 2e-12, "{}", plan.worst());
+    plan.parts[1].bound.phase = 2.0;
+    assert!((plan.worst() / 0.875 - 1.0).abs() < 2e-12, "{}", plan.worst());
+}
+
+/// The turns of an angle that grows cost more than full precision's limit, which leaves them out; what can be had with them
+/// is known from a plan for full precision all the same.
+#[test]
+fn growing_angles_are_offered_what_full_precision_promises() {
+    for text in
+        ["velocity0 = 3, t_max = 10", "velocity0 = 3", "velocity0 = 2000, t_max = 10, outputs = [theta, velocity]"]
+    {
+        let full = planned(text).worst();
+        let Refusal::Unreachable { best } = refused(&format!("{text}, tol = 1e-17")) else { panic!("another refusal") };
+        assert!(best <= 1.06 * full, "{text}: {best:e} is offered, {full:e} promised");
+    }
+}
+
 #[test]
 fn overshoot_names_the_smallest_number_of_terms() {
     for (theta0, n, least) in [("0.731π", 1, 2), ("0.905π", 2, 3), ("0.955π", 4, 5), ("0.987π", 8, 9)] {
