@@ -149,4 +149,13 @@ mod tests {
         assert!(found >= 0.5 / a && found < 0.56 / a, "{found}");
         assert_eq!(by_halves([0.0, 1.0], 4, 10, |low, _| if low == 0.0 { f64::INFINITY } else { 1.0 }), f64::INFINITY);
     }
+
+    /// From the first number to the last, whole or in cells.
+    #[test]
+    fn halving_covers_its_interval() {
+        for most in [0, 3] {
+            assert_eq!(by_halves([1.0, 3.0], 4, most, |_, high| high), 3.0);
+            assert_eq!(by_halves([1.0, 3.0], 4, most, |low, _| 1.0 / low), 1.0);
+        }
+    }
 }
