@@ -122,6 +122,8 @@ fn errors_are_those_promised() {
             for reduction in clock.reductions() {
                 // Little beyond half an anchor but what the phase is wrong by.
                 assert!(reduction.overshoot <= 4.0 * reduction.error + 0.01, "{reduction:?}");
+                let widened = reduction.half() * reduction.unit.hi / (0.5 + reduction.overshoot);
+                assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
                 let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
                 let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
                 trial.run(&mut random, 20);
