@@ -47,6 +47,12 @@ impl Curve {
         self.wave.omitted()
     }
 
+    /// As if that had been omitted.
+    #[cfg(test)]
+    pub(crate) fn omitting(self, omitted: f64) -> Self {
+        Self { wave: self.wave.omitting(omitted), ..self }
+    }
+
     /// What the reduction's error of the phase does to the curve.
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
         self.slope * reduction.error + self.moment * reduction.relative_error

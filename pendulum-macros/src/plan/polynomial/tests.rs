@@ -166,3 +166,170 @@ fn weights() {
         assert_eq!(approximation.pole.is_some(), power > 0);
     }
 }
+
+/// Terms that a curve's series omits change the samples by so much, in two words of which each may be off, times what poles
+/// are at most; of an odd curve it is divided by a phase down to ½ sin(π/4M), and multiplied by ½ again.
+#[test]
+fn omitted_terms() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power) in [(0, 0), (1, 0), (1, 1), (2, 2)] {
+        let truncation = |omitted: f64| {
+            let approximation = Approximation::new(&curves[index].0.clone().omitting(omitted), power, 1e-9).unwrap();
+            (approximation.truncation(approximation.terms(), 0.0), approximation.pole)
+        };
+        let ((less, pole), (more, _)) = (truncation(0.0), truncation(1.0));
+        let times = pole.map_or(1.0, |pole| pole.most(0.5) / pole.least());
+        let mut found = (more - less) / (2.0 * times);
+        if curves[index].0.parity() == Parity::Odd {
+            let negligible = 1e-9 * pole.map_or(1.0, Pole::least);
+            let (points, _) = enough_points(&curves[index].0, pole, negligible).unwrap();
+            let smallest = 0.5 * (std::f64::consts::PI / (4.0 * points as f64)).sin();
+            found /= 0.5 / smallest;
+            assert!((1.0..1.2).contains(&found), "{index} {power}: {found}");
+        } else {
+            assert!((found - 1.0).abs() < 1e-9, "{index} {power}: {found}");
+        }
+    }
+}
+
+/// Two at least, also of a motion as good as uniform.
+#[test]
+fn terms_of_nearly_nothing() {
+    let (curves, _) = curves("velocity0 = 1e6");
+    let approximation = Approximation::new(&curves[1].0, 0, 1.0).unwrap();
+    assert_eq!((approximation.terms(), approximation.terms_for(1.0, 0.0)), (2, Some(2)));
+}
+
+/// What is cut at once and what is cut later is the same error; and a little is added for the rounding of the sum.
+#[test]
+fn dropped_terms() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power) in [(0, 0), (1, 1)] {
+        let curve = &curves[index].0;
+        let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+        let approximation = |negligible: f64| Approximation::with_points(curve, pole, negligible, 30, 1e-9);
+        let (long, short) = (approximation(0.0), approximation(1e-2));
+        let terms = short.terms();
+        assert!(long.terms() == 30 && terms + 3 < 30);
+        for terms in [terms, terms - 1] {
+            let (long, short) = (long.truncation(terms, 0.0), short.truncation(terms, 0.0));
+            assert!((long / short - 1.0).abs() < 1e-14, "{index}: {long:e} {short:e}");
+        }
+        let sum = short.series.iter().map(|c| c.hi.abs()).sum::<f64>() + short.remainder;
+        let excess = short.truncation(0, 0.0) / (sum * short.weight()) - 1.0;
+        assert!((5e-13..2e-12).contains(&excess), "{index}: {excess:e}");
+    }
+}
+
+/// Half an anchor beyond the interval's end, at s = 1, 8p − 1 is 7 and Tⱼ is cosh(j arcosh 7); an odd curve is as long.
+#[test]
+fn truncation_beyond_the_end() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, odd) in [(0, 1.0), (1, 2.0)] {
+        let approximation = Approximation::new(&curves[index].0, 0, 1e-9).unwrap();
+        let stretch = approximation.truncation(3, 0.5) / approximation.truncation(3, 0.0) / odd;
+        let last = approximation.terms() as f64 - 1.0;
+        // The bound of arcosh(1 + ε), √(2ε), is less than 1.4 times as much.
+        assert!(stretch >= (last * 7f64.acosh()).cosh() && stretch <= ((last + 1.0) * 1.4 * 7f64.acosh()).cosh());
+    }
+}
+
+/// Where powers of the unit underflow or overflow there is no bound.
+#[test]
+fn units_without_bounds() {
+    let (curves, reduction) = curves("theta0 = 1");
+    let approximation = Approximation::new(&curves[0].0, 0, 1e-9).unwrap();
+    for (unit, bounded) in [(1e-200, false), (1e200, false), (1e-20, true), (1e20, true)] {
+        let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+        let polynomial = approximation.in_powers(4, Form::Plain, &reduction, true);
+        let truncation = if bounded { approximation.truncation(4, reduction.overshoot) } else { f64::INFINITY };
+        assert_eq!(polynomial.truncation, truncation, "{unit:e}");
+    }
+}
+
+/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units squared; of an odd curve it is s/unit
+/// that it is multiplied with.
+#[test]
+fn underflow_of_coefficients() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power) in [(0, 0), (1, 0), (1, 1)] {
+        let approximation = Approximation::new(&curves[index].0, power, 1e-9).unwrap();
+        for unit in [1.0, 0.01, 30.0_f64] {
+            let widest = 0.25 / (unit * unit);
+            let sum: f64 = (0..5).map(|j| widest.powi(j)).sum();
+            let times = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
+            let least = UNDERFLOW * (sum * times * approximation.weight());
+            let found = approximation.lost_to_underflow(5, Form::Plain, Double::new(unit));
+            // Numbers so small have few digits.
+            assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{index} {unit}: {found:e} {least:e}");
+        }
+    }
+}
+
+/// With another unit of the phase adapted polynomials are the same ones; and they say by how much they are others than those
+/// that they were made of, wherever the phase may be.
+#[test]
+fn adapted_polynomials() {
+    for (text, index, chunk) in [("theta0 = 1", 2, 16), ("velocity0 = 2.1", 1, 16), ("7π/8", 1, 4), ("7π/8", 2, 4)] {
+        let (curves, reduction) = curves(&if chunk == 16 { text.to_owned() } else { format!("theta0 = {text}") });
+        let approximation = Approximation::new(&curves[index].0, curves[index].1, 1e-24).unwrap();
+        let terms = if chunk == 16 { 9 } else { approximation.terms() };
+        let adapted = |unit: f64| {
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            approximation
+                .polynomial(
+                    terms,
+                    Form::Adapted { chunk },
+                    &reduction,
+                    true,
+                    if chunk == 16 { 1e-3 } else { f64::INFINITY },
+                )
+                .unwrap()
+        };
+        let place = adapted(1.0).adapted.unwrap().shift;
+        for unit in [0.25, 3.0] {
+            let polynomial = adapted(unit);
+            let found = polynomial.adapted.as_ref().unwrap();
+            assert!((found.shift * unit * unit - place).abs() < 1e-15, "{text} {index}: {} {place}", found.shift);
+            let reach = found.shift.abs().max((found.shift + 0.25 / (unit * unit)).abs());
+            let least = Adapted::new(&polynomial.coefficients, found.shift, chunk, reach).unwrap().mismatch;
+            assert!(least > 0.0 && found.mismatch >= least, "{text} {index}: {:e} {least:e}", found.mismatch);
+            assert!(found.mismatch <= least * 1.02f64.powi(terms as i32), "{text} {index}");
+            // It counts with the truncation, which is as small where no term is left out.
+            if chunk == 4 {
+                let odd = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
+                let added = polynomial.truncation - approximation.truncation(terms, reduction.overshoot);
+                let times = added / (found.mismatch * approximation.weight() * odd);
+                assert!((0.99..1.01).contains(&times), "{text} {index}: {times}");
+            }
+        }
+    }
+}
+
+/// 4Bρ^(1−M)/(ρ − 1) with the bounds of the curve and of its poles, over s if it is odd, on the image of the ellipse: there
+/// s = ½ cos φ with Im φ = ½ ln ρ, and |s| is from ½ sinh ½ ln ρ to ½ cosh ½ ln ρ.
+fn interpolation_error(curve: &Curve, pole: Option<Pole>, height: f64, points: usize) -> f64 {
+    let half_log = (2.0 * height).asinh();
+    let (nearest, farthest) = (0.5 * half_log.sinh(), 0.5 * half_log.cosh());
+    let odd = if curve.parity() == Parity::Odd { nearest } else { 1.0 };
+    let bound = curve.bound(height) * pole.map_or(1.0, |pole| pole.most(farthest)) / odd;
+    let rho = (2.0 * half_log).exp();
+    4.0 * bound * rho.powf(1.0 - points as f64) / (rho - 1.0)
+}
+
+/// The error is that of an ellipse, a whole number of hundredths of the strip high.
+#[test]
+fn points_and_their_error() {
+    for text in ["theta0 = 1", "theta0 = 7π/8", "theta0 = 0.99π", "velocity0 = 2.1"] {
+        let (curves, _) = curves(text);
+        for (index, (curve, power)) in curves.iter().enumerate() {
+            for power in [0, *power] {
+                let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+                let (points, error) = enough_points(curve, pole, 1e-12).unwrap();
+                let parts = (1..100).map(|part| f64::from(part) / 100.0 * curve.strip());
+                let best = parts.map(|height| (error / interpolation_error(curve, pole, height, points) - 1.0).abs());
+                assert!(error <= 1e-12 && best.fold(1.0, f64::min) < 1e-9, "{text} {index} {power}: {error:e}");
+            }
+        }
+    }
+}
