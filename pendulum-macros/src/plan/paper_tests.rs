@@ -124,6 +124,14 @@ fn the_drift_of_small_angles() {
     }
 }
 
+/// Of all times it is these two amplitudes.
+#[test]
+fn small_angles_at_any_time() {
+    let plan = planned("theta0 = 0.3, method = small_angle").unwrap();
+    let shape = truncation(&planned("theta0 = 0.3, method = harmonic").unwrap());
+    assert!((truncation(&plan) / (0.6 + shape) - 1.0).abs() < 1e-12, "{:e}", truncation(&plan));
+}
+
 /// Near the top the harmonic motion and the exact one come to be as far apart as the amplitude, and no farther.
 #[test]
 fn the_harmonic_motion_near_the_top() {

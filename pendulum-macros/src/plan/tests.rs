@@ -98,6 +98,22 @@ fn growing_angles_are_offered_what_full_precision_promises() {
     }
 }
 
+/// A tolerance is one of the velocity over ω, of the acceleration over ω²: of motions 2¹⁰ times as fast as many bits are the
+/// same, and what can be had of them.
+#[test]
+fn the_best_tolerance_of_other_rates() {
+    for outputs in ["velocity", "acceleration", "velocity, position"] {
+        for start in ["theta0 = 2", "theta0 = π - 1e-9"] {
+            let best =
+                |rate: &str| match refused(&format!("{start}, omega = {rate}, outputs = [{outputs}], tol = 1e-17")) {
+                    Refusal::Unreachable { best } => best,
+                    other => panic!("{other:?}"),
+                };
+            assert_eq!(best("1"), best("1024"), "{start}: {outputs}");
+        }
+    }
+}
+
 #[test]
 fn overshoot_names_the_smallest_number_of_terms() {
     for (theta0, n, least) in [("0.731π", 1, 2), ("0.905π", 2, 3), ("0.955π", 4, 5), ("0.987π", 8, 9)] {

@@ -283,4 +283,23 @@ mod tests {
         assert!((1e-10..1e-8).contains(&excess), "{excess:e}");
         assert_eq!(wave(&[]), 0.0);
     }
+
+    /// A velocity's error of more than twice the largest velocity says nothing, if it wasn't asked for.
+    #[test]
+    fn useful_bounds() {
+        let scenes = ["n = 2", "method = fourier, tol = 1e-3"].map(|goal| {
+            crate::plan::tests::scene(&format!("struct A; theta0 = 1, {goal}, outputs = [theta, velocity]"))
+        });
+        for (scene, is_vague) in scenes.iter().zip([true, false]) {
+            let parts = crate::plan::plan(scene).unwrap().parts;
+            for (part, is_vague) in parts.iter().zip([false, is_vague]) {
+                let useful = |evaluation: f64| {
+                    let bound = crate::plan::Bound { evaluation, ..part.bound };
+                    is_useful(&Part { bound, ..part.clone() }, scene)
+                };
+                let found = [1.5 * part.largest, 2.5 * part.largest, f64::INFINITY].map(useful);
+                assert_eq!(found, [true, !is_vague, false], "{:?}", part.output);
+            }
+        }
+    }
 }
