@@ -102,15 +102,13 @@ fn growing_angles_are_offered_what_full_precision_promises() {
 /// same, and what can be had of them.
 #[test]
 fn the_best_tolerance_of_other_rates() {
-    for outputs in ["velocity", "acceleration", "velocity, position"] {
-        for start in ["theta0 = 2", "theta0 = π - 1e-9"] {
-            let best =
-                |rate: &str| match refused(&format!("{start}, omega = {rate}, outputs = [{outputs}], tol = 1e-17")) {
-                    Refusal::Unreachable { best } => best,
-                    other => panic!("{other:?}"),
-                };
-            assert_eq!(best("1"), best("1024"), "{start}: {outputs}");
-        }
+    for outputs in ["velocity", "acceleration"] {
+        let best =
+            |rate: &str| match refused(&format!("theta0 = 2, omega = {rate}, outputs = [{outputs}], tol = 1e-17")) {
+                Refusal::Unreachable { best } => best,
+                other => panic!("{other:?}"),
+            };
+        assert_eq!(best("1"), best("1024"), "{outputs}");
     }
 }
 
