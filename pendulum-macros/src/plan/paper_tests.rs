@@ -6,6 +6,8 @@ use super::{Plan, Refusal, plan};
 use crate::motion::Regime;
 use crate::parse::Output;
 use crate::plan::curve::SwingCurves;
+use crate::plan::kernel::Kernel;
+use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 fn planned(text: &str) -> Result<Plan, Refusal> {
     plan(&scene(text))
@@ -130,6 +132,37 @@ fn small_angles_at_any_time() {
     let plan = planned("theta0 = 0.3, method = small_angle").unwrap();
     let shape = truncation(&planned("theta0 = 0.3, method = harmonic").unwrap());
     assert!((truncation(&plan) / (0.6 + shape) - 1.0).abs() < 1e-12, "{:e}", truncation(&plan));
+}
+
+/// Its velocity comes to be twice as large as either is, when the phases have drifted half a period apart; before that it is
+/// off by the sine of half the drift.
+#[test]
+fn velocities_of_small_angles() {
+    for (t_max, most) in [(50.0, 1.15), (2000.0, 1.02)] {
+        let text = format!("struct A; theta0 = 0.3, method = small_angle, outputs = [velocity], t_max = {t_max}");
+        let scene = scene(&text);
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let apart = t_max * (1.0 - std::f64::consts::TAU / swing.period.to_f64());
+        let fastest = 2.0 * 0.15f64.sin();
+        let seen = 2.0 * fastest * (0.5 * apart).min(std::f64::consts::FRAC_PI_2).sin();
+        let stated = truncation(&planned(&text).unwrap());
+        assert!(stated >= seen && stated <= most * seen, "{text}: {stated} {seen}");
+    }
+}
+
+/// θ̂ as one polynomial is off by what that is off, besides.
+#[test]
+fn the_whole_arcsine_is_off_by_two_errors() {
+    for (theta0, tol) in [("1", "1e-4"), ("1", "1e-6"), ("2", "1e-4")] {
+        let text = format!("theta0 = {theta0}, method = fourier, tol = {tol}");
+        let (scene, plan) = (scene(&text), planned(&text).unwrap());
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let (k, complement) = (&swing.elliptic.modulus, &swing.elliptic.complementary);
+        let bias = FourierAnalysis::new(k.to_double(), complement.to_double()).certified_bound(plan.terms(), 1e-3);
+        let Kernel::Polynomial(polynomial) = &plan.parts[0].kernel else { panic!("{text}: another kernel") };
+        let expected = bias + polynomial.truncation;
+        assert!(polynomial.truncation > 0.0 && (truncation(&plan) / expected - 1.0).abs() < 1e-12, "{text}");
+    }
 }
 
 /// Near the top the harmonic motion and the exact one come to be as far apart as the amplitude, and no farther.
