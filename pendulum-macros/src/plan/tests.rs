@@ -146,6 +146,80 @@ fn a_spoilt_plan_is_seen_by_the_planner_itself() {
     assert_eq!(verify::broken(&scene, &task, &plan), Some(Output::Theta));
 }
 
+/// Each result of each output that it knows the curve of, by a millionth of it.
+#[test]
+fn any_spoilt_result_is_seen() {
+    for (start, outputs) in [
+        ("theta0 = 2", vec!["theta", "velocity", "acceleration", "position"]),
+        ("theta0 = -2, omega = 3", vec!["theta", "velocity", "acceleration", "position"]),
+        ("velocity0 = -3", vec!["velocity", "acceleration", "position"]),
+    ] {
+        for output in outputs {
+            let scene = scene(&format!("struct Motion; {start}, tol = 1e-10, outputs = [{output}]"));
+            let (task, plan) = (aim::Task::new(&scene), plan(&scene).unwrap());
+            assert_eq!(verify::broken(&scene, &task, &plan), None);
+            for result in 0..plan.functions[0].program.results.len() {
+                let mut spoilt = plan.clone();
+                let Program { nodes, results } = &mut spoilt.functions[0].program;
+                let node = |op| crate::program::Node { op, float: crate::parse::Float::F64, name: None };
+                nodes.push(node(Op::Constant { value: 1.0 + 1e-6, rest: 0.0 }));
+                nodes.push(node(Op::Mul(results[result], nodes.len() - 1)));
+                results[result] = nodes.len() - 1;
+                assert_eq!(verify::broken(&scene, &task, &spoilt), Some(scene.outputs[0]), "{start} {output} {result}");
+            }
+        }
+    }
+}
+
+/// A refusal says what would help.
+#[test]
+fn refusals_are_explained() {
+    let message = |text: &str, refusal: Option<Refusal>| {
+        let scene = scene(&format!("struct Motion; {text}"));
+        refusal.unwrap_or_else(|| plan(&scene).unwrap_err()).explain(&scene).to_string()
+    };
+    for (text, part) in [
+        ("velocity0 = 3, tol = 1e-15", "or give a `t_max`"),
+        ("velocity0 = 3, tol = 1e-17, outputs = [wrapped]", "or leave `tol` out for full precision"),
+        ("velocity0 = 3, tol = 1e-17, t_max = 10", "or leave `tol` out for full precision"),
+        ("theta0 = 1, tol = 1e-17", "`tol = 1e-17` is finer than can be promised here: the best is "),
+        ("theta0 = 1, tol = 1e-17", "ask for that, or leave `tol` out for full precision"),
+        ("theta0 = 1, tol = 1e-12, float = f32", "or use `float = f64`, which comes closer"),
+        ("theta0 = 1, tol = 1e-20, method = series", "finer than `method = series` can promise here"),
+        ("theta0 = 1, tol = 1e-20, method = series", "or leave `method` out"),
+        ("theta0 = 0.731π, n = 1", "`n = 1`: the argument of the arcsine in Eq. 22 exceeds 1 by "),
+        ("theta0 = 0.731π, n = 1", "the smallest number of terms that works is `n = 2`"),
+        ("theta0 = π - 1e-14, n = 3", "no number of terms that `f64` can use works"),
+        ("theta0 = π - 1e-14, method = fourier, tol = 1e-9", "`fourier` can't come near the motion at this amplitude"),
+        (
+            "theta0 = 1, method = series, tol = 0.1, outputs = [position]",
+            "`series` gives θ and its derivative, not `position`",
+        ),
+    ] {
+        let found = message(text, None);
+        assert!(found.contains(part), "{text}: {found}");
+    }
+    // What can't be had at all, or bounded.
+    let infinite = || Some(Refusal::Unreachable { best: f64::INFINITY });
+    for (text, part) in [
+        ("theta0 = 1, tol = 1e-17", "here: choose numbers nearer to 1, or fewer outputs"),
+        ("velocity0 = 3, tol = 1e-17", "here: choose numbers nearer to 1, or fewer outputs"),
+        ("theta0 = 1", "the full precision of `f64` is finer than can be promised here"),
+        (
+            "theta0 = 1, n = 2, outputs = [velocity]",
+            "`n = 2`: no useful bound can be proven for the error of θ̂'s velocity",
+        ),
+        ("theta0 = 1, n = 2", "`n = 2`: no bound can be proven for the error of θ̂ here"),
+    ] {
+        let found = message(text, infinite());
+        assert!(found.contains(part), "{text}: {found}");
+    }
+    let found = message("theta0 = 1", Some(Refusal::Unreachable { best: 0.25 }));
+    assert!(found.contains("the best is 2.50e-1; state `tol = 2.50e-1`"), "{found}");
+    let found = message("theta0 = 1", Some(Refusal::Broken { output: Output::Theta }));
+    assert!(found.contains("the plan for `theta` misses its own error bound here"), "{found}");
+}
+
 #[test]
 fn full_precision_is_promised_for_every_output_everywhere() {
     for start in [
