@@ -193,6 +193,12 @@ impl Wave {
         Self { parity, linear, constant, terms: kept, omitted, envelope }
     }
 
+    /// As if that had been omitted.
+    #[cfg(test)]
+    pub(crate) fn omitting(self, omitted: f64) -> Self {
+        Self { omitted, ..self }
+    }
+
     /// The value at the phase s, |s| ≤ 1.
     pub(crate) fn at(&self, s: Double) -> Double {
         let (cosine, sine) = (cos_pi(s), sin_pi(s));

@@ -79,6 +79,7 @@ fn ratio(z: Double) -> Double {
 mod tests {
     use super::*;
     use crate::parse::Float;
+    use crate::program::rounding::Known;
 
     #[test]
     fn keeps_its_bound_directly_and_by_the_complement() {
@@ -93,6 +94,23 @@ mod tests {
                 let error = (program.run(y)[0] - 2.0 * y.asin()).abs();
                 // Two roundings of numbers between 2 and 4, and the root's 3.5 units of a number below 3.
                 assert!(error <= 7.0 * f64::EPSILON, "{y} of {most}: {error:e}");
+            }
+        }
+    }
+
+    /// Coarse fits are wrong by what their bound says, most so at the end of their range: the largest y, or 0 of the complement.
+    #[test]
+    fn coarse_fits_keep_their_bound_to_the_end() {
+        for (most, worst) in [(0.1, 0.1), (0.3, 0.3), (0.62, 0.62), (0.9, 0.0)] {
+            for limit in [1e-3, 1e-5, 1e-7] {
+                let mut b = Builder::new(Float::F64);
+                let y = b.input();
+                let result = Arcsine::new(most, limit).lower(&mut b, y, 1.0);
+                let program = b.finish(vec![result]);
+                let bound = program.rounding(&[(0, Known::between(worst, worst))])[0].error;
+                let error = (program.run(worst)[0] - 2.0 * worst.asin()).abs();
+                assert!(error <= bound && bound < 1.5 * error, "{worst}, {limit:e}: {error:e} of {bound:e}");
+                assert!(bound <= 3.0 * limit, "{worst}, {limit:e}: {bound:e}");
             }
         }
     }

@@ -47,6 +47,12 @@ impl Curve {
         self.wave.omitted()
     }
 
+    /// As if that had been omitted.
+    #[cfg(test)]
+    pub(crate) fn omitting(self, omitted: f64) -> Self {
+        Self { wave: self.wave.omitting(omitted), ..self }
+    }
+
     /// What the reduction's error of the phase does to the curve.
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
         self.slope * reduction.error + self.moment * reduction.relative_error
@@ -108,11 +114,9 @@ impl<'a> SwingCurves<'a> {
         if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { amplitude.sin() }
     }
 
-    fn wave(&self, order: i32, scale: Double, largest: f64, slope: f64, unit: f64) -> Curve {
+    fn wave(&self, order: i32, scale: Double, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let wave = Wave::swing(self.swing, order, scale);
-        let slack = 1.0 + 1e-12;
-        let (slope, moment) = (slope * slack, slope * 0.5);
-        Curve { wave, alternates: true, largest, slope, moment, unit }
+        Curve { wave, alternates: true, largest, slope: slope * (1.0 + 1e-12), moment, unit }
     }
 
     fn moments(&self) -> Moments {
@@ -121,36 +125,35 @@ impl<'a> SwingCurves<'a> {
 
     /// θ; |θ̇| ≤ 2kω.
     pub(crate) fn theta(&self) -> Curve {
-        let slope = 2.0 * self.modulus() / self.rate().hi;
-        Curve { moment: self.moments().angle, ..self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slope, 1.0) }
+        let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().angle];
+        self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slopes, 1.0)
     }
 
     /// θ̇.
     pub(crate) fn velocity(&self) -> Curve {
         let omega = self.omega.to_double();
-        let slope = omega.hi * self.largest_sine() / self.rate().hi;
-        let curve = self.wave(1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slope, omega.hi);
-        Curve { moment: omega.hi * self.moments().velocity, ..curve }
+        let slopes = [self.largest_sine() / self.rate().hi, self.moments().velocity].map(|slope| omega.hi * slope);
+        self.wave(1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
     }
 
     /// θ̈ = −ω² sin θ; its derivative is largest at the lowest point.
     pub(crate) fn acceleration(&self) -> Curve {
         let rate = self.rate() * self.omega.to_double();
         let square = self.omega.square().to_f64();
-        let slope = square * 2.0 * self.modulus() / self.rate().hi;
-        let curve = self.wave(2, rate * rate, square * self.largest_sine(), slope, square);
-        Curve { moment: square * self.moments().acceleration, ..curve }
+        let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().acceleration].map(|slope| square * slope);
+        self.wave(2, rate * rate, square * self.largest_sine(), slopes, square)
     }
 
-    /// sin(θ/2) = k sn, of half the slope.
+    /// sin(θ/2) = k sn. What an error of the phase does to a position is known from θ.
     pub(crate) fn half_sine(&self) -> Curve {
         let (largest, unit) = (self.modulus(), 1.0);
-        Curve { wave: Wave::half_sine(self.swing), ..self.wave(0, Double::ONE, largest, 0.0, unit) }
+        Curve { wave: Wave::half_sine(self.swing), ..self.wave(0, Double::ONE, largest, [0.0; 2], unit) }
     }
 
     /// cos(θ/2) = dn.
     pub(crate) fn half_cosine(&self) -> Curve {
-        Curve { wave: Wave::half_cosine(self.swing), alternates: false, ..self.wave(0, Double::ONE, 1.0, 0.0, 1.0) }
+        let wave = Wave::half_cosine(self.swing);
+        Curve { wave, alternates: false, ..self.wave(0, Double::ONE, 1.0, [0.0; 2], 1.0) }
     }
 }
 
@@ -170,9 +173,9 @@ impl<'a> RotationCurves<'a> {
         rotation_rate(self.rotation).to_double()
     }
 
-    fn wave(&self, wave: Wave, largest: f64, slope: f64, unit: f64) -> Curve {
+    fn wave(&self, wave: Wave, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let slope = slope / self.rate().hi * (1.0 + 1e-12);
-        Curve { wave, alternates: false, largest, slope, moment: 0.5 * slope, unit }
+        Curve { wave, alternates: false, largest, slope, moment, unit }
     }
 
     fn moments(&self) -> Moments {
@@ -184,33 +187,33 @@ impl<'a> RotationCurves<'a> {
     /// The angle from the top less that of uniform rotation, 2πs; its slope is that of the whole.
     pub(crate) fn angle(&self) -> Curve {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
-        let curve = self.wave(wave, std::f64::consts::PI, self.rotation.fastest.to_f64(), 1.0);
-        Curve { moment: self.moments().angle, ..curve }
+        let slopes = [self.rotation.fastest.to_f64(), self.moments().angle];
+        self.wave(wave, std::f64::consts::PI, slopes, 1.0)
     }
 
     /// |θ̇|; its derivative is at most ω².
     pub(crate) fn velocity(&self) -> Curve {
         let omega = self.omega.to_f64();
         let wave = Wave::rotation(self.rotation, 1, self.rate());
-        let curve = self.wave(wave, self.rotation.fastest.to_f64(), omega * omega, omega);
-        Curve { moment: omega * self.moments().velocity, ..curve }
+        let slopes = [omega * omega, omega * self.moments().velocity];
+        self.wave(wave, self.rotation.fastest.to_f64(), slopes, omega)
     }
 
     /// θ̈.
     pub(crate) fn acceleration(&self) -> Curve {
         let square = self.omega.square().to_f64();
         let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
-        let curve = self.wave(wave, square, square * self.rotation.fastest.to_f64(), square);
-        Curve { moment: square * self.moments().acceleration, ..curve }
+        let slopes = [self.rotation.fastest.to_f64(), self.moments().acceleration].map(|slope| square * slope);
+        self.wave(wave, square, slopes, square)
     }
 
     /// cos of half the angle from the top.
     pub(crate) fn half_sine(&self) -> Curve {
-        self.wave(Wave::from_top(self.rotation, Parity::Even), 1.0, 0.0, 1.0)
+        self.wave(Wave::from_top(self.rotation, Parity::Even), 1.0, [0.0; 2], 1.0)
     }
 
     /// −sin of half the angle from the top.
     pub(crate) fn half_cosine(&self) -> Curve {
-        self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, 0.0, 1.0)
+        self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, [0.0; 2], 1.0)
     }
 }

@@ -99,6 +99,29 @@ fn curves_of_rotations() {
     }
 }
 
+/// Slopes are a little more than the known suprema, 2kω and ω²·sup |sin θ|, v₀ and ω², against rounding.
+#[test]
+fn slopes_are_rounded_up() {
+    let above = |slope: f64, known: f64| {
+        let excess = slope / known - 1.0;
+        assert!((5e-13..2e-12).contains(&excess), "{slope} for {known}: {excess:e}");
+    };
+    let swinging = scene("theta0 = 2, omega = 3");
+    let Regime::Swing(swing) = &swinging.motion.regime else { panic!("a swing") };
+    let curves = SwingCurves::new(swing, &swinging.motion.omega);
+    let (fastest, anchor) = (6.0 * 1f64.sin(), swing.period.to_f64() / 2.0);
+    above(curves.theta().slope, fastest * anchor);
+    above(curves.velocity().slope, 9.0 * anchor);
+    above(curves.acceleration().slope, 9.0 * fastest * anchor);
+    let turning = scene("velocity0 = 7, omega = 3");
+    let Regime::Rotation(rotation) = &turning.motion.regime else { panic!("a rotation") };
+    let curves = RotationCurves::new(rotation, &turning.motion.omega);
+    let turn = rotation.period.to_f64();
+    above(curves.angle().slope, 7.0 * turn);
+    above(curves.velocity().slope, 9.0 * turn);
+    above(curves.acceleration().slope, 63.0 * turn);
+}
+
 /// What depends on the anchor passed: all but the height, and cos(θ/2) with it.
 #[test]
 fn signs_of_swings() {

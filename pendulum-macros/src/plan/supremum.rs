@@ -72,4 +72,13 @@ mod tests {
         assert_eq!(norm([].into_iter()), 0.0);
         assert_eq!(norm([f64::INFINITY].into_iter()), f64::INFINITY);
     }
+
+    /// From the first number to the last, whole or in cells.
+    #[test]
+    fn halving_covers_its_interval() {
+        for most in [0, 3] {
+            assert_eq!(by_halves([1.0, 3.0], 4, most, |_, high| high), 3.0);
+            assert_eq!(by_halves([1.0, 3.0], 4, most, |low, _| 1.0 / low), 1.0);
+        }
+    }
 }

@@ -74,6 +74,44 @@ fn promises_are_kept_or_refused() {
     assert!(best > 1e-16 && best < 1e-14, "the best is {best:e}");
 }
 
+/// In units of what a tolerance of 1 means: of an error of 8 at ω = 4 a velocity has 2.
+#[test]
+fn the_worst_output() {
+    let mut plan = planned("theta0 = 1, omega = 4, tol = 1e-3, outputs = [theta, velocity]");
+    plan.parts[0].bound = Bound { truncation: 0.5, phase: 0.25, evaluation: 0.125 };
+    plan.parts[1].bound = Bound { truncation: 0.0, phase: 8.0, evaluation: 0.0 };
+    assert!((plan.worst() / 2.0 - 1.0).abs() < 2e-12, "{}", plan.worst());
+    plan.parts[1].bound.phase = 2.0;
+    assert!((plan.worst() / 0.875 - 1.0).abs() < 2e-12, "{}", plan.worst());
+}
+
+/// The turns of an angle that grows cost more than full precision's limit, which leaves them out; what can be had with them
+/// is known from a plan for full precision all the same.
+#[test]
+fn growing_angles_are_offered_what_full_precision_promises() {
+    for text in
+        ["velocity0 = 3, t_max = 10", "velocity0 = 3", "velocity0 = 2000, t_max = 10, outputs = [theta, velocity]"]
+    {
+        let full = planned(text).worst();
+        let Refusal::Unreachable { best } = refused(&format!("{text}, tol = 1e-17")) else { panic!("another refusal") };
+        assert!(best <= 1.06 * full, "{text}: {best:e} is offered, {full:e} promised");
+    }
+}
+
+/// A tolerance is one of the velocity over ω, of the acceleration over ω²: of motions 2¹⁰ times as fast as many bits are the
+/// same, and what can be had of them.
+#[test]
+fn the_best_tolerance_of_other_rates() {
+    for outputs in ["velocity", "acceleration"] {
+        let best =
+            |rate: &str| match refused(&format!("theta0 = 2, omega = {rate}, outputs = [{outputs}], tol = 1e-17")) {
+                Refusal::Unreachable { best } => best,
+                other => panic!("{other:?}"),
+            };
+        assert_eq!(best("1"), best("1024"), "{outputs}");
+    }
+}
+
 #[test]
 fn overshoot_names_the_smallest_number_of_terms() {
     for (theta0, n, least) in [("0.731π", 1, 2), ("0.905π", 2, 3), ("0.955π", 4, 5), ("0.987π", 8, 9)] {
@@ -106,6 +144,80 @@ fn a_spoilt_plan_is_seen_by_the_planner_itself() {
     let Op::Constant { value, .. } = &mut node.op else { unreachable!() };
     *value *= 1.0 + 1e-8;
     assert_eq!(verify::broken(&scene, &task, &plan), Some(Output::Theta));
+}
+
+/// Each result of each output that it knows the curve of, by a millionth of it.
+#[test]
+fn any_spoilt_result_is_seen() {
+    for (start, outputs) in [
+        ("theta0 = 2", vec!["theta", "velocity", "acceleration", "position"]),
+        ("theta0 = -2, omega = 3", vec!["theta", "velocity", "acceleration", "position"]),
+        ("velocity0 = -3", vec!["velocity", "acceleration", "position"]),
+    ] {
+        for output in outputs {
+            let scene = scene(&format!("struct Motion; {start}, tol = 1e-10, outputs = [{output}]"));
+            let (task, plan) = (aim::Task::new(&scene), plan(&scene).unwrap());
+            assert_eq!(verify::broken(&scene, &task, &plan), None);
+            for result in 0..plan.functions[0].program.results.len() {
+                let mut spoilt = plan.clone();
+                let Program { nodes, results } = &mut spoilt.functions[0].program;
+                let node = |op| crate::program::Node { op, float: crate::parse::Float::F64, name: None };
+                nodes.push(node(Op::Constant { value: 1.0 + 1e-6, rest: 0.0 }));
+                nodes.push(node(Op::Mul(results[result], nodes.len() - 1)));
+                results[result] = nodes.len() - 1;
+                assert_eq!(verify::broken(&scene, &task, &spoilt), Some(scene.outputs[0]), "{start} {output} {result}");
+            }
+        }
+    }
+}
+
+/// A refusal says what would help.
+#[test]
+fn refusals_are_explained() {
+    let message = |text: &str, refusal: Option<Refusal>| {
+        let scene = scene(&format!("struct Motion; {text}"));
+        refusal.unwrap_or_else(|| plan(&scene).unwrap_err()).explain(&scene).to_string()
+    };
+    for (text, part) in [
+        ("velocity0 = 3, tol = 1e-15", "or give a `t_max`"),
+        ("velocity0 = 3, tol = 1e-17, outputs = [wrapped]", "or leave `tol` out for full precision"),
+        ("velocity0 = 3, tol = 1e-17, t_max = 10", "or leave `tol` out for full precision"),
+        ("theta0 = 1, tol = 1e-17", "`tol = 1e-17` is finer than can be promised here: the best is "),
+        ("theta0 = 1, tol = 1e-17", "ask for that, or leave `tol` out for full precision"),
+        ("theta0 = 1, tol = 1e-12, float = f32", "or use `float = f64`, which comes closer"),
+        ("theta0 = 1, tol = 1e-20, method = series", "finer than `method = series` can promise here"),
+        ("theta0 = 1, tol = 1e-20, method = series", "or leave `method` out"),
+        ("theta0 = 0.731π, n = 1", "`n = 1`: the argument of the arcsine in Eq. 22 exceeds 1 by "),
+        ("theta0 = 0.731π, n = 1", "the smallest number of terms that works is `n = 2`"),
+        ("theta0 = π - 1e-14, n = 3", "no number of terms that `f64` can use works"),
+        ("theta0 = π - 1e-14, method = fourier, tol = 1e-9", "`fourier` can't come near the motion at this amplitude"),
+        (
+            "theta0 = 1, method = series, tol = 0.1, outputs = [position]",
+            "`series` gives θ and its derivative, not `position`",
+        ),
+    ] {
+        let found = message(text, None);
+        assert!(found.contains(part), "{text}: {found}");
+    }
+    // What can't be had at all, or bounded.
+    let infinite = || Some(Refusal::Unreachable { best: f64::INFINITY });
+    for (text, part) in [
+        ("theta0 = 1, tol = 1e-17", "here: choose numbers nearer to 1, or fewer outputs"),
+        ("velocity0 = 3, tol = 1e-17", "here: choose numbers nearer to 1, or fewer outputs"),
+        ("theta0 = 1", "the full precision of `f64` is finer than can be promised here"),
+        (
+            "theta0 = 1, n = 2, outputs = [velocity]",
+            "`n = 2`: no useful bound can be proven for the error of θ̂'s velocity",
+        ),
+        ("theta0 = 1, n = 2", "`n = 2`: no bound can be proven for the error of θ̂ here"),
+    ] {
+        let found = message(text, infinite());
+        assert!(found.contains(part), "{text}: {found}");
+    }
+    let found = message("theta0 = 1", Some(Refusal::Unreachable { best: 0.25 }));
+    assert!(found.contains("the best is 2.50e-1; state `tol = 2.50e-1`"), "{found}");
+    let found = message("theta0 = 1", Some(Refusal::Broken { output: Output::Theta }));
+    assert!(found.contains("the plan for `theta` misses its own error bound here"), "{found}");
 }
 
 #[test]

@@ -95,12 +95,8 @@ impl Adapted {
     pub(crate) fn lower(&self, b: &mut Builder, y: Id) -> Id {
         const POWERS: [&str; 8] = ["y", "w", "w2", "w4", "w8", "w16", "w32", "w64"];
         b.name(y, POWERS[0]);
-        let w = if self.blocks.iter().any(|block| !block.factors.is_empty()) || self.blocks.len() > 1 {
-            let w = b.mul(y, y);
-            b.name(w, POWERS[1])
-        } else {
-            y
-        };
+        let w = b.mul(y, y);
+        b.name(w, POWERS[1]);
         let values: Vec<Id> = self.blocks.iter().map(|block| block.lower(b, y, w)).collect();
         if values.len() == 1 {
             return values[0];
@@ -185,6 +181,16 @@ mod tests {
                 this
             })
             .collect()
+    }
+
+    /// Of w³ − 2w the roots are 0 and ±√2; even powers don't matter.
+    #[test]
+    fn roots_in_two_words() {
+        let odd = [0.0, -2.0, 0.0, 1.0].map(Double::new);
+        let powers: Vec<Double> = odd.iter().flat_map(|&c| [Double::new(7.0), c]).collect();
+        let root = polished(&powers, std::f64::consts::SQRT_2);
+        assert!((root * root - Double::new(2.0)).hi.abs() < 1e-30, "{root:?}");
+        assert_eq!(polished(&powers, 0.0), Double::ZERO);
     }
 
     /// Evaluated in `f64`, it is the polynomial but for the rounding estimated; and it takes as many operations as said.

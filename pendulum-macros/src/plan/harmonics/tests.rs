@@ -65,7 +65,10 @@ fn intervals_of_sums() {
     ] {
         let (harmonics, anchored) = harmonics(text);
         let lowest = Reduction { origin: Origin::Lowest, ..anchored.clone() };
-        for (reduction, errors) in [(&anchored, [0.0; 2]), (&anchored, [1e-3, 1e-2]), (&lowest, [1e-3, 1e-2])] {
+        let in_units = Reduction { unit: Double::new(3.0), ..anchored.clone() };
+        let errors = [1e-3, 1e-2];
+        for (reduction, errors) in [(&anchored, [0.0; 2]), (&anchored, errors), (&lowest, errors), (&in_units, errors)]
+        {
             for slice in 0..16 {
                 intervals_hold(&harmonics, reduction, errors, [f64::from(slice) / 32.0, f64::from(slice + 1) / 32.0]);
             }

@@ -265,3 +265,41 @@ impl Sum {
         Err(Refusal::Unreachable { best: closest })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// |cos φ − cos 3φ| is at most 8/(3√3), where it isn't at an end; cos φ + ½ cos 5φ is 3/2 at 0.
+    #[test]
+    fn suprema_of_tails() {
+        let wave = |terms: &[(u32, f64)]| tail(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>());
+        for (terms, known) in [([(1, 1.0), (3, -1.0)], 8.0 / 27f64.sqrt()), ([(1, 1.0), (5, 0.5)], 1.5)] {
+            let found = wave(&terms);
+            assert!(known <= found && found <= 1.02 * known, "{found} for {known}");
+        }
+        // A supremum that is a sample is one as any other, and rounded up.
+        let excess = wave(&[(1, 1.0), (5, 0.5)]) / (1.5 / (std::f64::consts::PI / 16.0).cos()) - 1.0;
+        assert!((1e-10..1e-8).contains(&excess), "{excess:e}");
+        assert_eq!(wave(&[]), 0.0);
+    }
+
+    /// A velocity's error of more than twice the largest velocity says nothing, if it wasn't asked for.
+    #[test]
+    fn useful_bounds() {
+        let scenes = ["n = 2", "method = fourier, tol = 1e-3"].map(|goal| {
+            crate::plan::tests::scene(&format!("struct A; theta0 = 1, {goal}, outputs = [theta, velocity]"))
+        });
+        for (scene, is_vague) in scenes.iter().zip([true, false]) {
+            let parts = crate::plan::plan(scene).unwrap().parts;
+            for (part, is_vague) in parts.iter().zip([false, is_vague]) {
+                let useful = |evaluation: f64| {
+                    let bound = crate::plan::Bound { evaluation, ..part.bound };
+                    is_useful(&Part { bound, ..part.clone() }, scene)
+                };
+                let found = [1.5 * part.largest, 2.5 * part.largest, f64::INFINITY].map(useful);
+                assert_eq!(found, [true, !is_vague, false], "{:?}", part.output);
+            }
+        }
+    }
+}

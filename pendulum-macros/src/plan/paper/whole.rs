@@ -202,6 +202,24 @@ mod tests {
         }
     }
 
+    /// Of a series that is wrong by much the sine of its half may be larger than y, too: by sup |R|, which is ε/2 at the lowest
+    /// point, times Λ.
+    #[test]
+    fn large_errors_bring_the_sum_nearer_to_one() {
+        let scene = scene("theta0 = 7π/8");
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let sum = Wave::harmonics(&weights(swing, 8));
+        let mut series = interpolant(&sum, Some(Moebius::new(0.14)), 90).unwrap();
+        let epsilon = 2e-3;
+        series[0] = series[0] + Double::new(epsilon);
+        let (points, _) = enough_points(&sum, Some(Moebius::new(0.14)), &series, 1e-30).unwrap();
+        let residual = 0.5 * epsilon * lebesgue(points);
+        let most = sum.at(Double::ZERO).hi + residual;
+        let expected = 2.0 * residual / (1.0 - most * most).sqrt();
+        let found = error(&sum, Some(Moebius::new(0.14)), &series, 1e-26).unwrap();
+        assert!((found / expected - 1.0).abs() < 0.01, "{found:e} {expected:e}");
+    }
+
     /// cos πs − ½ cos 3πs; where ρ = 2, without a map, |Im s| ≤ sinh(½ ln 2)/2, and |1 + T₁| ≤ 1 + 5/4.
     #[test]
     fn bounds_of_a_known_sum() {

@@ -29,7 +29,7 @@ const MOST_POINTS: usize = 240;
 #[derive(Clone, Debug)]
 pub(crate) struct Approximation {
     parity: Parity,
-    pub(super) pole: Option<Pole>,
+    pole: Option<Pole>,
     /// Applied to p, if any: the series is of its image.
     map: Option<Moebius>,
     series: Vec<Double>,
@@ -232,7 +232,7 @@ impl Approximation {
     }
 
     /// What an error of the polynomial is multiplied with in the value, at most.
-    pub(super) fn weight(&self) -> f64 {
+    fn weight(&self) -> f64 {
         let odd = if self.parity == Parity::Odd { 0.5 } else { 1.0 };
         odd / self.pole.map_or(1.0, Pole::least)
     }
@@ -271,3 +271,6 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
     };
     heights.into_iter().filter_map(choice).min_by_key(|interpolation| interpolation.points)
 }
+
+#[cfg(test)]
+mod tests;

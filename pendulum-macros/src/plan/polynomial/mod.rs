@@ -118,6 +118,3 @@ impl Polynomial {
         format!("polynomial of {terms} terms in {variable}{over}{image}{how}")
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -4,6 +4,7 @@ use super::*;
 use crate::exact::{Context, Real};
 use crate::fuzz::random::Random;
 use crate::program::Program;
+use crate::program::rounding::half_ulp;
 use std::collections::BTreeMap;
 
 /// A reduction as a program of the time: the remainder, the sum whose parity counts, and the number of origins passed.
@@ -119,6 +120,10 @@ fn errors_are_those_promised() {
             let clock = Clock { rate: &rate, launch: phase.to_double(), t_max, float };
             let horizon = clock.horizon();
             for reduction in clock.reductions() {
+                // Little beyond half an anchor but what the phase is wrong by.
+                assert!(reduction.overshoot <= 4.0 * reduction.error + 0.01, "{reduction:?}");
+                let widened = reduction.half() * reduction.unit.hi / (0.5 + reduction.overshoot);
+                assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
                 let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
                 let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
                 trial.run(&mut random, 20);
@@ -138,6 +143,146 @@ fn errors_are_those_promised() {
         };
         assert!(worst > least, "{way:?}: of its error only {worst} was seen");
     }
+}
+
+/// Beyond the horizon any phase will do, be it infinite, which is clamped; but it has to be one, however fast the motion. At
+/// infinite times there is none.
+#[test]
+fn every_finite_time_has_a_phase() {
+    let context = Context::for_digits(60);
+    for (float, most) in [(Float::F64, f64::MAX), (Float::F32, f64::from(f32::MAX))] {
+        for rate in ["0.2", "0.3", "0.6", "123456.7", "1e20"] {
+            for launch in [0.0, 0.5, 0.3] {
+                let rate = context.decimal(rate).unwrap();
+                let clock =
+                    Clock { rate: &rate, launch: Double::new(launch), t_max: Some(10.0 / rate.to_f64()), float };
+                for reduction in clock.reductions() {
+                    let mut b = Builder::new(float);
+                    let t = b.input();
+                    let phase = reduction.lower(&mut b, t).remainder;
+                    let program = b.finish(vec![phase]);
+                    for sign in [1.0, -1.0] {
+                        assert!(!program.run(sign * most)[0].is_nan(), "{:e}: {reduction:?}", rate.to_f64());
+                        assert!(program.run(sign * f64::INFINITY)[0].is_nan(), "{:e}: {reduction:?}", rate.to_f64());
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What a scaled rate is off by, over the horizon, and the roundings of the product and of the difference.
+#[test]
+fn errors_of_scaled_rates() {
+    let context = Context::for_digits(60);
+    let rate = context.decimal("0.8346268416740731862814297327990468").unwrap();
+    for (anchors, float) in [3.0, 50.0, 1e4].into_iter().flat_map(|n| [(n, Float::F64), (n, Float::F32)]) {
+        let horizon = anchors / rate.to_f64();
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(horizon), float };
+        let scaled = |way: &Reduction| matches!(way.method, Method::Scaled { .. });
+        let reduction = clock.reductions().into_iter().find(scaled).unwrap();
+        let Method::Scaled { scaled, anchor, .. } = reduction.method else { unreachable!() };
+        let real = |x: f64| context.float(x).unwrap();
+        let off = (&rate * &real(anchor) - real(scaled)).abs().to_f64();
+        let rounding = half_ulp(anchors * anchor, float) + half_ulp(anchor, float);
+        let excess = reduction.error * anchor / (horizon * off + rounding) - 1.0;
+        assert!((0.0..1.1e-3).contains(&excess) && off > 0.0, "{reduction:?}: {excess:e}");
+        assert!((1.0..=2.0).contains(&anchor), "{reduction:?}");
+        // Any multiple of it within the horizon is exact.
+        let last = (anchors + 1.0).round();
+        assert_eq!(float.round(anchor * last), anchor * last);
+    }
+}
+
+fn cody_waite(
+    rate: &str,
+    launch: f64,
+    anchors: f64,
+    (count, origin): (usize, Origin),
+    float: Float,
+) -> (Reduction, Real) {
+    let rate = Context::for_digits(60).decimal(rate).unwrap();
+    let clock = Clock { rate: &rate, launch: Double::new(launch), t_max: Some(anchors / rate.to_f64()), float };
+    let wanted = |way: &Reduction| {
+        way.origin == origin && matches!(&way.method, Method::CodyWaite { words, .. } if words.len() == count)
+    };
+    let reduction = clock.reductions().into_iter().find(wanted).unwrap();
+    (reduction, rate)
+}
+
+/// Over a few anchors the words leave nothing. What is left is a unit of rounding of half the time between anchors for each
+/// difference but the first; and for that, where half the time is next to a power of two, of which it may be on the other
+/// side. Half the time is 0.714…, or 1 but for a ten-millionth.
+#[test]
+fn roundings_of_differences() {
+    let u = Float::F64.unit();
+    for (rate, half, escapes) in [("0.7", u / 2.0, 0.0), ("0.49999995", u, u), ("0.50000005", u, u)] {
+        for (count, launch, differences) in [(2, 0.0, 1.0), (3, 0.0, 2.0), (2, 0.5, 2.0), (3, 0.5, 2.0)] {
+            let (from_anchor, rate) = cody_waite(rate, launch, 3.0, (count, Origin::Anchor), Float::F64);
+            let (from_lowest, _) =
+                cody_waite(&rate.to_f64().to_string(), launch, 3.0, (count, Origin::Lowest), Float::F64);
+            let rate = rate.to_f64();
+            let excess = from_anchor.error / (rate * (escapes + differences * half)) - 1.0;
+            assert!((-1e-15..2e-6).contains(&excess), "{from_anchor:?}: {excess:e}");
+            // Half an anchor on, an origin is half-way between two of the others.
+            let differences = if count == 2 { 3.0 - differences } else { 2.0 };
+            let excess = from_lowest.relative_error / (differences * u) - 1.0;
+            assert!((0.0..2e-3).contains(&excess), "{from_lowest:?}: {excess:e}");
+            assert!((from_lowest.error - rate * escapes).abs() <= 2e-6 * u, "{from_lowest:?}");
+        }
+    }
+}
+
+/// Over long horizons it is what the words leave, and the rounding of the last one's products.
+#[test]
+fn errors_of_words() {
+    for (anchors, float) in [(1e10, Float::F64), (3e9, Float::F64), (3e4, Float::F32)] {
+        for count in [2, 3] {
+            let (reduction, rate) =
+                cody_waite("0.7071067811865475244008443621", 0.0, anchors, (count, Origin::Lowest), float);
+            let Method::CodyWaite { words, .. } = &reduction.method else { unreachable!() };
+            let context = rate.context();
+            let left = words.iter().fold(context.integer(1) / &rate, |rest, &word| rest - context.float(word).unwrap());
+            let (left, last) = (left.abs().to_f64(), words[count - 1]);
+            let expected = ((anchors + 1.0) * left + half_ulp((anchors + 1.0) * last, float)) * rate.to_f64();
+            let excess = reduction.error / expected - 1.0;
+            assert!((0.0..2e-6).contains(&excess), "{reduction:?}: {excess:e}");
+        }
+    }
+}
+
+/// The products of all words but the last with any number of half anchors that can occur.
+#[test]
+fn products_of_words_are_exact() {
+    for rate in ["0.7071067811865475244008443621", "0.8346268416740731862814297327990468", "0.5772156649015328606"] {
+        for (anchors, float) in
+            [3.95f64, 7.9, 1.9, 1e3, 1e9].into_iter().flat_map(|n| [(n, Float::F64), (n.min(1e4), Float::F32)])
+        {
+            let (reduction, _) = cody_waite(rate, 0.5, anchors, (3, Origin::Anchor), float);
+            let Method::CodyWaite { words, .. } = &reduction.method else { unreachable!() };
+            let most = (2.0 * (anchors + 1.0)).floor();
+            for halves in [most, most - 1.0, most - 2.0] {
+                for &word in &words[..2] {
+                    let (product, lost) = pendulum_runtime::double::two_prod(0.5 * halves, word);
+                    assert!(lost == 0.0 && float.round(product) == product, "{halves} halves: {reduction:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Of the two ways in three words of `f64` the dearer comes closer, near the lowest point.
+#[test]
+fn words_from_the_largest_on() {
+    let rate = Context::for_digits(60).decimal("0.7").unwrap();
+    let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: None, float: Float::F32 };
+    let error = |wanted: bool| {
+        let way = |way: &&Reduction| {
+            way.origin == Origin::Lowest && matches!(way.method, Method::WideAnyTime { fine, .. } if fine == wanted)
+        };
+        clock.reductions().iter().find(way).map(|way| way.error)
+    };
+    assert_eq!([error(false), error(true)], [Some(2f64.powi(-27)), Some(2f64.powi(-52))]);
 }
 
 /// The time itself, and the launch.

@@ -86,6 +86,8 @@ mod tests {
                 }
             }
         }
+        // What one word holds leaves nothing to the next.
+        assert_eq!(split_down(&context.decimal("1.25").unwrap(), 20, 3, Float::F64), [1.25, 0.0, 0.0]);
         let x = context.decimal("0.7853981633974483096156608").unwrap();
         assert!(split_down(&x, 12, 2, Float::F32).iter().all(|&word| f64::from(word as f32) == word));
     }

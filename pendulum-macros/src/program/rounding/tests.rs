@@ -179,6 +179,16 @@ fn selections() {
     }
 }
 
+/// What the analysis itself rounds is covered in both errors, that with its operands' and that of the operation alone.
+#[test]
+fn inflation() {
+    let Known { low, high, error, local } = inflate(Known::result((1.0, 2.0), 3e-9, 1e-9));
+    assert_eq!((low, high), (1.0, 2.0));
+    for (inflated, before) in [(error, 4e-9), (local, 1e-9)] {
+        assert!((1e-12..2e-12).contains(&(inflated / before - 1.0 + 1e-15)), "{inflated:e}");
+    }
+}
+
 /// t + 1 and its square, forwards and by derivatives, both inflated.
 #[test]
 fn programs() {

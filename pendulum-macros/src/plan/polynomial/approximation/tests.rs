@@ -1,0 +1,347 @@
+//! Bounds of approximations against dense samples: never exceeded, and no more than a few times too large.
+
+use super::*;
+use crate::parse::Float;
+use crate::plan::aim::Task;
+use crate::plan::tests::scene;
+
+impl Polynomial {
+    /// At the phase s from an anchor, in anchors.
+    fn at(&self, s: Double) -> Double {
+        let (p, centre) = (s * s, self.form.centre());
+        let x = if let Form::Centred { .. } = self.form { p * 8.0 - Double::new(centre) } else { p };
+        let sum = self.coefficients.iter().rev().fold(Double::ZERO, |sum, c| sum * x + *c);
+        let over = self.pole.map_or(Double::ONE, |pole| pole.at(p * 8.0 - Double::ONE));
+        sum / over * if self.parity == Parity::Odd { s } else { Double::ONE }
+    }
+}
+
+/// sup |polynomial − curve| for |s| ≤ ½ + `overshoot`.
+fn sampled(polynomial: &Polynomial, curve: &Curve, overshoot: f64) -> f64 {
+    const SAMPLES: u32 = 120;
+    let at = |i: u32| {
+        // Denser at the ends.
+        let part = (std::f64::consts::FRAC_PI_2 * f64::from(i) / f64::from(SAMPLES)).sin();
+        let s = Double::new((0.5 + overshoot) * part);
+        (polynomial.at(s) - curve.at(s)).hi.abs()
+    };
+    (0..=SAMPLES).map(at).fold(0.0, f64::max)
+}
+
+/// All curves of a motion, and the power of their poles.
+fn curves(text: &str) -> (Vec<(Curve, i32)>, Reduction) {
+    let scene = scene(&format!("struct Motion; {text}, outputs = [theta, velocity, acceleration, position]"));
+    let task = Task::new(&scene);
+    let unlike = |reduction: &Reduction| (reduction.unit.hi - 1.0).abs();
+    let reductions = task.reductions(&scene).into_iter();
+    let reduction = reductions.min_by(|a, b| unlike(a).total_cmp(&unlike(b))).unwrap();
+    let aims = task.aims.iter().flat_map(|aim| aim.curves.iter().map(|curve| (curve.clone(), aim.power)));
+    (aims.collect(), reduction)
+}
+
+/// Widened by 10⁻⁴, a hundred times as far as a reduction ever does.
+#[test]
+fn truncation_errors() {
+    for (text, most) in [
+        ("theta0 = 1", 2.5),
+        ("theta0 = 7π/8", 12.0),
+        ("theta0 = 0.99π", 60.0),
+        ("velocity0 = 2.1", 12.0),
+        ("velocity0 = 4", 3.0),
+    ] {
+        let (curves, reduction) = curves(text);
+        for (index, (curve, power)) in curves.iter().enumerate() {
+            let variants = [0, *power].map(|power| [(power, 0.0), (power, 1e-4)]).concat();
+            for (power, overshoot) in variants {
+                let approximation = Approximation::new(curve, power, 1e-20).unwrap();
+                let reduction = Reduction { overshoot, ..reduction.clone() };
+                for terms in [3, 6, 11] {
+                    let polynomial = approximation.in_powers(terms, Form::Centred { centre: 1.25 }, &reduction, false);
+                    let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, overshoot));
+                    let most = if overshoot == 0.0 { 2.5 } else { most };
+                    let about = format!("{text} {index} {power} {terms} {overshoot}: {seen:e} of {bound:e}");
+                    assert!(seen <= bound && bound <= most * seen, "{about}");
+                }
+            }
+        }
+    }
+}
+
+/// A whole series is wrong by what its interpolation is, bounded on an ellipse: crudely, but with at most five points more than
+/// would have done.
+#[test]
+fn interpolation_errors() {
+    for text in ["theta0 = 1", "theta0 = 7π/8", "velocity0 = 2.1"] {
+        let (curves, reduction) = curves(text);
+        for (index, (curve, power)) in curves.iter().enumerate() {
+            let precise = Approximation::new(curve, *power, 1e-20).unwrap();
+            for negligible in [1e-3, 1e-7] {
+                let approximation = Approximation::new(curve, *power, negligible).unwrap();
+                let polynomial = approximation.in_powers(approximation.terms(), Form::Plain, &reduction, false);
+                let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, 0.0));
+                let about = format!("{text} {index} {negligible}: {seen:e} of {bound:e}");
+                assert!(seen <= bound && bound <= 1.01 * negligible, "{about}");
+                let needed = precise.terms_for(negligible, 0.0).unwrap();
+                assert!(
+                    approximation.terms() <= 2 * needed,
+                    "{about}: {} terms, {needed} needed",
+                    approximation.terms()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn poles() {
+    for (strip, power) in [(0.1, 1), (0.4, 2), (0.6, 1), (0.9, 2)] {
+        let pole = Pole::new(strip, power);
+        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+        for i in 0..=1000 {
+            let value = pole.at(Double::new(f64::from(i) / 500.0 - 1.0)).hi;
+            (least, most) = (least.min(value), most.max(value));
+        }
+        assert!(pole.least() <= least && least < 1.002 * pole.least(), "{strip}: {least} {pole:?}");
+        // On the circle |s| = radius the magnitude is largest where p is real and negative, or positive.
+        for radius in [0.5, 0.8] {
+            let magnitude = |angle: f64| {
+                let p = 8.0 * radius * radius;
+                let (re, im) = (p * angle.cos() - pole.place, p * angle.sin());
+                let (re, im) = (re * re - im * im + pole.height_squared, 2.0 * re * im);
+                re.hypot(im).powi(power)
+            };
+            let seen = (0..=720).map(|i| magnitude(f64::from(i).to_radians() / 2.0)).fold(0.0, f64::max);
+            let most = pole.most(radius);
+            assert!(seen <= most * (1.0 + 1e-12) && most <= 1.001 * seen, "{strip} {radius}: {most} for {seen}");
+        }
+        // It vanishes at s = ½ ± i·strip.
+        let (re, im) = (8.0 * (0.25 - strip * strip) - pole.place, 8.0 * strip);
+        assert!((re * re - im * im + pole.height_squared).hypot(2.0 * re * im) < 1e-6, "{pole:?}");
+    }
+}
+
+/// Near the top one polynomial takes more points than there may be.
+#[test]
+fn too_many_points() {
+    let (curves, _) = curves("theta0 = π - 1e-6");
+    assert!(Approximation::new(&curves[0].0, 0, 1e-3).is_some());
+    assert!(Approximation::new(&curves[0].0, 0, 1e-20).is_none());
+}
+
+/// Adapted coefficients are for numbers whose powers stay far from overflow and underflow.
+#[test]
+fn moderate_polynomials() {
+    let (curves, reduction) = curves("theta0 = 1");
+    let approximation = Approximation::new(&curves[0].0, 0, 1e-20).unwrap();
+    let moderate = |coefficient: f64, terms: usize, quarter: f64, float: Float| {
+        let polynomial = approximation.in_powers(2, Form::Plain, &reduction, true);
+        let coefficients = vec![Double::new(coefficient); terms];
+        Polynomial { coefficients, ..polynomial }.is_moderate(quarter, float)
+    };
+    for (coefficient, terms, quarter, float, expected) in [
+        (1.0, 5, 0.25, Float::F64, true),
+        (1.0, 5, 1e11, Float::F64, true),
+        (1.0, 5, 1e-11, Float::F64, true),
+        (1.0, 5, 1e13, Float::F64, false),
+        (1.0, 5, 1e-13, Float::F64, false),
+        (1.0, 5, 1e4, Float::F32, false),
+        (1.0, 5, 1e2, Float::F32, true),
+        // 10^(11·14) is too large, 10^(11·13) isn't; of a small first coefficient it makes a moderate one.
+        (1.0, 15, 1e11, Float::F64, false),
+        (1.0, 14, 1e11, Float::F64, true),
+        (1e-155, 5, 1e11, Float::F64, true),
+        (1e-155, 5, 0.25, Float::F64, false),
+        (-1e-155, 5, 0.25, Float::F64, false),
+        (-1e155, 5, 0.25, Float::F64, false),
+    ] {
+        assert_eq!(moderate(coefficient, terms, quarter, float), expected, "{coefficient} {terms} {quarter} {float:?}");
+    }
+}
+
+/// What an error of the polynomial is multiplied with: by s ≤ ½ if it is odd, and over the least value of its poles.
+#[test]
+fn weights() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power, odd) in [(0, 0, 1.0), (1, 0, 0.5), (1, 1, 0.5), (2, 2, 1.0)] {
+        let approximation = Approximation::new(&curves[index].0, power, 1e-12).unwrap();
+        let least = approximation.pole.map_or(1.0, Pole::least);
+        assert_eq!(approximation.weight(), odd / least, "{index} {power}");
+        assert_eq!(approximation.pole.is_some(), power > 0);
+    }
+}
+
+/// Terms that a curve's series omits change the samples by so much, in two words of which each may be off, times what poles
+/// are at most; of an odd curve it is divided by a phase down to ½ sin(π/4M), and multiplied by ½ again.
+#[test]
+fn omitted_terms() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power) in [(0, 0), (1, 0), (1, 1), (2, 2)] {
+        let truncation = |omitted: f64| {
+            let approximation = Approximation::new(&curves[index].0.clone().omitting(omitted), power, 1e-9).unwrap();
+            (approximation.truncation(approximation.terms(), 0.0), approximation.pole)
+        };
+        let ((less, pole), (more, _)) = (truncation(0.0), truncation(1.0));
+        let times = pole.map_or(1.0, |pole| pole.most(0.5) / pole.least());
+        let mut found = (more - less) / (2.0 * times);
+        if curves[index].0.parity() == Parity::Odd {
+            let negligible = 1e-9 * pole.map_or(1.0, Pole::least);
+            let Interpolation { points, .. } = enough_points(&curves[index].0, pole, negligible).unwrap();
+            let smallest = 0.5 * (std::f64::consts::PI / (4.0 * points as f64)).sin();
+            found /= 0.5 / smallest;
+            assert!((1.0..1.2).contains(&found), "{index} {power}: {found}");
+        } else {
+            assert!((found - 1.0).abs() < 1e-9, "{index} {power}: {found}");
+        }
+    }
+}
+
+/// Two at least, also of a motion as good as uniform.
+#[test]
+fn terms_of_nearly_nothing() {
+    let (curves, _) = curves("velocity0 = 1e6");
+    let approximation = Approximation::new(&curves[1].0, 0, 1.0).unwrap();
+    assert_eq!((approximation.terms(), approximation.terms_for(1.0, 0.0)), (2, Some(2)));
+}
+
+/// What is cut at once and what is cut later is the same error; and a little is added for the rounding of the sum.
+#[test]
+fn dropped_terms() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power) in [(0, 0), (1, 1)] {
+        let curve = &curves[index].0;
+        let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+        let interpolation = Interpolation { points: 30, log_rho: 1.0, error: 1e-9 };
+        let approximation = |negligible: f64| Approximation::with_points(curve, pole, negligible, &interpolation);
+        let (long, short) = (approximation(0.0), approximation(1e-2));
+        let terms = short.terms();
+        assert!(long.terms() == 30 && terms + 3 < 30);
+        for terms in [terms, terms - 1] {
+            let (long, short) = (long.truncation(terms, 0.0), short.truncation(terms, 0.0));
+            assert!((long / short - 1.0).abs() < 1e-14, "{index}: {long:e} {short:e}");
+        }
+        let sum = short.series.iter().map(|c| c.hi.abs()).sum::<f64>() + short.remainder;
+        let excess = short.truncation(0, 0.0) / (sum * short.weight()) - 1.0;
+        assert!((5e-13..2e-12).contains(&excess), "{index}: {excess:e}");
+    }
+}
+
+/// A thousandth of an anchor beyond the interval's end Tⱼ is cosh(j arcosh(1 + ε)), an odd curve a five-hundredth longer;
+/// half an anchor beyond it nothing is known.
+#[test]
+fn truncation_beyond_the_end() {
+    const BEYOND: f64 = 1e-3;
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, odd) in [(0, 1.0), (1, 1.0 + 2.0 * BEYOND)] {
+        let approximation = Approximation::new(&curves[index].0, 0, 1e-9).unwrap();
+        let last = approximation.terms() - 1;
+        let term = |beyond: f64| approximation.truncation(last, beyond) - approximation.truncation(last + 1, beyond);
+        let exact = |j: usize| (j as f64 * (1.0 + 8.0 * BEYOND * (1.0 + BEYOND)).acosh()).cosh();
+        let stretch = term(BEYOND) / term(0.0) / odd;
+        assert!(stretch >= exact(last) && stretch <= 1.01 * exact(last), "{index}: {stretch}");
+        // Of the points, the tail that follows included.
+        let stretch = approximation.truncation(last + 1, BEYOND) / approximation.truncation(last + 1, 0.0);
+        let first = exact(approximation.points);
+        assert!(stretch > first && stretch < 1.5 * first, "{index}: {stretch} {first}");
+        assert_eq!(approximation.truncation(last, 0.5), f64::INFINITY);
+    }
+}
+
+/// Where powers of the unit underflow or overflow there is no bound.
+#[test]
+fn units_without_bounds() {
+    let (curves, reduction) = curves("theta0 = 1");
+    let approximation = Approximation::new(&curves[0].0, 0, 1e-9).unwrap();
+    for (unit, bounded) in [(1e-200, false), (1e200, false), (1e-20, true), (1e20, true)] {
+        let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+        let polynomial = approximation.in_powers(4, Form::Plain, &reduction, true);
+        let truncation = if bounded { approximation.truncation(4, reduction.overshoot) } else { f64::INFINITY };
+        assert_eq!(polynomial.truncation, truncation, "{unit:e}");
+    }
+}
+
+/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units squared; of an odd curve it is s/unit
+/// that it is multiplied with.
+#[test]
+fn underflow_of_coefficients() {
+    let (curves, _) = curves("theta0 = 7π/8");
+    for (index, power) in [(0, 0), (1, 0), (1, 1)] {
+        let approximation = Approximation::new(&curves[index].0, power, 1e-9).unwrap();
+        for unit in [1.0, 0.01, 30.0_f64] {
+            let widest = 0.25 / (unit * unit);
+            let sum: f64 = (0..5).map(|j| widest.powi(j)).sum();
+            let times = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
+            let least = UNDERFLOW * (sum * times * approximation.weight());
+            let found = approximation.lost_to_underflow(5, Form::Plain, Double::new(unit));
+            // Numbers so small have few digits.
+            assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{index} {unit}: {found:e} {least:e}");
+        }
+    }
+}
+
+/// With another unit of the phase adapted polynomials are the same ones; and they say by how much they are others than those
+/// that they were made of, wherever the phase may be.
+#[test]
+fn adapted_polynomials() {
+    for (text, index, chunk) in [("theta0 = 1", 2, 16), ("velocity0 = 2.1", 1, 16), ("7π/8", 1, 4), ("7π/8", 2, 4)] {
+        let (curves, reduction) = curves(&if chunk == 16 { text.to_owned() } else { format!("theta0 = {text}") });
+        let approximation = Approximation::new(&curves[index].0, curves[index].1, 1e-24).unwrap();
+        let terms = if chunk == 16 { 9 } else { approximation.terms() };
+        let adapted = |unit: f64| {
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            approximation
+                .polynomial(
+                    terms,
+                    Form::Adapted { chunk },
+                    &reduction,
+                    true,
+                    if chunk == 16 { 1e-3 } else { f64::INFINITY },
+                )
+                .unwrap()
+        };
+        let place = adapted(1.0).adapted.unwrap().shift;
+        for unit in [0.25, 3.0] {
+            let polynomial = adapted(unit);
+            let found = polynomial.adapted.as_ref().unwrap();
+            assert!((found.shift * unit * unit - place).abs() < 1e-15, "{text} {index}: {} {place}", found.shift);
+            let reach = found.shift.abs().max((found.shift + 0.25 / (unit * unit)).abs());
+            let least = Adapted::new(&polynomial.coefficients, found.shift, chunk, reach).unwrap().mismatch;
+            assert!(least > 0.0 && found.mismatch >= least, "{text} {index}: {:e} {least:e}", found.mismatch);
+            assert!(found.mismatch <= least * 1.02f64.powi(terms as i32), "{text} {index}");
+            // It counts with the truncation, which is as small where no term is left out.
+            if chunk == 4 {
+                let odd = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
+                let added = polynomial.truncation - approximation.truncation(terms, reduction.overshoot);
+                let times = added / (found.mismatch * approximation.weight() * odd);
+                assert!((0.99..1.01).contains(&times), "{text} {index}: {times}");
+            }
+        }
+    }
+}
+
+/// 4Bρ^(1−M)/(ρ − 1) with the bounds of the curve and of its poles, over s if it is odd, on the image of the ellipse: there
+/// s = ½ cos φ with Im φ = ½ ln ρ, and |s| is from ½ sinh ½ ln ρ to ½ cosh ½ ln ρ.
+fn interpolation_error(curve: &Curve, pole: Option<Pole>, height: f64, points: usize) -> f64 {
+    let half_log = (2.0 * height).asinh();
+    let (nearest, farthest) = (0.5 * half_log.sinh(), 0.5 * half_log.cosh());
+    let odd = if curve.parity() == Parity::Odd { nearest } else { 1.0 };
+    let bound = curve.bound(height) * pole.map_or(1.0, |pole| pole.most(farthest)) / odd;
+    let rho = (2.0 * half_log).exp();
+    4.0 * bound * rho.powf(1.0 - points as f64) / (rho - 1.0)
+}
+
+/// The error is that of an ellipse, a whole number of hundredths of the strip high.
+#[test]
+fn points_and_their_error() {
+    for text in ["theta0 = 1", "theta0 = 7π/8", "theta0 = 0.99π", "velocity0 = 2.1"] {
+        let (curves, _) = curves(text);
+        for (index, (curve, power)) in curves.iter().enumerate() {
+            for power in [0, *power] {
+                let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+                let Interpolation { points, error, .. } = enough_points(curve, pole, 1e-12).unwrap();
+                let parts = (1..100).map(|part| f64::from(part) / 100.0 * curve.strip());
+                let best = parts.map(|height| (error / interpolation_error(curve, pole, height, points) - 1.0).abs());
+                assert!(error <= 1e-12 && best.fold(1.0, f64::min) < 1e-9, "{text} {index} {power}: {error:e}");
+            }
+        }
+    }
+}
