@@ -3,8 +3,8 @@
 //! State what a scene needs, an amplitude, an error, a duration, which quantities; [`pendulum!`] works the mathematics
 //! out in high precision, plans the cheapest evaluation that provably keeps the promise, and emits straight-line Rust
 //! with folded constants. The result can be asked at any time directly, is `const` and `no_std`, has the same bits on
-//! every platform, and in a loop over an array usually costs less than one call of `sin`. For an amplitude known only when
-//! the program runs there is [`Pendulum`].
+//! every platform, and in a loop over an array usually costs less than one call of `sin`. For an amplitude known only
+//! when the program runs there is [`Pendulum`].
 //!
 //! The idea of a periodic approximation that stays accurate for ever is that of F. M. S. Lima, *Simple but accurate
 //! periodic solutions for the nonlinear pendulum equation* (Rev. Bras. Ens. Fís., 2019); equation numbers are the
@@ -34,14 +34,15 @@
 //! | an elliptic integral or function near k = 1 | [`elliptic`] |
 //!
 //! # Scope
-//! One rigid pendulum without friction or drive. Any amplitude, any launch, any time; angles in radians, time in any unit,
-//! ω in radians per that unit.
+//! One rigid pendulum without friction or drive. Any amplitude, any launch, any time; angles in radians, time in any
+//! unit, ω in radians per that unit.
 //!
 //! # `no_std`, determinism
 //! Neither the generated code nor the run-time part allocates, panics, or calls the platform's mathematical library.
 //! Generated code is + − × ÷, comparisons and manipulations of a number's bits in a fixed order, without branches, and
-//! `const`; the run-time part takes correctly rounded square roots besides. A fused multiply-add, whose bits would differ,
-//! is in neither.
+//! `const`; the run-time part takes correctly rounded square roots besides. A fused multiply-add, whose bits would
+//! differ, is in neither. So the bits are the same on every platform and at every optimisation level, but for the sign
+//! and payload of a NaN, which IEEE 754 leaves open.
 #![no_std]
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
@@ -117,8 +118,8 @@ struct Readme;
 /// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
 ///
-/// **Numbers** are decimal literals of up to 500 digits (every digit counts) and exponents between ±400, with `+ - * /`,
-/// parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`,
+/// **Numbers** are decimal literals of up to 500 digits (every digit counts) and exponents between ±400, with
+/// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`,
 /// `157.5deg`, `3*PI/4 - 0.01`. Nothing is rounded to `f64` on the way, so every constant is the correctly rounded one
 /// of the exact value.
 ///
@@ -150,11 +151,16 @@ struct Readme;
 /// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
-/// NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞). For a release from rest θ(−t) = θ(t), and −θ0 gives the
-/// mirror image, to the bit within the horizon; beyond it, the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`).
+/// NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞). For a
+/// release from rest θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit within the horizon; beyond it, the θ of a
+/// swing stays within ±(`AMPLITUDE` + `MAX_ERROR`). Of θ̇ the bound alone is promised: near the top, where `METHOD` is
+/// `"passage"`, it is not exactly 0 at the release.
 ///
 /// ```
-/// pendula::pendulum! { struct Load; theta0 = 0.3, velocity0 = 0.8, tol = 1e-12, outputs = [theta, velocity, position] }
+/// pendula::pendulum! {
+///     struct Load;
+///     theta0 = 0.3, velocity0 = 0.8, tol = 1e-12, outputs = [theta, velocity, position]
+/// }
 /// let (theta, velocity) = Load::state(0.0);
 /// assert!((theta - 0.3).abs() <= 1e-12 && (velocity - 0.8).abs() <= 1e-12);
 /// let (x, y) = Load::position(1.0);
@@ -162,9 +168,9 @@ struct Readme;
 /// assert!(Load::AMPLITUDE > 0.3); // launched in mid-swing: it goes higher than it started
 /// ```
 ///
-/// Swing, rotation or separatrix is decided by the exact parameters. `theta` of a rotation counts its turns, and without
-/// `t_max` its `MAX_ERROR` includes the rounding of 2⁵³ of them, tens of radians: give `t_max`, or use `wrapped`, which
-/// keeps its digits however many they are.
+/// Swing, rotation or separatrix is decided by the exact parameters. `theta` of a rotation counts its turns, and
+/// without `t_max` its `MAX_ERROR` includes the rounding of 2⁵³ of them, tens of radians: give `t_max`, or use
+/// `wrapped`, which keeps its digits however many they are.
 ///
 /// ```
 /// use pendula::pendulum;
@@ -176,9 +182,9 @@ struct Readme;
 ///
 /// # Errors
 /// Every mistake is a compile error at the token to blame, which names the parameter, the value and a remedy; several
-/// mistakes are reported together. A `tol` that can't be promised is refused with the best that can. One is mathematics rather than syntax: with few terms the argument of the arcsine in
-/// Eq. 22 exceeds 1 at large amplitudes (from 0.7308π for N = 1, 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂
-/// would be NaN.
+/// mistakes are reported together. A `tol` that can't be promised is refused with the best that can. One is mathematics
+/// rather than syntax: with few terms the argument of the arcsine in Eq. 22 exceeds 1 at large amplitudes (from 0.7308π
+/// for N = 1, 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂ would be NaN.
 ///
 /// ```compile_fail
 /// // the smallest number of terms that works is `n = 4`
@@ -186,14 +192,14 @@ struct Readme;
 /// ```
 ///
 /// # What is promised
-/// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the horizon:
-/// truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation are bounded at
-/// compile time, not sampled. With `n` the function is the paper's θ̂, and `MAX_ERROR` bounds its distance from the exact
-/// motion over the horizon, wherever it is attained.
+/// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the
+/// horizon: truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation
+/// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂, and `MAX_ERROR` bounds its
+/// distance from the exact motion over the horizon, wherever it is attained.
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of the largest value: of \|θ0\| for a release, of
-/// `AMPLITUDE` for any swing, of π on the separatrix and for the angle of a rotation, to which the rounding of its turns
-/// is added unless it is wrapped, of the largest θ̇ and θ̈; thrice that for a position.
+/// `AMPLITUDE` for any swing, of π on the separatrix and for the angle of a rotation, to which the rounding of its
+/// turns is added unless it is wrapped, of the largest θ̇ and θ̈; thrice that for a position.
 ///
 /// # Greek letters
 /// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a

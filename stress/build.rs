@@ -1,5 +1,5 @@
-//! Writes a few hundred invocations of `pendulum!`: a logarithmic grid of amplitudes, down to 3e-300 and up to π − 1e-9,
-//! and at each of them plans of several tolerances, horizons, types and outputs.
+//! Writes a few hundred invocations of `pendulum!`: a logarithmic grid of amplitudes, down to 3e-300 and up to
+//! π − 1e-9, and at each of them plans of several tolerances, horizons, types and outputs.
 
 use std::env;
 use std::fmt::Write as _;
@@ -20,7 +20,8 @@ const SCENES: [(&str, &str, &str); 10] = [
     ("f32", "theta", "tol = 1e-4, t_max = 100"),
 ];
 
-/// Release angles as they are written, from the bottom to the top, and numbers of terms that the paper's formula can use.
+/// Release angles as they are written, from the bottom to the top, and numbers of terms that the paper's formula can
+/// use.
 fn amplitudes() -> Vec<(String, u32)> {
     let small = [300, 200, 100, 50, 20, 15, 12, 9, 7, 6, 5, 4, 3, 2].map(|power| (format!("3e-{power}"), 1));
     let fractions = [5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85, 88, 90, 92, 94, 96, 97, 98, 99];

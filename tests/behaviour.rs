@@ -117,7 +117,8 @@ fn what_is_not_a_time_gives_nan() {
                     assert!(result.is_all_nan(), "{}({t}) with {asked} is {result:?}", stringify!($function));
                 })*
             }
-            for t in [0.0, $float::MIN_POSITIVE, $float::from_bits(1), 1e15, 1e22, -1e30, 1e38, $float::MAX, $float::MIN] {
+            let tiny = [0.0, $float::MIN_POSITIVE, $float::from_bits(1)];
+            for t in tiny.into_iter().chain([1e15, 1e22, -1e30, 1e38, $float::MAX, $float::MIN]) {
                 $({
                     let result = Motion::$function(t);
                     assert!(result.is_all_finite(), "{}({t}) with {asked} is {result:?}", stringify!($function));

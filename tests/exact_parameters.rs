@@ -1,5 +1,5 @@
-//! Full precision against 30-digit truth of the *exact* parameter, in every regime, from 1e-9 to π − 1e-9 and across the
-//! separatrix, zero crossings ± 1 ulp and t up to 2⁵³ periods among the times; and against the runtime.
+//! Full precision against 30-digit truth of the *exact* parameter, in every regime, from 1e-9 to π − 1e-9 and across
+//! the separatrix, zero crossings ± 1 ulp and t up to 2⁵³ periods among the times; and against the runtime.
 // Greek names and no other Greek, on purpose.
 #![allow(mixed_script_confusables)]
 
@@ -107,8 +107,8 @@ fn check(compiled: &[Compiled]) {
 #[test]
 fn releases_from_rest() {
     check(&compiled! { swing "rest" theta0:
-        1e-9 1e-6 1e-4 1e-3 1e-2 (1π/180) (1π/18) (1π/6) (1π/4) (1/2) 1 (1π/3) (3/2) (1π/2) 2 (2π/3) (3π/4) (4π/5) (5π/6)
-        (7π/8) (9π/10) (19π/20) 3
+        1e-9 1e-6 1e-4 1e-3 1e-2 (1π/180) (1π/18) (1π/6) (1π/4) (1/2) 1 (1π/3) (3/2) (1π/2) 2 (2π/3) (3π/4) (4π/5)
+        (5π/6) (7π/8) (9π/10) (19π/20) 3
     });
 }
 

@@ -5,7 +5,7 @@
 use pendula::elliptic::Jacobi;
 use pendula::{Pendulum, Scalar};
 
-const FINGERPRINT: u64 = 0xbc2f_a56c_7ca4_1a9c;
+const FINGERPRINT: u64 = 0xe522_275c_1fc1_4a74;
 
 /// FNV-1a over the bits.
 struct Fingerprint(u64);

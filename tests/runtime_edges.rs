@@ -19,8 +19,8 @@ fn the_separatrix_at_any_rate() {
     }
 }
 
-/// Where θ² underflows cos(θ/2) is 1: as near to the lowest point as that, a speed of 2ω is still the separatrix, and keeps
-/// the angle it starts from: near the lowest point θ = θ0 + 2ωt.
+/// Where θ² underflows cos(θ/2) is 1: as near to the lowest point as that, a speed of 2ω is still the separatrix, and
+/// keeps the angle it starts from: near the lowest point θ = θ0 + 2ωt.
 #[test]
 fn the_separatrix_from_beside_the_lowest_point() {
     for (omega, start) in [(1.0, 1e-170), (3.0, -1e-200), (1e-6, 1e-280)] {

@@ -89,6 +89,26 @@ fn f_and_am_invert_each_other_at_any_angle() {
     }
 }
 
+/// Beyond the quarter turn F is a part and many K, of which only the sum is rounded; expected values by mpmath.
+#[test]
+fn incomplete_integrals_beyond_the_quarter_turn_are_within_an_ulp() {
+    for (complement, phi, expected) in [
+        (0.5, 2.2198071722000634, 3.2816404220585107),
+        (0.9999999999999999, 7.946323804844804, 7.946323804844805),
+        (1e-300, 1.6, 1380.09710762993),
+        (0.1, 3.0, 7.249211365502322),
+        (0.3, 1e15, 1672892460505136.2),
+        (0.7, 6e22, 7.1147637815018225e+22),
+        (1e-12, 1e300, 1.8472996773716873e301),
+    ] {
+        let error = (complementary::incomplete(phi, complement) - expected).abs();
+        assert!(error <= expected.next_up() - expected, "{phi} {complement}: {error:e}");
+        assert_eq!(complementary::incomplete(-phi, complement), -complementary::incomplete(phi, complement));
+    }
+    assert_eq!(complementary::incomplete(f64::MAX, 1.0), f64::MAX);
+    assert_eq!(complementary::incomplete(-4.0, 0.0), f64::NEG_INFINITY);
+}
+
 #[test]
 fn outside_the_domain_all_is_nan() {
     for bad in [-1e-300, 1.0_f64.next_up(), 2.0, f64::INFINITY, f64::NAN] {

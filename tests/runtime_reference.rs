@@ -5,6 +5,9 @@ mod data;
 
 use data::Row;
 use pendula::{Pendulum, Regime};
+use pendula_stress::motion::{Motion, Start};
+use pendula_stress::random::Random;
+use pendula_stress::truth::{Output, Truth};
 use std::collections::BTreeMap;
 
 /// 2⁻⁵⁰, the promise's unit.
@@ -79,6 +82,40 @@ fn every_row_keeps_the_promise() {
     for ((regime, decade), (theta, velocity, rows)) in worst {
         println!("{regime:22} {decade:>15} {theta:8.3} {velocity:9.3} {rows:6}");
     }
+}
+
+/// Products of the half angle's sine and cosine, each rounded: within 2⁻⁴⁹, which is twice what θ̇ keeps.
+#[test]
+fn positions_and_accelerations_keep_twice_the_unit() {
+    let mut random = Random::new(50);
+    // Those first of which more than one unit has been seen.
+    let mut looks = vec![
+        ([-3.0265845364483854, 0.0, 3.0], 231.13079196817262),
+        ([3.0556945370520467, 0.0, 3.0], -100_011_992.934_832_98),
+        ([3.0556945370520467, 0.0, 3.0], 3677.721683936648),
+        ([1.9490213953747402, 8.422385628739885, 3.0], -13984.884436131788),
+        ([-2.8344627941297977, 0.2048165908710281, 1.0], 11.09574219064645),
+        ([-0.022084060269600636, -2.134965806162988, 1.0], 666333.3662886379),
+    ];
+    for i in 0..96 {
+        let (theta0, launch) = (3.1 * random.signed(), 4.0 * random.signed());
+        looks.push(([theta0, if i % 2 == 0 { 0.0 } else { launch }, 1.0], 1e6 * random.signed()));
+    }
+    let mut worst = [0.0_f64; 2];
+    for ([theta0, velocity0, omega], t) in looks {
+        let p = Pendulum::<f64>::from_state(theta0, velocity0, omega).expect("valid");
+        let motion = Motion::new(Start { theta0: theta0.into(), velocity0: velocity0.into(), omega: omega.into() });
+        let truth = |output| Truth::without_tables(motion.clone(), output);
+        let (x, y) = p.position(t);
+        let largest = if p.amplitude() < core::f64::consts::FRAC_PI_2 { p.amplitude().sin() } else { 1.0 };
+        let errors = [
+            truth(Output::Position).direct(t, [x, y]),
+            truth(Output::Acceleration).direct(t, [p.acceleration(t), 0.0]) / largest,
+        ];
+        assert!(errors.iter().all(|error| *error <= 2.0 * UNIT), "{theta0} {velocity0} {omega} at {t}: {errors:?}");
+        worst = [0, 1].map(|i| worst[i].max(errors[i] / UNIT));
+    }
+    println!("worst errors of position and acceleration in units of 2^-50: {worst:.3?}");
 }
 
 /// Where θ falls from θ0 to −θ0 for the first time, `time_at` of the f64 nearest to θ(t) is t, less the time that the

@@ -16,8 +16,8 @@ fn double_precision_at_all_kinds_of_times() {
     kept(&times::sample(&Session::quiet(), 2, 0..=times::HARDEST - 1));
 }
 
-/// The fourth part of the phase is left out of the sum that is rounded, so that n can be the wrong neighbour of a tie by
-/// more than the limits of |s| allow.
+/// The fourth part of the phase is left out of the sum that is rounded, so that n can be the wrong neighbour of a tie
+/// by more than the limits of |s| allow.
 #[test]
 fn double_precision_beside_ties() {
     kept(&times::sample(&Session::quiet(), 16, times::HARDEST..=times::HARDEST));

@@ -1,4 +1,5 @@
-//! Approximations that the macro generated, as values to iterate over, and their measured distance from the exact motion.
+//! Approximations that the macro generated, as values to iterate over, and their measured distance from the exact
+//! motion.
 
 use pendula::{Error, Pendulum};
 use std::f64::consts::PI;
@@ -16,8 +17,8 @@ pub(crate) struct Approximation {
     pub(crate) theta: fn(f64) -> f64,
 }
 
-/// `approximation!((7π/8), n = 4)`: what `pendulum!` makes of it. The amplitude stands in parentheses so that it arrives
-/// as it is written, not as a Rust expression, which knows no `7π`.
+/// `approximation!((7π/8), n = 4)`: what `pendulum!` makes of it. The amplitude stands in parentheses so that it
+/// arrives as it is written, not as a Rust expression, which knows no `7π`.
 macro_rules! approximation {
     (($($theta0:tt)*), $($goal:tt)*) => {{
         pendula::pendulum! { struct Motion; theta0 = $($theta0)*, $($goal)* }

@@ -1,7 +1,7 @@
 //! The arithmetic-geometric mean: K = π/(2 AGM(1, k′)).
 
 use crate::double::Double;
-use crate::support::sqrt;
+use libm::sqrt;
 
 /// More steps than any pair in (2⁻¹⁰⁷⁴, 1] needs; the loop ends earlier.
 const MAX_STEPS: usize = 24;
@@ -94,8 +94,8 @@ mod tests {
         assert_eq!((agm(0.0), complete(Double::ZERO)), (0.0, f64::INFINITY));
     }
 
-    /// AGM(1, x) = a·AGM(1, b/a) with a = (1 + x)/2 and b = √x, over amplitudes that end the loop at every distance of the
-    /// means: one that ends too early shows on one side.
+    /// AGM(1, x) = a·AGM(1, b/a) with a = (1 + x)/2 and b = √x, over amplitudes that end the loop at every distance of
+    /// the means: one that ends too early shows on one side.
     #[test]
     fn one_step_changes_nothing() {
         // From 1 down to 10⁻²⁸⁰, by a factor that hits no pattern.

@@ -64,7 +64,8 @@ mod tests {
     use super::*;
     use crate::double::relative_error;
 
-    /// Two of Carlson's own examples (1995), two of near arguments and one of far ones; expected values by mpmath's `elliprf`.
+    /// Two of Carlson's own examples (1995), two of near arguments and one of far ones; expected values by mpmath's
+    /// `elliprf`.
     #[test]
     fn known_values() {
         let cases = [

@@ -235,6 +235,22 @@ mod tests {
         assert!(Double::ZERO.abs().hi.is_sign_positive());
     }
 
+    /// The roots that everything takes: s is the correctly rounded root of x when x lies between the squares of the
+    /// midpoints about s.
+    #[test]
+    fn single_roots_are_correctly_rounded() {
+        let mut x = 0.013_f64;
+        for _ in 0..1000 {
+            x = x * 1.37 % 3.9;
+            let s = libm::sqrt(x);
+            let (p, e) = two_prod(s, s);
+            assert!(((x - p) - e).abs() <= s * (s.next_up() - s) * (1.0 + 1e-15));
+        }
+        assert!(libm::sqrt(-1.0).is_nan());
+        assert_eq!((libm::sqrt(-0.0).to_bits(), libm::sqrt(f64::INFINITY)), ((-0.0_f64).to_bits(), f64::INFINITY));
+        assert_eq!(libm::sqrt(5e-324), 2.2227587494850775e-162);
+    }
+
     #[test]
     fn pi_has_its_second_word() {
         // sin x for x = the first word of π is π − x to third order.

@@ -25,11 +25,13 @@ use crate::angle::reduce;
 use crate::carlson::carlson_rf;
 use crate::double::{Double, two_sum};
 use crate::double_trig::half_angle;
-use crate::kernel::round;
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced};
 use crate::rotation::Rotation;
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::FRAC_PI_2;
+
+/// 2⁻⁶⁴.
+const SMALL: f64 = 1.0 / (1_u128 << 64) as f64;
 
 /// One modulus, prepared for repeated evaluation of the functions of Jacobi: about as much work as
 /// [`Pendulum::from_state`](crate::Pendulum::from_state) once, then a few dozen nanoseconds per value.
@@ -114,27 +116,29 @@ impl Jacobi {
             return f64::NAN;
         }
         let mut rest = reduce(phi);
-        let mut halves = round_any((Double::new(phi) - rest).to_f64() / PI);
         if rest.hi.abs() > FRAC_PI_2 {
-            let half = if rest.hi > 0.0 { 1.0 } else { -1.0 };
-            rest = rest - Double::PI * half;
-            halves += half;
+            rest = rest - Double::PI.scale(rest.hi.signum());
         }
         let partial = if rest.hi < 0.0 { -self.partial(-rest) } else { self.partial(rest) };
-        if halves == 0.0 { partial } else { partial + halves * 2.0 * self.quarter_period() }
+        // nπ, during which F grows by 2nK = nπ/AGM(1, k′).
+        let halves = Double::new(phi) - rest;
+        if halves.hi == 0.0 {
+            partial.to_f64()
+        } else if self.kc.hi == 0.0 {
+            halves.hi * f64::INFINITY
+        } else {
+            // Scaled so that the quotient of the largest φ isn't split beyond 2⁹⁹⁵.
+            let whole = halves.scale(SMALL) / agm_double(self.kc);
+            (partial.scale(SMALL) + whole).to_f64() / SMALL
+        }
     }
 
     /// F for 0 ≤ φ ≤ π/2: sin φ · RF(cos² φ, 1 − k² sin² φ, 1), the second argument as cos² φ + k′² sin² φ.
-    fn partial(&self, phi: Double) -> f64 {
+    fn partial(&self, phi: Double) -> Double {
         let (sine, cosine) = half_angle(phi.scale(2.0));
         let scaled = self.kc * sine;
-        (sine * carlson_rf(cosine * cosine, cosine * cosine + scaled * scaled, Double::ONE)).to_f64()
+        sine * carlson_rf(cosine * cosine, cosine * cosine + scaled * scaled, Double::ONE)
     }
-}
-
-/// The nearest whole number; beyond 2⁵¹ the number itself, where being whole no longer matters to 53 bits.
-fn round_any(x: f64) -> f64 {
-    if x.abs() < 2_251_799_813_685_248.0 { round(x) } else { x }
 }
 
 /// √(1 − x²) for 0 ≤ x ≤ 1, with small relative error.

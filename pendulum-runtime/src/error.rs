@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// Why a motion, or something asked of it, does not exist. Values are shown as they were given.
+/// Why a motion, or something asked of it, does not exist. Values are given as `f64`, whatever the type of float.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {

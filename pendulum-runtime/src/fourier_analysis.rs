@@ -19,8 +19,8 @@ use crate::kernel::{round, sin_turns};
 use crate::nome::root_of_nome;
 use crate::phase::Reduced;
 use crate::rotation::Rotation;
-use crate::support::sqrt;
 use crate::swing::{Swing, SwingPhase};
+use libm::sqrt;
 
 /// Samples per half wave of the first neglected harmonic: enough that each local extremum of a function whose tail
 /// falls off geometrically shows as a sample above both neighbours, to be refined from there.

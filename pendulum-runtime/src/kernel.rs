@@ -178,7 +178,7 @@ mod tests {
             let (n, d) = (1.7 * f64::from(i) / 4000.0, 1.7);
             let angle = four_atan(n, d);
             let (sine, cosine) = half_angle(Double::new(0.5 * angle));
-            let length = crate::support::sqrt(n * n + d * d);
+            let length = libm::sqrt(n * n + d * d);
             let error = 4.0 * (sine * d - cosine * n).to_f64().abs() / length;
             assert!(error <= 2.5 * U * angle, "{n}/{d}: {}", error / angle / U);
         }

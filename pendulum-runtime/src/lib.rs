@@ -9,9 +9,10 @@
 //! # How
 //! With k = sin(θ0/2), k′ = cos(θ0/2) taken from π − θ0, K = π/(2 AGM(1, k′)), q = exp(−πK′/K) and x = 2πt/T, T = 4K/ω,
 //! the half-nome pair S = Σ 2q^(n²/2) cos nx over odd n and C = 1 + Σ 2q^(n²/2) cos nx over even n gives
-//! θ = 4 atan(S/C). The weights fall so fast that a sine, two polynomials of degree three and an arctangent are all (module `swing`);
-//! near the top their duals, in which an exponential takes the place of the sine, converge faster still. Rotations
-//! (module `rotation`) are θ = 2 am. 1/T is carried in two words (`double`), and t/T is reduced exactly (`phase`).
+//! θ = 4 atan(S/C). The weights fall so fast that a sine, two polynomials of degree three and an arctangent are all
+//! (module `swing`); near the top their duals, in which an exponential takes the place of the sine, converge faster
+//! still. Rotations (module `rotation`) are θ = 2 am. 1/T is carried in two words (`double`), and t/T is reduced
+//! exactly (`phase`).
 #![no_std]
 
 mod agm;

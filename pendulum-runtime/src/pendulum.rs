@@ -15,10 +15,11 @@ use core::marker::PhantomData;
 ///
 /// # Accuracy (`f64`)
 /// The numbers given are taken as exact. Released from rest, θ is within 2⁻⁵⁰·|θ0| for |θ0| from 1e-9 to π − 1e-12 and
-/// |t| up to 2⁴⁵ periods; from any other state within 2⁻⁵⁰·max(|θ|, 1); velocity and acceleration within 2⁻⁵⁰ of their
-/// largest value, position within 2⁻⁵⁰. Beyond 2⁴⁵ periods accuracy falls off, yet for every finite t results are
-/// finite and swings stay within their amplitude. NaN and ±∞ give NaN. Released from rest, θ(−t) = θ(t), and −θ0 gives
-/// −θ(t), to the bit. The bits do not depend on platform or optimisation.
+/// |t| up to 2⁴⁵ periods; from any other state within 2⁻⁵⁰·max(|θ|, 1); velocity within 2⁻⁵⁰ of its largest value,
+/// acceleration within 2⁻⁴⁹ of its own, position within 2⁻⁴⁹. Beyond 2⁴⁵ periods accuracy falls off, yet for every
+/// finite t results are finite (of a rotation whose angle would overflow, the largest number) and swings stay within
+/// their amplitude. NaN and ±∞ give NaN. Released from rest, θ(−t) = θ(t), and −θ0 gives −θ(t), to the bit. The bits,
+/// those of NaN excepted, do not depend on platform or optimisation.
 ///
 /// # Conditioning near the top
 /// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is

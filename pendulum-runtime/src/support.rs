@@ -1,21 +1,7 @@
 //! What generated code may call. Not part of the public interface.
 
-/// √x, correctly rounded (NaN for x < 0): the hardware instruction where there is one, the same bits everywhere.
-#[inline]
-#[must_use]
-pub fn sqrt(x: f64) -> f64 {
-    libm::sqrt(x)
-}
-
-/// √x, correctly rounded (NaN for x < 0): the hardware instruction where there is one, the same bits everywhere.
-#[inline]
-#[must_use]
-pub fn sqrtf(x: f32) -> f32 {
-    libm::sqrtf(x)
-}
-
-/// √x for normal x > 0, within [`ROOT_ERROR`] units of rounding, by + − × and bits alone: loops over it vectorise, which
-/// they don't over the hardware's instruction, and constants can be made of it.
+/// √x for normal x > 0, within [`ROOT_ERROR`] units of rounding, by + − × and bits alone: loops over it vectorise,
+/// which they don't over the hardware's instruction, and constants can be made of it.
 ///
 /// r ≈ 1/√x from the exponent's half (Lomont 2003; relative error below 0.0344), then twice
 /// r·(1 − e)^(−½) = r·(1 + e/2 + 3e²/8 + 5e³/16 + …), e = 1 − x·r²: after the first e is below 2·10⁻⁵, after the second
@@ -57,7 +43,7 @@ mod tests {
     fn roots_by_arithmetic_keep_their_bound() {
         let mut x = 0.013_f64;
         let mut worst = [0.0_f64; 2];
-        for i in 0..200_000 {
+        for i in 0..if cfg!(miri) { 2000 } else { 200_000 } {
             x = x * 1.37 % 3.9;
             let scaled = if i % 3 == 0 { x * 1e-200 } else { x };
             let s = root(scaled);
@@ -69,23 +55,5 @@ mod tests {
         }
         assert!(worst.iter().all(|&worst| worst > 1.0 && worst < ROOT_ERROR), "{worst:?}");
         assert!(root(f64::NAN).is_nan() && rootf(f32::NAN).is_nan());
-    }
-
-    /// s is the correctly rounded root when x lies between the squares of the midpoints about s.
-    #[test]
-    fn roots_are_correctly_rounded() {
-        let mut x = 0.013_f64;
-        for _ in 0..1000 {
-            x = x * 1.37 % 3.9;
-            let (s, single) = (sqrt(x), sqrtf(x as f32));
-            let (p, e) = crate::double::two_prod(s, s);
-            let ulp = s.next_up() - s;
-            assert!(((x - p) - e).abs() <= s * ulp * (1.0 + 1e-15));
-            // In f64 the root of an f32 is exact enough to be rounded again.
-            assert_eq!(single, sqrt(f64::from(x as f32)) as f32);
-        }
-        assert!(sqrt(-1.0).is_nan() && sqrtf(-1.0).is_nan());
-        assert_eq!((sqrt(-0.0).to_bits(), sqrt(f64::INFINITY)), ((-0.0_f64).to_bits(), f64::INFINITY));
-        assert_eq!(sqrt(5e-324), 2.2227587494850775e-162);
     }
 }

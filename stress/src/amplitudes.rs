@@ -1,4 +1,5 @@
-//! Release angles from 1e-300 to the last number below π: the run-time pendulum of each, and a few hundred compiled plans.
+//! Release angles from 1e-300 to the last number below π: the run-time pendulum of each, and a few hundred compiled
+//! plans.
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,5 @@
-//! K, K′, q and the coefficients of the paper's series against multiple precision: those of compiled plans to the bit, and
-//! those of the run-time crate at random amplitudes in units in the last place.
+//! K, K′, q and the coefficients of the paper's series against multiple precision: those of compiled plans to the bit,
+//! and those of the run-time crate at random amplitudes in units in the last place.
 
 use pendula::{Pendulum, elliptic};
 

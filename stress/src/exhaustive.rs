@@ -1,5 +1,5 @@
-//! Every one of the 2³² values of an `f32` time, for plans in single precision, against a plan of the same scene in double
-//! precision.
+//! Every one of the 2³² values of an `f32` time, for plans in single precision, against a plan of the same scene in
+//! double precision.
 //!
 //! The double-precision plan is proven to 2⁻⁴⁹ of the amplitude and measured against multiple precision by
 //! [`times`](crate::times), so that a millionth of what is looked for is its share in the errors found.

@@ -1,8 +1,8 @@
 //! Tries to break each promise of `pendula`.
 //!
-//! `cargo run --release -p pendula-stress -- exhaustive` (or `times`, `amplitudes`, `coefficients`) runs one of the suites
-//! and prints what it found; `docs/ACCURACY.md` has the latest results. The tests `tests/stress_*.rs` of the workspace run
-//! the same code on fewer inputs.
+//! `cargo run --release -p pendula-stress -- exhaustive` (or `times`, `amplitudes`, `coefficients`) runs one of the
+//! suites and prints what it found; `docs/ACCURACY.md` has the latest results. The tests `tests/stress_*.rs` of the
+//! workspace run the same code on fewer inputs.
 
 pub mod amplitudes;
 pub mod big;

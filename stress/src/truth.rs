@@ -1,10 +1,10 @@
 //! Truth at hundreds of millions of times: the motion by Taylor polynomials about points of its phase.
 //!
-//! The phase comes from integer arithmetic: t is an integer times a power of two, so a window of the binary digits of 1/T
-//! times that integer has the turns and 139 bits of the phase, whatever t (Payne and Hanek 1983). A polynomial for each
-//! small interval has its coefficients from the equation of motion at a state computed by [`Motion`], the first in two
-//! words. What is left is the rounding of the first-order term: 2⁻⁵⁸ of the largest value or less, a 256th of what is
-//! promised at full precision. [`Truth::direct`] does without all of that.
+//! The phase comes from integer arithmetic: t is an integer times a power of two, so a window of the binary digits of
+//! 1/T times that integer has the turns and 139 bits of the phase, whatever t (Payne and Hanek 1983). A polynomial for
+//! each small interval has its coefficients from the equation of motion at a state computed by [`Motion`], the first in
+//! two words. What is left is the rounding of the first-order term: 2⁻⁵⁸ of the largest value or less, a 256th of what
+//! is promised at full precision. [`Truth::direct`] does without all of that.
 
 mod clock;
 
@@ -93,7 +93,8 @@ impl Truth {
         let mut tables = vec![Vec::with_capacity(count as usize); coordinates];
         for index in 0..count {
             let ahead = f64::from(index) / f64::from(per_unit);
-            // Within half a period of the anchor, so that a rotation's angle is within ±π, or within the separatrix's span.
+            // Within half a period of the anchor, so that a rotation's angle is within ±π, or within the separatrix's
+            // span.
             let start = if count > per_unit { -SPAN } else { -(ahead + 0.5).floor() };
             let phase = Big::from(start + ahead);
             for (table, node) in tables.iter_mut().zip(nodes(motion, output, &phase, per_unit)) {

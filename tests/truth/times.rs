@@ -29,8 +29,8 @@ pub fn within(swing: &Swing, horizon: f64, density: u32) -> Vec<f64> {
     let mut random = Random::new(u64::from(density));
     let mut times = vec![0.0, -0.0, f64::MIN_POSITIVE, 5e-324, -1e-20];
     for i in 0..density {
-        // A grid of phases in the first periods, where little else than truncation is seen; the whole horizon evenly and
-        // by magnitude; its end, where the phase has drifted most.
+        // A grid of phases in the first periods, where little else than truncation is seen; the whole horizon evenly
+        // and by magnitude; its end, where the phase has drifted most.
         times.push(swing.time_of(f64::from(i) / f64::from(density) * 2.0 - 1.0));
         times.push(
             horizon * if i % 2 == 0 { random.signed() } else { random.signed().signum() * random.next().powi(16) },

@@ -18,12 +18,12 @@ pub(super) fn all(scene: &Scene, plan: &Plan) -> TokenStream {
     match &motion.regime {
         Regime::Swing(swing) => {
             constants.real("AMPLITUDE", &swing.amplitude, "The largest |θ|, rad.");
-            constants.elliptic(&swing.elliptic, "k = sin(amplitude/2), the modulus.");
-            constants.real("PERIOD", &swing.period, "T = 4K/ω, the time of one swing to and fro.");
+            constants.elliptic(&swing.elliptic, "k", "sin(amplitude/2)");
+            constants.real("PERIOD", &swing.period, "T = 4K/ω, the time of one swing to and fro, in the unit of t.");
         }
         Regime::Rotation(rotation) => {
-            constants.elliptic(&rotation.elliptic, "κ = 2ω/|θ̇| at the lowest point, the modulus.");
-            constants.real("PERIOD", &rotation.period, "The time of one turn.");
+            constants.elliptic(&rotation.elliptic, "κ", "2ω/|θ̇| at the lowest point");
+            constants.real("PERIOD", &rotation.period, "The time of one turn, in the unit of t.");
         }
         Regime::Separatrix(separatrix) => {
             let one = separatrix.launch.context().integer(1);
@@ -62,10 +62,12 @@ impl Writer {
         self.tokens.extend(quote!(#[doc = #doc] pub const #name: usize = #value;));
     }
 
-    fn elliptic(&mut self, elliptic: &Elliptic, modulus: &str) {
-        self.real("MODULUS", &elliptic.modulus, modulus);
-        self.real("K", &elliptic.quarter, "K(k), the complete elliptic integral of the first kind.");
-        self.real("K_PRIME", &elliptic.quarter_complementary, "K′ = K(k′), k′² = 1 − k².");
+    /// `k` is what the modulus is called, `definition` what it is.
+    fn elliptic(&mut self, elliptic: &Elliptic, k: &str, definition: &str) {
+        self.real("MODULUS", &elliptic.modulus, &format!("{k} = {definition}, the modulus."));
+        self.real("K", &elliptic.quarter, &format!("K({k}), the complete elliptic integral of the first kind."));
+        let complement = format!("K′ = K({k}′), {k}′² = 1 − {k}².");
+        self.real("K_PRIME", &elliptic.quarter_complementary, &complement);
         self.real("NOME", &elliptic.nome, "q = exp(−πK′/K).");
     }
 

@@ -115,7 +115,7 @@ fn part(part: &Part, plan: &Plan) -> String {
 }
 
 /// One line for a function.
-pub(super) fn function(function: &Function, plan: &Plan) -> String {
+pub(super) fn function(function: &Function) -> String {
     let what = match function.name {
         "theta" => "θ(t), rad",
         "velocity" => "θ̇(t), rad per unit of t",
@@ -125,6 +125,5 @@ pub(super) fn function(function: &Function, plan: &Plan) -> String {
         "state" => "(θ(t), θ̇(t)), with one phase reduction for both",
         other => other,
     };
-    let _ = plan;
     format!(" {what}; NaN if t is not finite. {} operations.", function.program.operations())
 }

@@ -65,7 +65,7 @@ fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> Tok
         let function = self::function(scene, function, root);
         quote!(pub #function)
     });
-    let doc_lines = plan.functions.iter().map(|function| docs::function(function, plan));
+    let doc_lines = plan.functions.iter().map(docs::function);
     let allowed = allowed();
     let conditions = conditions(attributes);
     quote! {

@@ -49,7 +49,7 @@ impl Forever {
     pub const K_PRIME: f64 = 1.8540746773013719;
     /// q = exp(−πK′/K).
     pub const NOME: f64 = 0.04321391826377225;
-    /// T = 4K/ω, the time of one swing to and fro.
+    /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f64 = 7.4162987092054875;
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";

@@ -54,7 +54,7 @@ impl Clock {
     pub const K_PRIME: f64 = 1.5860712391076077;
     /// q = exp(−πK′/K).
     pub const NOME: f64 = 0.19418044072494273;
-    /// T = 4K/ω, the time of one swing to and fro.
+    /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f64 = 3.870979890311913;
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";

@@ -51,7 +51,7 @@ impl Lamp {
     pub const K_PRIME: f32 = 1.7091976;
     /// q = exp(−πK′/K).
     pub const NOME: f32 = 0.0763566;
-    /// T = 4K/ω, the time of one swing to and fro.
+    /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f32 = 8.349753;
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";

@@ -50,7 +50,7 @@ impl Pushed {
     pub const K_PRIME: f64 = 2.1808718766608886;
     /// q = exp(−πK′/K).
     pub const NOME: f64 = 0.016882730376268574;
-    /// T = 4K/ω, the time of one swing to and fro.
+    /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f64 = 2.2382200703644872;
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";

@@ -1,7 +1,7 @@
 //! A proven bound of |θ̂ − θ|, by branch and bound.
 
 use super::{FourierAnalysis, distance};
-use crate::support::sqrt;
+use libm::sqrt;
 
 /// The quarter period, to be cut into cells until each is bounded by the goal.
 pub(super) struct Cells<'a> {
@@ -86,8 +86,8 @@ mod tests {
         }
     }
 
-    /// Every cell's bound holds by itself, not only that of the cells that decide: wide ones, where the tail may exceed y at
-    /// the end or the largest argument cuts them, and narrow ones.
+    /// Every cell's bound holds by itself, not only that of the cells that decide: wide ones, where the tail may exceed
+    /// y at the end or the largest argument cuts them, and narrow ones.
     #[test]
     #[cfg_attr(miri, ignore = "many samples")]
     fn no_cell_is_exceeded() {

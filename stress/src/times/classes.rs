@@ -30,8 +30,8 @@ pub struct Class {
     pub proven: Option<f64>,
     /// The largest magnitude of the output within and beyond the horizon.
     pub ceiling: f64,
-    /// Terms of the paper's θ̂, where that is the truth instead of the motion, and the derivative of the arcsine up to which
-    /// it is compared.
+    /// Terms of the paper's θ̂, where that is the truth instead of the motion, and the derivative of the arcsine up to
+    /// which it is compared.
     pub terms: Option<(usize, f64)>,
     /// The plan.
     pub evaluate: Evaluate,
@@ -159,8 +159,8 @@ impl Scene {
     }
 }
 
-/// How much more than [`FULL`] is allowed: three times for a position, whose coordinates are products of two; twice for an
-/// angle modulo a turn, which is joined from halves.
+/// How much more than [`FULL`] is allowed: three times for a position, whose coordinates are products of two; twice for
+/// an angle modulo a turn, which is joined from halves.
 fn room(output: Output) -> f64 {
     match output {
         Output::Position => 3.0,
@@ -216,8 +216,8 @@ fn rotations(all: &mut Vec<Class>) {
     plan!(all: "rotation, any time", [0 (2.00001) 1]; wrapped velocity);
 }
 
-/// The paper's θ̂ as one polynomial, to be the paper's everywhere; and by the arcsine, away from the turning points, where
-/// that multiplies the roundings of its argument.
+/// The paper's θ̂ as one polynomial, to be the paper's everywhere; and by the arcsine, away from the turning points,
+/// where that multiplies the roundings of its argument.
 fn paper(all: &mut Vec<Class>) {
     pendula::pendulum! {
         struct Whole;

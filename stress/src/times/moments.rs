@@ -23,9 +23,9 @@ const KINDS: u64 = HARDEST + 1;
 /// The kind of the hardest times, the last.
 pub const HARDEST: u64 = 8;
 
-/// The denominators q of the convergents of the continued fraction of 8·2^e/T: q·2^e is nearer to a multiple of T/8 than
-/// m·2^e for any m < q. There the phase is as near to a tie of its rounding as it gets, and what its computation neglects
-/// is not hidden by the distance.
+/// The denominators q of the convergents of the continued fraction of 8·2^e/T: q·2^e is nearer to a multiple of T/8
+/// than m·2^e for any m < q. There the phase is as near to a tie of its rounding as it gets, and what its computation
+/// neglects is not hidden by the distance.
 pub(super) fn hardest(period: &Big, horizon: f64) -> Vec<f64> {
     let mut list = Vec::new();
     let top = horizon.log2().ceil() as i32;
@@ -84,8 +84,8 @@ impl Moments {
         }
     }
 
-    /// Near a multiple of T/8 from a turning point: those and lowest points, where curves are worst conditioned, and the
-    /// ties of rounding to whole anchors, whichever way the phase is centred. To the ulp, or less near.
+    /// Near a multiple of T/8 from a turning point: those and lowest points, where curves are worst conditioned, and
+    /// the ties of rounding to whole anchors, whichever way the phase is centred. To the ulp, or less near.
     fn eighth(&self, random: &mut Random) -> f64 {
         let [period, rest] = self.period;
         let most = (self.horizon / period * 8.0).max(16.0);
