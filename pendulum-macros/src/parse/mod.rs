@@ -10,7 +10,7 @@ pub(crate) use words::{Float, Method, Output, list};
 
 use crate::report::{Report, nearest};
 use number::Number;
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Error, Ident, Result, Token, Visibility};
@@ -96,7 +96,7 @@ fn form(input: ParseStream) -> Result<Form> {
     let visibility: Visibility = input.parse()?;
     let bare = attributes.is_empty() && matches!(visibility, Visibility::Inherited);
     if bare && !input.peek(Token![struct]) {
-        return Ok(Form::Expression);
+        return header_without_struct(input).map_or(Ok(Form::Expression), Err);
     }
     if !input.peek(Token![struct]) {
         return Err(input.error("expected `struct Name;` after attributes or a visibility"));
@@ -108,6 +108,24 @@ fn form(input: ParseStream) -> Result<Form> {
     }
     input.parse::<Token![;]>()?;
     Ok(Form::Item(Item { attributes, visibility, name }))
+}
+
+/// The mistake of `Clock;`, `enum Clock;` or `Clock { … }` where `struct Clock;` was meant.
+fn header_without_struct(input: ParseStream) -> Option<Error> {
+    let (first, rest) = input.cursor().ident()?;
+    if PARAMETERS.contains(&canonical(&first.to_string()).as_str()) {
+        return None;
+    }
+    let next = rest.token_stream().into_iter().next()?;
+    let name = match &next {
+        TokenTree::Ident(second) => second,
+        TokenTree::Punct(punct) if matches!(punct.as_char(), ';' | '<') => &first,
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => &first,
+        _ => return None,
+    };
+    let message =
+        format!("expected `struct {name};` and then the parameters, or nothing but parameters, `name = value`");
+    Some(Error::new(first.span(), message))
 }
 
 /// The parameters, each as its own token stream with the span of the comma that ends it, so that a mistake in one
