@@ -108,7 +108,7 @@ struct Readme;
 /// | parameter | meaning | range | default |
 /// |---|---|---|---|
 /// | `theta0`, `θ0` | angle at t = 0 | 0 < \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
-/// | `velocity0` | θ̇ at t = 0, rad per unit of t | any up to 10¹³⁵·ω | 0, released at rest |
+/// | `velocity0` | θ̇ at t = 0, rad per unit of t (`90deg` is 90 degrees, π/2 rad, per unit of t) | any up to 10¹³⁵·ω | 0, released at rest |
 /// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0 | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing; θ and θ̇ only | from 1 to what `float` can use | |
@@ -120,7 +120,8 @@ struct Readme;
 ///
 /// **Numbers** are decimal literals of up to 500 digits (every digit counts) and exponents between ±400, with
 /// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`,
-/// `157.5deg`, `3*PI/4 - 0.01`. Nothing is rounded to `f64` on the way, so every constant is the correctly rounded one
+/// `157.5deg`, `3*PI/4 - 0.01`. `deg` and `rad` are for `theta0` and `velocity0` only. Nothing is rounded to `f64` on the
+/// way, so every constant is the correctly rounded one
 /// of the exact value.
 ///
 /// # What the item has

@@ -44,7 +44,6 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     let request = parse::parse(parameters, &mut report);
     let form = request.as_ref().map(|request| request.form.clone());
     let float = request.as_ref().and_then(|request| request.float.as_ref()).map_or(Float::F64, |float| float.value);
-    let output = request.as_ref().and_then(|request| request.outputs.as_ref()?.value.first().copied());
     let scene = request.and_then(|request| check::check(request, &mut report));
     let planned = scene.and_then(|scene| {
         let plan = plan::plan(&scene).map_err(|refusal| report.add(refusal.explain(&scene))).ok()?;
@@ -52,11 +51,12 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     });
     match planned {
         Some((scene, plan)) => emit::emit(&scene, &plan, root),
-        None => emit::stub(form.as_ref(), float, output, &errors(report)),
+        None => emit::stub(form.as_ref(), float, &errors(report)),
     }
 }
 
 /// Every mistake as a `compile_error!`.
-fn errors(report: Report) -> TokenStream {
-    report.finish().err().as_ref().map(syn::Error::to_compile_error).unwrap_or_default()
+fn errors(report: Report) -> Vec<TokenStream> {
+    let mistakes = report.finish().err().into_iter().flatten();
+    mistakes.map(|mistake| mistake.to_compile_error()).collect()
 }

@@ -49,7 +49,7 @@ pub(crate) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str>
     candidates
         .iter()
         .map(|&candidate| (edit_distance(&word.to_lowercase(), candidate), candidate))
-        .filter(|&(distance, candidate)| distance <= 1 + candidate.chars().count() / 3)
+        .filter(|&(distance, candidate)| distance <= (1 + candidate.chars().count()) / 3)
         .min()
         .map(|(_, candidate)| candidate)
 }

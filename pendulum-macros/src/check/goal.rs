@@ -1,9 +1,9 @@
 //! How good the result has to be, by which method and for how long: `n`, `tol`, `method`, `t_max`.
 
-use super::{Checked, Checker, source};
+use super::{Checked, Checker};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Swing};
-use crate::parse::{Float, Given, Method, Output};
+use crate::parse::{Float, Given, Method, Output, source};
 use crate::scene::Goal;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -26,9 +26,8 @@ impl Checker<'_> {
     /// `tol`, rounded down to an `f64`: the promise is the smaller.
     fn tolerance(&mut self) -> Checked<Option<f64>> {
         let given = self.request.tol.as_ref();
-        let unit = "an error in radians (in units of ω and ω² for velocity and acceleration)";
         let why = "a result can't be closer than that; leave `tol` out for the full precision of the float";
-        let (Some(given), Some(value)) = (given, self.positive(given, unit, why)?) else { return Ok(None) };
+        let (Some(given), Some(value)) = (given, self.positive(given, why)?) else { return Ok(None) };
         let nearest = value.to_f64();
         let rounded_up = self.context.float(nearest).is_none_or(|float| float > value);
         let tolerance = if rounded_up { nearest.next_down() } else { nearest };
@@ -120,7 +119,7 @@ impl Checker<'_> {
     pub(super) fn t_max(&mut self, motion: Option<&Motion>) -> Checked<Option<Real>> {
         let given = self.request.t_max.as_ref();
         let why = "the promise holds for all |t| ≤ `t_max`; leave it out for 2⁵³ periods";
-        let (Some(given), Some(value)) = (given, self.positive(given, "in the unit of t", why)?) else {
+        let (Some(given), Some(value)) = (given, self.positive(given, why)?) else {
             return Ok(None);
         };
         let period = match motion.map(|motion| &motion.regime) {

@@ -3,7 +3,6 @@
 
 mod goal;
 mod range;
-mod source;
 mod start;
 #[cfg(test)]
 mod tests;
@@ -11,7 +10,7 @@ mod tests;
 use crate::exact::{Context, Real};
 use crate::motion::Motion;
 use crate::parse::number::Number;
-use crate::parse::{Float, Form, Given, Output, Request};
+use crate::parse::{Float, Form, Given, Output, Request, source};
 use crate::report::Report;
 use crate::scene::{Blame, Scene};
 pub(crate) use goal::most_useful_terms;
@@ -75,21 +74,6 @@ impl Checker<'_> {
         self.request.float.as_ref().map_or(Float::F64, |float| float.value)
     }
 
-    /// The value of a parameter in which `deg` and `rad` have no meaning; `None` if it wasn't given.
-    fn plain(&mut self, given: Option<&Given<Number>>, unit: &str) -> Checked<Option<Real>> {
-        let Some(given) = given else { return Ok(None) };
-        if let Some((suffix, span)) = given.value.angle_unit() {
-            let Given { name, .. } = given;
-            let shown = source::value(&given.tokens);
-            let remedy =
-                format!("`{name} = {shown}` has the unit `{suffix}`: `{name}` is {unit}, a number without suffix");
-            self.report.at(span, remedy);
-            return Err(Reported);
-        }
-        self.evaluated(given).map(Some)
-    }
-
-    /// The value of a parameter that may carry an angle's unit.
     fn evaluated(&mut self, given: &Given<Number>) -> Checked<Real> {
         // What the motion doesn't depend on (`tol`, `t_max`) may be longer than what it does.
         let context = self.context.at_least(Context::for_digits(given.value.digits()));
@@ -100,9 +84,9 @@ impl Checker<'_> {
         })
     }
 
-    /// A plain value that has to be positive; `why` ends the message.
-    fn positive(&mut self, given: Option<&Given<Number>>, unit: &str, why: &str) -> Checked<Option<Real>> {
-        let value = self.plain(given, unit)?;
+    /// A value that has to be positive, `None` if it wasn't given; `why` ends the message.
+    fn positive(&mut self, given: Option<&Given<Number>>, why: &str) -> Checked<Option<Real>> {
+        let value = given.map(|given| self.evaluated(given)).transpose()?;
         if let (Some(given), Some(value)) = (given, &value)
             && (value.is_zero() || value.is_negative())
         {

@@ -1,10 +1,10 @@
 //! Whether what follows from a motion fits the float: its period, its amplitude, its largest results.
 
-use super::{Checked, Checker, source};
+use super::{Checked, Checker};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime};
 use crate::parse::number::Number;
-use crate::parse::{Float, Given, Output};
+use crate::parse::{Float, Given, Output, source};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 

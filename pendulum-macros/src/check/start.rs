@@ -1,10 +1,10 @@
 //! What sets the pendulum going: `theta0`, `velocity0`, `omega` or `g` and `length`, and the motion they make.
 
-use super::{Checked, Checker, Reported, source};
+use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{Motion, NoMotion};
 use crate::parse::number::Number;
-use crate::parse::{Form, Given};
+use crate::parse::{Form, Given, source};
 
 impl Checker<'_> {
     /// The motion, at a working precision that outlasts every cancellation in it.
@@ -76,9 +76,9 @@ impl Checker<'_> {
         let request = self.request;
         let rate = "ω is the rate of small oscillations; to mirror the motion change the sign of `theta0`";
         let need = "ω = √(g/length) needs both above 0";
-        let omega = self.positive(request.omega.as_ref(), "in radians per unit of t", rate);
-        let g = self.positive(request.g.as_ref(), "in m/s²", need);
-        let length = self.positive(request.length.as_ref(), "in m", need);
+        let omega = self.positive(request.omega.as_ref(), rate);
+        let g = self.positive(request.g.as_ref(), need);
+        let length = self.positive(request.length.as_ref(), need);
         self.one_source_of_omega()?;
         match (omega?, g?, length?) {
             (Some(omega), ..) => {
@@ -144,6 +144,13 @@ impl Checker<'_> {
         let degrees = (theta0 * &self.context.ratio(180, 1) / self.context.pi()).to_f64();
         let value = format!("{shown} is {radians:?} rad = {degrees:?}°");
         let moving = self.request.mentions("velocity0");
+        let reduced = self.less_full_turns(theta0);
+        // Full turns away from where nothing moves, nothing moves either.
+        let why = match (why, &reduced) {
+            (NoMotion::BeyondTop, Reduced::Lowest) if !moving => NoMotion::Hanging,
+            (NoMotion::BeyondTop, Reduced::Top) if !moving => NoMotion::Balanced,
+            (why, _) => why,
+        };
         let message = match why {
             NoMotion::Hanging if angle.is_some() => {
                 format!("{shown} at rest hangs still: release it at another angle, or push it with `velocity0`")
@@ -155,29 +162,57 @@ impl Checker<'_> {
                 "{value}, balanced on the top, where nothing moves: release it at |θ0| < π, or give it a `velocity0`"
             ),
             NoMotion::BeyondTop if moving => {
-                format!("{value}, beyond the top at ±π: {} is the same state", self.less_full_turns(theta0))
+                format!("{value}, beyond the top at ±π: {} is the same state", self.reduced(&reduced))
             }
             NoMotion::BeyondTop => format!(
                 "{value}: released at rest, |θ0| must be less than π (180°); {} is the same position, and motion over \
                  the top starts with a `velocity0`",
-                self.less_full_turns(theta0)
+                self.reduced(&reduced)
             ),
         };
         self.refuse(&blamed.tokens, message)
     }
 
-    /// The parameter with an angle beyond ±π brought within, in the unit it was given in.
-    fn less_full_turns(&self, theta0: &Real) -> String {
-        let turn = self.context.pi().scale(1);
-        let turns = (theta0 / &turn).to_f64().round();
-        let Some(turns) = self.context.float(turns) else { return "`theta0` less full turns".to_owned() };
-        let reduced = theta0 - &(turns * &turn);
-        let in_degrees = self.request.theta0.as_ref().and_then(|given| given.value.angle_unit());
-        match in_degrees {
-            Some(("deg", _)) => {
-                format!("`theta0 = {}deg`", (reduced * self.context.integer(360) / turn).to_f64())
-            }
-            _ => format!("`theta0 = {}`", reduced.to_f64()),
+    /// An angle beyond ±π brought within.
+    fn less_full_turns(&self, theta0: &Real) -> Reduced {
+        let pi = self.context.pi();
+        let turns = (theta0 / &pi.scale(1)).to_f64().round();
+        // The turns of larger angles aren't known to the last.
+        let Some(turns) = self.context.float(turns).filter(|_| turns.abs() < 1e15) else { return Reduced::Unknown };
+        let rest = theta0 - &(turns * pi.scale(1));
+        let negligible = theta0.abs() * self.context.resolution();
+        if rest.abs() <= negligible {
+            Reduced::Lowest
+        } else if (rest.abs() - pi).abs() <= negligible {
+            Reduced::Top
+        } else {
+            Reduced::Between(rest)
         }
     }
+
+    /// `theta0 = …` for an angle brought within ±π, in the unit it was given in.
+    fn reduced(&self, angle: &Reduced) -> String {
+        let unit = self.request.theta0.as_ref().and_then(|given| given.value.angle_unit());
+        let in_degrees = matches!(unit, Some(("deg", _)));
+        let shown = match angle {
+            Reduced::Unknown => return "`theta0` less its full turns".to_owned(),
+            Reduced::Lowest => "0".to_owned(),
+            Reduced::Top if in_degrees => "180deg".to_owned(),
+            Reduced::Top => "1π".to_owned(),
+            Reduced::Between(rest) if in_degrees => {
+                format!("{}deg", (rest * &self.context.integer(180) / self.context.pi()).to_f64())
+            }
+            Reduced::Between(rest) => rest.to_f64().to_string(),
+        };
+        format!("`theta0 = {shown}`")
+    }
+}
+
+/// An angle less its full turns.
+enum Reduced {
+    Lowest,
+    Top,
+    Between(Real),
+    /// So many turns that the rest isn't known.
+    Unknown,
 }

@@ -83,7 +83,13 @@ fn refuses_states_that_do_not_move() {
         &["`theta0 = 200deg`", "3.490658503988659 rad = 200.0°", "velocity0", "`theta0 = -160deg`"],
     );
     refused("theta0 = 3.5", &["`theta0 = -2.7831853071795867` is the same position"]);
-    refused("theta0 = 5π, velocity0 = 1", &["beyond the top", "the same state"]);
+    refused("theta0 = 5π, velocity0 = 1", &["beyond the top", "`theta0 = 1π` is the same state"]);
+    refused("theta0 = -900deg, velocity0 = 1", &["`theta0 = 180deg` is the same state"]);
+    refused("theta0 = 4π, velocity0 = 1", &["`theta0 = 0` is the same state"]);
+    refused("theta0 = 7π", &["21.991148575128552 rad = 1260.0°", "balanced on the top"]);
+    refused("theta0 = -540deg", &["balanced on the top"]);
+    refused("theta0 = 2π", &["`theta0 = 2π` at rest hangs still"]);
+    refused("theta0 = 1e300", &["`theta0` less its full turns"]);
     refused("theta0 = 1e-400", &["`theta0 = 1e-400` is below the smallest normal `f64`"]);
     refused("theta0 = 1e-39, float = f32", &["below the smallest normal `f32`", "f64"]);
     refused("theta0 = 1, velocity0 = 1e400", &["`velocity0 = 1e400` is above the largest `f64`"]);
@@ -100,7 +106,7 @@ fn refuses_rates_that_are_none() {
     refused("theta0 = 1, omega = 1, g = 9.81", &["`g`", "`omega`", "keep"]);
     refused("theta0 = 1, omega = 1e-308", &["below the smallest normal"]);
     refused("struct A; theta0 = 1, omega = 1e200, outputs = [acceleration]", &["the largest acceleration above"]);
-    refused("theta0 = 1, omega = 2deg", &["`omega = 2deg` has the unit `deg`"]);
+    refused("theta0 = 1, omega = 2deg", &["`omega = 2deg` has the suffix `deg`"]);
     // One mistake, one message, where removing one token's parameter mends it.
     let both = &["`omega`", "beside `g` and `length`", "keep `omega`"];
     refused("theta0 = 1, omega = 1, g = 9.81, length = 1", both);
@@ -119,7 +125,7 @@ fn refuses_goals_that_cannot_be_kept() {
     refused("theta0 = 1, tol = 0", &["`tol = 0` is not positive", "full precision"]);
     refused("theta0 = 1, tol = -1e-3", &["`tol = -1e-3` is not positive"]);
     refused("theta0 = 1, tol = 1e-400", &["`tol = 1e-400`", "smaller than every `f64`"]);
-    refused("theta0 = 1, tol = 1deg", &["`tol = 1deg` has the unit `deg`", "radians"]);
+    refused("theta0 = 1, tol = 1deg", &["`tol = 1deg` has the suffix `deg`", "radians"]);
     refused("theta0 = 1, tol = 1/(1 - 1)", &["`tol = 1/(1 - 1)`: division by zero"]);
     refused("theta0 = 1, t_max = 0", &["`t_max = 0` is not positive"]);
     refused("theta0 = 1, t_max = 1e300", &["`t_max = 1e300`", "2⁵³ periods"]);
@@ -150,6 +156,9 @@ fn reports_mistakes_of_every_parameter_together() {
     // Whatever follows from a mistake is not another: the angle needs no ω, `theta` was meant as `theta0`.
     assert!(about("`theta0 = 4`"), "{errors:#?}");
     refused("theta = 1, n = 4", &["did you mean `theta0`"]);
+    refused("amplitude = 1, n = 4", &["did you mean `theta0`"]);
+    refused("theta0 = 1, l = 2, g = 3", &["did you mean `length`"]);
+    refused("theta0 = 1, period = 2", &["did you mean `omega = 2π/period`"]);
     refused("theta0 = x, n = 4", &["`x` can't be evaluated"]);
     refused("theta0 =, n = 4", &["lacks its value"]);
     refused("theta0 = 1, g = 9.81, length = l", &["`l` can't be evaluated"]);
@@ -169,4 +178,21 @@ fn the_regime_is_decided_exactly() {
     assert!(matches!(regime("velocity0 = 1.9999999999999999999999999999999999"), Regime::Swing(_)));
     assert!(matches!(regime("velocity0 = 2.0000000000000000000000000000000001"), Regime::Rotation(_)));
     assert!(matches!(regime("theta0 = π, velocity0 = 1e-300"), Regime::Rotation(_)));
+}
+
+#[test]
+fn suffixes_belong_to_angles() {
+    refused("theta0 = 1, t_max = 1h", &["`t_max = 1h` has the suffix `h`: `t_max` is in the unit of t"]);
+    refused("theta0 = 1, omega = 60rpm", &["`omega = 60rpm` has the suffix `rpm`", "in radians per unit of t"]);
+    refused("theta0 = 1, g = 9.81m/s, length = 1", &["`g = 9.81m/s` has the suffix `m`", "in m/s²"]);
+    refused("theta0 = 90grad", &["`theta0 = 90grad` has the suffix `grad`", "`π`, `deg` or `rad`"]);
+}
+
+#[test]
+fn counts_of_terms_are_whole_numbers() {
+    refused("theta0 = 1, n = 2.5", &["`n` takes a whole number of terms"]);
+    refused("theta0 = 1, n = 4usize", &["`n = 4usize` has a suffix: write `n = 4`"]);
+    refused("theta0 = 1, n = -4", &["`n = -4` is negative"]);
+    refused("theta0 = 1, n = 99999999999999999999999", &["`n = 99999999999999999999999` is more terms"]);
+    refused("theta0 = 1, tol = 1e-500", &["`tol` has `1e-500` in it", "±400"]);
 }

@@ -6,31 +6,23 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The errors, and an item of the shape that was asked for.
-pub(crate) fn stub(form: Option<&Form>, float: Float, output: Option<Output>, errors: &TokenStream) -> TokenStream {
+pub(crate) fn stub(form: Option<&Form>, float: Float, errors: &[TokenStream]) -> TokenStream {
     match form {
         Some(Form::Item(item)) => structure(item, float, errors),
-        Some(Form::Expression) => expression(float, output, errors),
-        // Where the form couldn't be told there is one error, which is an item as well as an expression.
-        None => errors.clone(),
+        Some(Form::Expression) | None => anywhere(errors),
     }
 }
 
-fn expression(float: Float, output: Option<Output>, errors: &TokenStream) -> TokenStream {
-    let float = format_ident!("{}", float.word());
-    let allowed = allowed();
-    let (result, zero) = match output {
-        Some(Output::Position) => (quote!((#float, #float)), quote!((0.0, 0.0))),
-        _ => (quote!(#float), quote!(0.0)),
-    };
-    quote!({
-        #errors
-        #allowed
-        const fn theta(_t: #float) -> #result { #zero }
-        theta
-    })
+/// All errors as one macro call, which is an item as well as an expression: a request without `struct` may stand in either
+/// position. `concat!` expands its arguments first, and then is as silent as they are in error, of any type.
+fn anywhere(errors: &[TokenStream]) -> TokenStream {
+    match errors {
+        [error] => error.clone(),
+        errors => quote!(::core::concat! { #(#errors),* }),
+    }
 }
 
-fn structure(item: &Item, float: Float, errors: &TokenStream) -> TokenStream {
+fn structure(item: &Item, float: Float, errors: &[TokenStream]) -> TokenStream {
     let Item { attributes, visibility, name } = item;
     let float = format_ident!("{}", float.word());
     let constants = [
@@ -53,7 +45,7 @@ fn structure(item: &Item, float: Float, errors: &TokenStream) -> TokenStream {
     let allowed = allowed();
     let conditions = conditions(attributes);
     quote! {
-        #errors
+        #(#errors)*
         #(#attributes)*
         #[doc = ""]
         #visibility struct #name;

@@ -1,16 +1,19 @@
 //! Tokens → [`Request`]: what was asked for, as written. Nothing is evaluated or judged here beyond its syntax.
 
 mod depth;
+mod names;
 pub(crate) mod number;
+pub(crate) mod source;
 mod value;
 mod words;
 
 pub(crate) use value::Given;
-pub(crate) use words::{Float, Method, Output, list};
+pub(crate) use words::{Float, Method, Output};
 
-use crate::report::{Report, nearest};
+use crate::report::Report;
+use names::{PARAMETERS, canonical, unknown_parameter};
 use number::Number;
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Error, Ident, Result, Token, Visibility};
@@ -51,9 +54,6 @@ pub(crate) struct Item {
     pub(crate) visibility: Visibility,
     pub(crate) name: Ident,
 }
-
-const PARAMETERS: [&str; 11] =
-    ["theta0", "velocity0", "omega", "g", "length", "n", "tol", "t_max", "method", "float", "outputs"];
 
 /// Parses one invocation, recording every mistake; `None` where not even the form could be told.
 pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request> {
@@ -96,7 +96,7 @@ fn form(input: ParseStream) -> Result<Form> {
     let visibility: Visibility = input.parse()?;
     let bare = attributes.is_empty() && matches!(visibility, Visibility::Inherited);
     if bare && !input.peek(Token![struct]) {
-        return Ok(Form::Expression);
+        return header_without_struct(input).map_or(Ok(Form::Expression), Err);
     }
     if !input.peek(Token![struct]) {
         return Err(input.error("expected `struct Name;` after attributes or a visibility"));
@@ -108,6 +108,24 @@ fn form(input: ParseStream) -> Result<Form> {
     }
     input.parse::<Token![;]>()?;
     Ok(Form::Item(Item { attributes, visibility, name }))
+}
+
+/// The mistake of `Clock;`, `enum Clock;` or `Clock { … }` where `struct Clock;` was meant.
+fn header_without_struct(input: ParseStream) -> Option<Error> {
+    let (first, rest) = input.cursor().ident()?;
+    if PARAMETERS.contains(&canonical(&first.to_string())) {
+        return None;
+    }
+    let next = rest.token_stream().into_iter().next()?;
+    let name = match &next {
+        TokenTree::Ident(second) => second,
+        TokenTree::Punct(punct) if matches!(punct.as_char(), ';' | '<') => &first,
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => &first,
+        _ => return None,
+    };
+    let message =
+        format!("expected `struct {name};` and then the parameters, or nothing but parameters, `name = value`");
+    Some(Error::new(first.span(), message))
 }
 
 /// The parameters, each as its own token stream with the span of the comma that ends it, so that a mistake in one
@@ -149,11 +167,11 @@ impl Request {
             Ok(named) => named,
             Err(error) => {
                 // `theta0` without a value is a mistake of its own, not a missing `theta0`.
-                self.written.extend(first_word(tokens).map(|word| (canonical(&word), TokenStream::new())));
+                self.written.extend(first_word(tokens).map(|word| (canonical(&word).to_owned(), TokenStream::new())));
                 return Err(error);
             }
         };
-        self.written.push((canonical(&name.to_string()), value.clone()));
+        self.written.push((canonical(&name.to_string()).to_owned(), value.clone()));
         let fresh = |taken: bool| {
             if taken { Err(Error::new(name.span(), format!("`{name}` is given twice: keep one"))) } else { Ok(()) }
         };
@@ -174,23 +192,6 @@ impl Request {
             unknown => Err(Error::new(name.span(), unknown_parameter(unknown))),
         }
     }
-}
-
-fn unknown_parameter(name: &str) -> String {
-    nearest(name, &PARAMETERS).map_or_else(
-        || format!("unknown parameter `{name}`: a parameter is one of {}", list(&PARAMETERS)),
-        |known| format!("unknown parameter `{name}`: did you mean `{known}`?"),
-    )
-}
-
-/// The parameter's name in ASCII, a misspelt one corrected.
-fn canonical(name: &str) -> String {
-    match name {
-        "θ0" => "theta0",
-        "ω" => "omega",
-        other => nearest(other, &PARAMETERS).unwrap_or(other),
-    }
-    .to_owned()
 }
 
 fn first_word(tokens: TokenStream) -> Option<String> {

@@ -1,11 +1,13 @@
 //! The values of parameters: numbers, counts, words and lists of words.
 
 use super::number::Number;
+use super::split_at_commas;
 use super::words::{Output, list, one_word};
-use proc_macro2::{Span, TokenStream, TokenTree};
+use crate::report::Report;
+use proc_macro2::{Span, TokenStream};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
-use syn::{Error, Ident, LitInt, Result, Token, bracketed};
+use syn::{Error, Ident, LitInt, LitStr, Result, bracketed};
 
 /// A parameter that was given: its name's span, its value and the value's tokens for messages.
 #[derive(Clone)]
@@ -16,16 +18,25 @@ pub(crate) struct Given<T> {
 }
 
 pub(super) fn number(name: &Ident, tokens: TokenStream) -> Result<Given<Number>> {
-    Ok(Given { name: name.clone(), value: Number::parse_all(tokens.clone())?, tokens })
+    Ok(Given { name: name.clone(), value: Number::parse_all(name, tokens.clone())?, tokens })
 }
 
 pub(super) fn count(name: &Ident, tokens: TokenStream) -> Result<Given<usize>> {
-    let wrong =
-        |_| Error::new_spanned(&tokens, format!("`{name}` takes a whole number of terms, such as `{name} = 4`"));
-    let literal: LitInt = syn::parse2(tokens.clone()).map_err(wrong)?;
-    let value =
-        if literal.suffix().is_empty() { literal.base10_parse() } else { Err(Error::new(Span::call_site(), "")) };
-    Ok(Given { name: name.clone(), value: value.map_err(wrong)?, tokens })
+    let wrong = |why: String| Error::new_spanned(&tokens, why);
+    let literal: LitInt = syn::parse2(tokens.clone())
+        .map_err(|_| wrong(format!("`{name}` takes a whole number of terms, such as `{name} = 4`")))?;
+    let (digits, suffix) = (literal.base10_digits(), literal.suffix());
+    if !suffix.is_empty() {
+        return Err(wrong(format!("`{name} = {literal}` has a suffix: write `{name} = {digits}`")));
+    }
+    let value = literal.base10_parse().map_err(|_| {
+        wrong(if digits.starts_with('-') {
+            format!("`{name} = {digits}` is negative: θ̂ needs `{name} = 1` or more")
+        } else {
+            format!("`{name} = {digits}` is more terms than any float can use: choose fewer, such as `{name} = 4`")
+        })
+    })?;
+    Ok(Given { name: name.clone(), value, tokens })
 }
 
 pub(super) fn word<T>(
@@ -41,28 +52,47 @@ pub(super) fn word<T>(
 }
 
 pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Output>>> {
-    let parse = |input: ParseStream| {
+    let list_of = |input: ParseStream| {
         let inner;
         bracketed!(inner in input);
-        let words = inner.parse_terminated(Ident::parse_any, Token![,])?;
-        let mut outputs = Vec::new();
-        for ident in words {
-            let output = one_word(&ident, "output", Output::WORDS, Output::from_word)?;
-            if outputs.contains(&output) {
-                return Err(Error::new(ident.span(), format!("output `{ident}` is listed twice: keep one")));
-            }
-            outputs.push(output);
-        }
-        Ok(outputs)
+        inner.parse::<TokenStream>()
     };
-    let looks_like_list = matches!(tokens.clone().into_iter().next(), Some(TokenTree::Group(_)));
-    if !looks_like_list {
-        return Err(Error::new_spanned(&tokens, "`outputs` is a list, such as `[theta, velocity]`"));
+    let entries = list_of
+        .parse2(tokens.clone())
+        .map_err(|_| Error::new_spanned(&tokens, "`outputs` is a list, such as `[theta, velocity]`"))?;
+    let mut value = Vec::new();
+    let mut report = Report::default();
+    for (entry, comma) in split_at_commas(entries) {
+        if let Some(output) = report.take(output(&entry, comma, &value)) {
+            value.push(output);
+        }
     }
-    let value = parse.parse2(tokens.clone())?;
+    report.finish()?;
     if value.is_empty() {
         let all = list(Output::WORDS);
         return Err(Error::new_spanned(&tokens, format!("`outputs` is empty: list at least one of {all}")));
     }
     Ok(Given { name: name.clone(), value, tokens })
+}
+
+/// One entry of the list, and the comma that ends it.
+fn output(entry: &TokenStream, comma: Span, before: &[Output]) -> Result<Output> {
+    if entry.is_empty() {
+        return Err(Error::new(comma, "expected an output before this comma: remove it"));
+    }
+    let ident = Ident::parse_any.parse2(entry.clone()).map_err(|_| no_word(entry))?;
+    let output = one_word(&ident, "output", Output::WORDS, Output::from_word)?;
+    if before.contains(&output) {
+        return Err(Error::new(ident.span(), format!("output `{ident}` is listed twice: keep one")));
+    }
+    Ok(output)
+}
+
+fn no_word(entry: &TokenStream) -> Error {
+    let quoted = syn::parse2::<LitStr>(entry.clone()).map(|text| text.value());
+    let remedy = match quoted {
+        Ok(text) => format!("outputs are written without quotes: `{text}`"),
+        Err(_) => format!("expected an output: one of {}, with commas between them", list(Output::WORDS)),
+    };
+    Error::new_spanned(entry, remedy)
 }

@@ -69,7 +69,7 @@ pub(super) fn one_word<T>(ident: &Ident, what: &str, words: &[&str], from_word: 
 }
 
 /// `` `a`, `b` or `c` ``
-pub(crate) fn list(words: &[&str]) -> String {
+pub(super) fn list(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
     match quoted.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),

@@ -1,17 +1,13 @@
 //! Angle and number expressions: their grammar, and their evaluation from the digits as written.
 
+mod literal;
 mod tree;
 
 use crate::exact::{Context, Real};
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
-use quote::ToTokens;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
-use tree::{Operator, Tree, Unit};
-
-/// Literals longer than this, or with larger exponents, are refused: they would only make the compiler wait.
-const MOST_DIGITS: usize = 500;
-const LARGEST_EXPONENT: u64 = 400;
+use tree::{Operator, Tree};
 
 /// Expressions of more tokens are refused: their trees would be too deep for the compiler's stack.
 const MOST_TOKENS: usize = 500;
@@ -23,12 +19,13 @@ pub(crate) struct Number {
 }
 
 impl Number {
-    /// Parses a whole token stream, the value of one parameter.
-    pub(crate) fn parse_all(tokens: TokenStream) -> Result<Self> {
+    /// Parses a whole token stream, the value of the parameter `name`.
+    pub(crate) fn parse_all(name: &Ident, tokens: TokenStream) -> Result<Self> {
         if count(&tokens) > MOST_TOKENS {
-            let message = format!("an expression of more than {MOST_TOKENS} tokens: write its value");
+            let message = format!("`{name}` is an expression of more than {MOST_TOKENS} tokens: write its value");
             return Err(Error::new_spanned(tokens, message));
         }
+        literal::check(name, &tokens)?;
         let tree = syn::parse2::<Whole>(parenthesise_captures(tokens))?.0;
         Ok(Self { tree })
     }
@@ -83,7 +80,7 @@ impl Parse for Whole {
         if input.is_empty() {
             return Ok(Self(tree));
         }
-        Err(input.error("expected `+`, `-`, `*`, `/` or the next parameter after a comma"))
+        Err(no_operator(input, "the next parameter after a comma"))
     }
 }
 
@@ -145,7 +142,14 @@ fn factor(input: ParseStream) -> Result<Tree> {
         return name(input);
     }
     if input.peek(Lit) {
-        return literal(&input.parse()?);
+        return literal::parse(&input.parse()?);
+    }
+    if input.peek(Token![+]) {
+        return Err(input.error("a number has no `+` before it: leave it out"));
+    }
+    if let Some((_, after)) = input.cursor().punct().filter(|(punct, _)| punct.as_char() == '.') {
+        let digits = after.literal().map_or_else(|| "5".to_owned(), |(digits, _)| digits.to_string());
+        return Err(input.error(format!("a number begins with a digit: write `0.{digits}`")));
     }
     if input.is_empty() {
         return Err(input.error("expected a number, such as `7π/8`, `157.5deg` or `3*PI/4 - 0.01`"));
@@ -155,7 +159,21 @@ fn factor(input: ParseStream) -> Result<Tree> {
 
 fn whole_group(inner: ParseStream) -> Result<Tree> {
     let tree = sum(inner)?;
-    if inner.is_empty() { Ok(tree) } else { Err(inner.error("expected `+`, `-`, `*`, `/` or `)`")) }
+    if inner.is_empty() { Ok(tree) } else { Err(no_operator(inner, "`)`")) }
+}
+
+/// The mistake of what follows a number and isn't an operator; `end` could have followed, too.
+fn no_operator(input: ParseStream, end: &str) -> Error {
+    let word = input.cursor().ident().map(|(word, _)| word.to_string());
+    match word.as_deref() {
+        Some(unit @ ("deg" | "rad" | "π")) => {
+            input.error(format!("`{unit}` belongs to the number before it: leave out the space, as in `90{unit}`"))
+        }
+        Some(factor @ ("PI" | "pi" | "sqrt")) => {
+            input.error(format!("a product needs its sign: write `*` before `{factor}`"))
+        }
+        _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
+    }
 }
 
 fn name(input: ParseStream) -> Result<Tree> {
@@ -178,49 +196,21 @@ fn name(input: ParseStream) -> Result<Tree> {
     }
 }
 
-fn literal(literal: &Lit) -> Result<Tree> {
-    let (digits, suffix) = match literal {
-        Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix()),
-        Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix()),
-        other => return Err(Error::new(other.span(), "expected a number, such as `7π/8` or `157.5deg`")),
-    };
-    let span = literal.span();
-    let text = literal.to_token_stream().to_string();
-    if text.starts_with("0x") || text.starts_with("0o") || text.starts_with("0b") {
-        return Err(Error::new(span, format!("`{text}` is not a decimal number: write its value in decimal digits")));
-    }
-    let unit = match suffix {
-        "" => Unit::None,
-        "π" => Unit::Pi,
-        "deg" => Unit::Degree,
-        "rad" => Unit::Radian,
-        other => {
-            return Err(Error::new(
-                span,
-                format!("unknown suffix `{other}` on `{digits}`: use `π`, `deg`, `rad` or none"),
-            ));
-        }
-    };
-    let exponent = digits.split_once(['e', 'E']).map_or("0", |(_, exponent)| exponent);
-    let exponent = exponent.trim_start_matches(['+', '-']).parse::<u64>().unwrap_or(u64::MAX);
-    if digits.len() > MOST_DIGITS || exponent > LARGEST_EXPONENT {
-        let limit = format!("a literal may have {MOST_DIGITS} digits and an exponent up to ±{LARGEST_EXPONENT}");
-        return Err(Error::new(span, limit));
-    }
-    Ok(Tree::Literal { digits, unit, span })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn parse(text: &str) -> Result<Number> {
+        Number::parse_all(&quote::format_ident!("theta0"), text.parse().unwrap())
+    }
+
     fn value(text: &str) -> f64 {
-        let number = Number::parse_all(text.parse().unwrap()).unwrap();
+        let number = parse(text).unwrap();
         number.evaluate(Context::for_digits(number.digits())).unwrap().to_f64()
     }
 
     fn error(text: &str) -> String {
-        let number = Number::parse_all(text.parse().unwrap());
+        let number = parse(text);
         number.and_then(|n| n.evaluate(Context::for_digits(20))).unwrap_err().to_string()
     }
 
@@ -237,6 +227,8 @@ mod tests {
         assert_eq!(value("1 - 2 - 3 / 2 / 3"), -1.5);
         assert_eq!(value("1e-3π"), 1e-3 * PI);
         assert_eq!(value("sqrt(2) * sqrt(2) - 2"), 0.0);
+        assert_eq!(value("90deg/45deg*2rad"), 4.0);
+        assert_eq!(value("sqrt(2rad)*sqrt(2rad)"), 2.0);
     }
 
     #[test]
@@ -250,7 +242,13 @@ mod tests {
     fn explains_what_it_refuses() {
         assert!(error("1/(2 - 2)").contains("division by zero"));
         assert!(error("THETA").contains("a macro sees names, not values"));
-        assert!(error("3f64").contains("unknown suffix `f64`"));
+        assert!(error("3f64").contains("`theta0 = 3f64` has the suffix `f64`"));
+        assert!(error("3 deg").contains("leave out the space, as in `90deg`"));
+        assert!(error("(3 PI)").contains("write `*` before `PI`"));
+        assert!(error(".25").contains("write `0.25`"));
+        assert!(error("+1").contains("leave it out"));
+        assert!(error("90deg*2deg").contains("an angle times an angle"));
+        assert!(error("2*(90deg*(1 + 2rad))").contains("an angle times an angle"));
         assert!(error("sqrt(1 - 2)").contains("negative"));
         assert!(error("1e100000").contains("exponent"));
         assert!(error("").contains("expected a number"));

@@ -58,6 +58,21 @@ impl Tree {
         }
     }
 
+    /// The power of an angle that it is, by the units of its literals: 1 for `90deg`, 0 for `90deg/45deg`.
+    fn angles(&self) -> i32 {
+        match self {
+            Self::Literal { unit, .. } => i32::from(matches!(unit, Unit::Degree | Unit::Radian)),
+            Self::Pi => 0,
+            Self::Negative(inner) => inner.angles(),
+            Self::Root(inner, _) => inner.angles() / 2,
+            Self::Binary { left, operator, right, .. } => match operator {
+                Operator::Add | Operator::Subtract => left.angles().max(right.angles()),
+                Operator::Multiply => left.angles() + right.angles(),
+                Operator::Divide => left.angles() - right.angles(),
+            },
+        }
+    }
+
     pub(super) fn evaluate(&self, context: Context) -> Result<Real> {
         Ok(match self {
             Self::Literal { digits, unit, span } => {
@@ -84,6 +99,10 @@ impl Tree {
                 value.sqrt()
             }
             Self::Binary { left, operator, right, blame } => {
+                if *operator == Operator::Multiply && left.angles() > 0 && right.angles() > 0 {
+                    let message = "an angle times an angle is no angle: leave out one of the units";
+                    return Err(Error::new_spanned(blame, message));
+                }
                 let (left, right) = (left.evaluate(context)?, right.evaluate(context)?);
                 match operator {
                     Operator::Add => sum_of(&left, &right),

@@ -1,17 +1,17 @@
 //! The parameters as the user wrote them, evenly spaced.
 
-use crate::parse::Request;
+use super::Request;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// `theta0 = 7π/8, n = 4`
-pub(super) fn of(request: &Request) -> String {
+pub(crate) fn of(request: &Request) -> String {
     let parameters: Vec<String> =
         request.written.iter().map(|(name, tokens)| format!("{name} = {}", value(tokens))).collect();
     parameters.join(", ")
 }
 
 /// One value: spaces around `+` and binary `-` and after commas, nowhere else.
-pub(super) fn value(tokens: &TokenStream) -> String {
+pub(crate) fn value(tokens: &TokenStream) -> String {
     let mut text = String::new();
     let mut after_operand = false;
     for tree in tokens.clone() {

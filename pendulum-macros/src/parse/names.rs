@@ -1,0 +1,78 @@
+//! The names of parameters, and what others were probably meant to be.
+
+use super::words::list;
+use crate::report::nearest;
+
+pub(super) const PARAMETERS: [&str; 11] =
+    ["theta0", "velocity0", "omega", "g", "length", "n", "tol", "t_max", "method", "float", "outputs"];
+
+/// What parameters are called elsewhere, in lower case.
+const SYNONYMS: [(&str, &[&str]); 9] = [
+    ("theta0", &["θ", "angle", "amplitude"]),
+    ("velocity0", &["v", "v0", "vel", "speed"]),
+    ("omega", &["w", "frequency", "period"]),
+    ("g", &["gravity"]),
+    ("length", &["l", "ℓ", "len"]),
+    ("n", &["terms"]),
+    ("tol", &["tolerance", "eps", "epsilon", "error"]),
+    ("t_max", &["t", "duration", "horizon"]),
+    ("float", &["type"]),
+];
+
+/// The parameter's name in ASCII, that of a misspelt one corrected.
+pub(super) fn canonical(name: &str) -> &str {
+    match name {
+        "θ0" => "theta0",
+        "ω" => "omega",
+        other => meant(other).unwrap_or(other),
+    }
+}
+
+fn meant(name: &str) -> Option<&'static str> {
+    let lower = name.to_lowercase();
+    let synonym = SYNONYMS.iter().find(|(_, words)| words.contains(&lower.as_str()));
+    synonym.map(|&(known, _)| known).or_else(|| nearest(name, &PARAMETERS))
+}
+
+pub(super) fn unknown_parameter(name: &str) -> String {
+    match (name.to_lowercase().as_str(), meant(name)) {
+        (inverse @ "period", _) => {
+            format!("unknown parameter `{name}`: did you mean `omega = 2π/{inverse}`, of small oscillations?")
+        }
+        (direct @ "frequency", _) => {
+            format!("unknown parameter `{name}`: did you mean `omega = 2π*{direct}`, of small oscillations?")
+        }
+        (_, Some(known)) => format!("unknown parameter `{name}`: did you mean `{known}`?"),
+        (_, None) => format!("unknown parameter `{name}`: a parameter is one of {}", list(&PARAMETERS)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn suggests_what_was_probably_meant() {
+        let pairs = [
+            ("theta", "theta0"),
+            ("angle", "theta0"),
+            ("velocity", "velocity0"),
+            ("Omega", "omega"),
+            ("L", "length"),
+            ("l", "length"),
+            ("T", "t_max"),
+            ("tmax", "t_max"),
+            ("N", "n"),
+            ("tolerance", "tol"),
+            ("period", "omega"),
+            ("output", "outputs"),
+        ];
+        for (written, known) in pairs {
+            assert_eq!(meant(written), Some(known), "{written}");
+        }
+        // One letter is no misspelling of another.
+        for unknown in ["k", "m", "x", "colour", "mass", "damping"] {
+            assert_eq!(meant(unknown), None, "{unknown}");
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Literals: what they may end in, and how long they may be.
+
+use super::tree::{Tree, Unit};
+use crate::parse::source;
+use proc_macro2::{Literal, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::{Error, Ident, Lit, Result};
+
+/// Literals longer than this, or with larger exponents, are refused: they would only make the compiler wait.
+const MOST_DIGITS: usize = 500;
+const LARGEST_EXPONENT: u64 = 400;
+
+/// The units that a parameter's literals may end in, and what it is.
+fn meaning(parameter: &str) -> (&'static [&'static str], &'static str) {
+    match parameter {
+        "omega" | "ω" => (&[], "in radians per unit of t, a number without suffix"),
+        "g" => (&[], "in m/s², a number without suffix"),
+        "length" => (&[], "in m, a number without suffix"),
+        "tol" => {
+            (&[], "an error in radians (in units of ω and ω² for velocity and acceleration), a number without suffix")
+        }
+        "t_max" => (&[], "in the unit of t, a number without suffix"),
+        "velocity0" => (&["deg", "rad"], "an angle per unit of t, whose literals may end in `π`, `deg` or `rad`"),
+        _ => (&["deg", "rad"], "an angle, whose literals may end in `π`, `deg` or `rad`"),
+    }
+}
+
+/// Refuses literals that have no meaning in the parameter `name`: before anything else is said of the expression, since
+/// the `m` of `9.81m/s` is the mistake, not the `s`.
+pub(super) fn check(name: &Ident, tokens: &TokenStream) -> Result<()> {
+    in_any_depth(tokens).try_for_each(|literal| {
+        let span = literal.span();
+        let mistake = match Lit::new(literal) {
+            Lit::Int(int) => suffix(name, tokens, int.suffix()).or_else(|| length(name, int.base10_digits())),
+            Lit::Float(float) => suffix(name, tokens, float.suffix()).or_else(|| length(name, float.base10_digits())),
+            _ => None,
+        };
+        mistake.map_or(Ok(()), |message| Err(Error::new(span, message)))
+    })
+}
+
+fn in_any_depth(tokens: &TokenStream) -> Box<dyn Iterator<Item = Literal>> {
+    Box::new(tokens.clone().into_iter().flat_map(|tree| match tree {
+        TokenTree::Group(group) => in_any_depth(&group.stream()),
+        TokenTree::Literal(literal) => Box::new(std::iter::once(literal)),
+        _ => Box::new(std::iter::empty()),
+    }))
+}
+
+fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
+    let (units, what) = meaning(&name.to_string());
+    let known = suffix.is_empty() || suffix == "π" || units.contains(&suffix);
+    let shown = source::value(value);
+    (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: `{name}` is {what}"))
+}
+
+fn length(name: &Ident, digits: &str) -> Option<String> {
+    let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
+    let exponent = exponent.trim_start_matches(['+', '-']).parse::<u64>().unwrap_or(u64::MAX);
+    if mantissa.len() > MOST_DIGITS {
+        return Some(format!("`{name}` has a literal of more than {MOST_DIGITS} digits: no float needs so many"));
+    }
+    (exponent > LARGEST_EXPONENT)
+        .then(|| format!("`{name}` has `{digits}` in it, beyond every float: exponents may go to ±{LARGEST_EXPONENT}"))
+}
+
+/// A literal that passed [`check`].
+pub(super) fn parse(literal: &Lit) -> Result<Tree> {
+    let (digits, suffix) = match literal {
+        Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix()),
+        Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix()),
+        other => return Err(Error::new(other.span(), "expected a number, such as `7π/8` or `157.5deg`")),
+    };
+    let span = literal.span();
+    let text = literal.to_token_stream().to_string();
+    if text.starts_with("0x") || text.starts_with("0o") || text.starts_with("0b") {
+        return Err(Error::new(span, format!("`{text}` is not a decimal number: write its value in decimal digits")));
+    }
+    let unit = match suffix {
+        "π" => Unit::Pi,
+        "deg" => Unit::Degree,
+        "rad" => Unit::Radian,
+        _ => Unit::None,
+    };
+    Ok(Tree::Literal { digits, unit, span })
+}

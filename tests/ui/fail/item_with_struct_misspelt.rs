@@ -1,0 +1,8 @@
+use pendula::pendulum;
+
+pendulum! {
+    Struct Clock;
+    theta0 = 1
+}
+
+fn main() {}
