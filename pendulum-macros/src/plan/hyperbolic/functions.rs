@@ -28,5 +28,5 @@ pub(super) fn arctangent_ratio(v: Double) -> Double {
     let angle = Double::new(start) / Double::PI;
     let (sine, cosine) = (crate::chebyshev::sin_pi(angle), crate::chebyshev::cos_pi(angle));
     let step = (x * cosine - sine) / (cosine + x * sine);
-    (Double::new(start) + step - step * step * step / Double::new(3.0)) / x
+    (Double::new(start) + step) / x
 }
