@@ -152,6 +152,7 @@ fn any_spoilt_result_is_seen() {
     for (start, outputs) in [
         ("theta0 = 2", vec!["theta", "velocity", "acceleration", "position"]),
         ("theta0 = -2, omega = 3", vec!["theta", "velocity", "acceleration", "position"]),
+        ("theta0 = 1, velocity0 = 0.7", vec!["theta", "velocity"]),
         ("velocity0 = -3", vec!["velocity", "acceleration", "position"]),
     ] {
         for output in outputs {
@@ -166,6 +167,29 @@ fn any_spoilt_result_is_seen() {
                 nodes.push(node(Op::Mul(results[result], nodes.len() - 1)));
                 results[result] = nodes.len() - 1;
                 assert_eq!(verify::broken(&scene, &task, &spoilt), Some(scene.outputs[0]), "{start} {output} {result}");
+            }
+        }
+    }
+}
+
+/// Beyond the horizon any phase will do, but it is one of the motion: θ is no larger than it ever is.
+#[test]
+fn beyond_the_horizon_the_motion_goes_on() {
+    for text in [
+        "theta0 = 2, tol = 1e-6, t_max = 10",
+        "theta0 = 2, tol = 1e-6, t_max = 10, omega = 30",
+        "theta0 = 2, tol = 1e-3, t_max = 10, float = f32",
+        "theta0 = 2, t_max = 10, outputs = [theta, velocity, acceleration]",
+        "theta0 = 1, velocity0 = 0.5, t_max = 10",
+        "velocity0 = 3, tol = 1e-9, t_max = 10, outputs = [velocity]",
+    ] {
+        let plan = planned(text);
+        for (part, function) in plan.parts.iter().zip(&plan.functions) {
+            let most = part.largest + part.bound.total();
+            for i in 0..400 {
+                let t = plan.reduction.float.round(10.0 * 1.23f64.powi(i));
+                let found = if t.is_finite() { function.program.run(t)[0] } else { 0.0 };
+                assert!(found.abs() <= most, "{text} {t:e}: {found}");
             }
         }
     }
