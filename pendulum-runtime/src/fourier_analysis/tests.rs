@@ -71,3 +71,32 @@ fn the_tail_and_its_slope_term_by_term() {
         }
     }
 }
+
+/// What cells bound is rounded up: their own arithmetic is.
+#[test]
+fn certified_bounds_allow_for_rounding() {
+    for (analysis, terms) in analyses() {
+        let goal = analysis.supremum(terms) * (1.0 + 1e-3);
+        let proven = Cells::new(&analysis, terms, goal).bound(0.0, 0.25, DEEPEST);
+        let excess = analysis.certified_bound(terms, 1e-3) / proven - 1.0;
+        assert!((0.9e-9..1.1e-9).contains(&excess), "{terms}: {excess:e}");
+    }
+}
+
+/// What follows the last term, a geometric series, is below 2⁻⁵⁵ of the first.
+#[test]
+fn tails_end_where_the_rest_is_nothing() {
+    for amplitude in [0.3, 0.7, 0.95, 0.999, 0.999_999] {
+        let (k, kc) = half_angle(Double::PI * amplitude);
+        let analysis = FourierAnalysis::new(k, kc);
+        let q = (analysis.root * analysis.root).to_f64();
+        let (mut first, mut last) = (0.0, 0.0);
+        analysis.for_tail(2, |_, term| {
+            if first == 0.0 {
+                first = term;
+            }
+            last = term;
+        });
+        assert!(last * q / (1.0 - q) <= 2.9e-17 * first, "{amplitude}: {last:e} of {first:e}");
+    }
+}
