@@ -119,10 +119,9 @@ struct Readme;
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
 ///
 /// **Numbers** are decimal literals of up to 500 digits (every digit counts) and exponents between ±400, with
-/// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`,
-/// `157.5deg`, `3*PI/4 - 0.01`. `deg` and `rad` are for `theta0` and `velocity0` only. Nothing is rounded to `f64` on the
-/// way, so every constant is the correctly rounded one
-/// of the exact value.
+/// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`:
+/// `7π/8`, `157.5deg`, `3*PI/4 - 0.01`. `deg` and `rad` are for `theta0` and `velocity0` only. Nothing is rounded to
+/// `f64` on the way, so every constant is the correctly rounded one of the exact value.
 ///
 /// # What the item has
 /// Constants are of the type `float` where nothing else is said.
