@@ -256,3 +256,20 @@ pub(crate) fn sine_cosine(phase: Reduced) -> (f64, f64) {
     let cosine = sin_turns((0.25 - s) - low);
     (if phase.high < 0.0 { -sine } else { sine }, cosine)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Next to a zero of the sine or of the cosine the second word is as large as what is left of the first.
+    #[test]
+    fn second_words_count_next_to_zeros() {
+        let at = |high: f64, low: f64| sine_cosine(Reduced { turns: 0.0, high, low });
+        let near = |found: f64, turns: f64| assert!((found / (TAU * turns) - 1.0).abs() < 4e-16, "{found:e} {turns:e}");
+        near(at(1e-17, 3e-18).0, 1.3e-17);
+        near(at(-1e-17, -3e-18).0, -1.3e-17);
+        near(at(0.5, 3e-18).0, -3e-18);
+        near(at(0.25, 3e-18).1, -3e-18);
+        near(at(-0.25, 3e-18).1, 3e-18);
+    }
+}
