@@ -237,6 +237,11 @@ impl Sum {
             reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
         }
         let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
+        // Where the sum itself is too far from the motion no reduction helps.
+        let bias = wanted.iter().map(|wanted| wanted.bias / wanted.curve.unit).fold(0.0, f64::max);
+        if bias > promise {
+            return Err(Refusal::Unreachable { best: bias });
+        }
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
         for reduction in &reductions {
