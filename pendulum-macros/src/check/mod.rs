@@ -6,6 +6,7 @@ mod range;
 mod start;
 #[cfg(test)]
 mod tests;
+mod turns;
 
 use crate::exact::{Context, Real};
 use crate::motion::Motion;

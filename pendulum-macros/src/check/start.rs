@@ -1,5 +1,6 @@
 //! What sets the pendulum going: `theta0`, `velocity0`, `omega` or `g` and `length`, and the motion they make.
 
+use super::turns::Rest;
 use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{Motion, NoMotion};
@@ -34,7 +35,8 @@ impl Checker<'_> {
         let velocity0 = velocity0.unwrap_or(zero);
         // Whether the state moves doesn't depend on the rate: with a mistake in the rate it is judged all the same.
         let rate = omega.as_ref().unwrap_or(&one);
-        let motion = Motion::solve(&theta0, &velocity0, rate).map_err(|why| self.no_motion(why, &theta0))?;
+        let motion =
+            Motion::solve(&theta0, &velocity0, rate).map_err(|why| self.no_motion(why, &theta0, &velocity0))?;
         omega?;
         self.representable_period(&motion)?;
         Ok(motion)
@@ -136,19 +138,22 @@ impl Checker<'_> {
     }
 
     /// Explains why a state isn't the start of a motion.
-    fn no_motion(&mut self, why: NoMotion, theta0: &Real) -> Reported {
+    fn no_motion(&mut self, why: NoMotion, theta0: &Real, velocity0: &Real) -> Reported {
         let (angle, velocity) = (self.request.theta0.as_ref(), self.request.velocity0.as_ref());
         let Some(blamed) = angle.or(velocity) else { return Reported };
         let shown = format!("`{} = {}`", blamed.name, source::value(&blamed.tokens));
         let radians = theta0.to_f64();
         let degrees = (theta0 * &self.context.ratio(180, 1) / self.context.pi()).to_f64();
         let value = format!("{shown} is {radians:?} rad = {degrees:?}°");
-        let moving = self.request.mentions("velocity0");
-        let reduced = self.less_full_turns(theta0);
+        // A velocity with a mistake was meant as one.
+        let moving = !velocity0.is_zero() || self.request.mentions("velocity0") && velocity.is_none();
+        let rest = Rest::of(theta0);
+        let unit = angle.and_then(|given| given.value.angle_unit());
+        let reduced = rest.shown(matches!(unit, Some(("deg", _))));
         // Full turns away from where nothing moves, nothing moves either.
-        let why = match (why, &reduced) {
-            (NoMotion::BeyondTop, Reduced::Lowest) if !moving => NoMotion::Hanging,
-            (NoMotion::BeyondTop, Reduced::Top) if !moving => NoMotion::Balanced,
+        let why = match (why, rest) {
+            (NoMotion::BeyondTop, Rest::Lowest) if !moving => NoMotion::Hanging,
+            (NoMotion::BeyondTop, Rest::Top) if !moving => NoMotion::Balanced,
             (why, _) => why,
         };
         let message = match why {
@@ -162,57 +167,13 @@ impl Checker<'_> {
                 "{value}, balanced on the top, where nothing moves: release it at |θ0| < π, or give it a `velocity0`"
             ),
             NoMotion::BeyondTop if moving => {
-                format!("{value}, beyond the top at ±π: {} is the same state", self.reduced(&reduced))
+                format!("{value}, beyond the top at ±π: {reduced} is the same state")
             }
             NoMotion::BeyondTop => format!(
-                "{value}: released at rest, |θ0| must be less than π (180°); {} is the same position, and motion over \
-                 the top starts with a `velocity0`",
-                self.reduced(&reduced)
+                "{value}: released at rest, |θ0| must be less than π (180°); {reduced} is the same position, and motion \
+                 over the top starts with a `velocity0`"
             ),
         };
         self.refuse(&blamed.tokens, message)
     }
-
-    /// An angle beyond ±π brought within.
-    fn less_full_turns(&self, theta0: &Real) -> Reduced {
-        let pi = self.context.pi();
-        let turns = (theta0 / &pi.scale(1)).to_f64().round();
-        // The turns of larger angles aren't known to the last.
-        let Some(turns) = self.context.float(turns).filter(|_| turns.abs() < 1e15) else { return Reduced::Unknown };
-        let rest = theta0 - &(turns * pi.scale(1));
-        let negligible = theta0.abs() * self.context.resolution();
-        if rest.abs() <= negligible {
-            Reduced::Lowest
-        } else if (rest.abs() - pi).abs() <= negligible {
-            Reduced::Top
-        } else {
-            Reduced::Between(rest)
-        }
-    }
-
-    /// `theta0 = …` for an angle brought within ±π, in the unit it was given in.
-    fn reduced(&self, angle: &Reduced) -> String {
-        let unit = self.request.theta0.as_ref().and_then(|given| given.value.angle_unit());
-        let in_degrees = matches!(unit, Some(("deg", _)));
-        let shown = match angle {
-            Reduced::Unknown => return "`theta0` less its full turns".to_owned(),
-            Reduced::Lowest => "0".to_owned(),
-            Reduced::Top if in_degrees => "180deg".to_owned(),
-            Reduced::Top => "1π".to_owned(),
-            Reduced::Between(rest) if in_degrees => {
-                format!("{}deg", (rest * &self.context.integer(180) / self.context.pi()).to_f64())
-            }
-            Reduced::Between(rest) => rest.to_f64().to_string(),
-        };
-        format!("`theta0 = {shown}`")
-    }
-}
-
-/// An angle less its full turns.
-enum Reduced {
-    Lowest,
-    Top,
-    Between(Real),
-    /// So many turns that the rest isn't known.
-    Unknown,
 }

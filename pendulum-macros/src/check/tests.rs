@@ -88,6 +88,7 @@ fn refuses_states_that_do_not_move() {
     refused("theta0 = 4π, velocity0 = 1", &["`theta0 = 0` is the same state"]);
     refused("theta0 = 7π", &["21.991148575128552 rad = 1260.0°", "balanced on the top"]);
     refused("theta0 = -540deg", &["balanced on the top"]);
+    refused("theta0 = -540deg, velocity0 = 0", &["balanced on the top"]);
     refused("theta0 = 2π", &["`theta0 = 2π` at rest hangs still"]);
     refused("theta0 = 1e300", &["`theta0` less its full turns"]);
     refused("theta0 = 1e-400", &["`theta0 = 1e-400` is below the smallest normal `f64`"]);
@@ -172,6 +173,7 @@ fn the_regime_is_decided_exactly() {
         "velocity0 = -2*sqrt(9.81/0.994), g = 9.81, length = 0.994",
         "theta0 = 2π/3, velocity0 = 1",
         "theta0 = 120deg, velocity0 = 1",
+        "velocity0 = 360deg/π",
     ] {
         assert!(matches!(regime(separatrix), Regime::Separatrix(_)), "{separatrix}");
     }

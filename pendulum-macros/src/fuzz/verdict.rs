@@ -155,6 +155,10 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
         Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
             Err(format!("unasked-for n: {message}"))
         }
+        Refusal::Overshoot { smallest: Some(n), .. } => {
+            let kept = plan(&Scene { goal: Goal::Terms(*n), ..scene.clone() }).is_ok();
+            if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
+        }
         Refusal::Broken { .. } => Err(message),
         _ => Ok(()),
     }

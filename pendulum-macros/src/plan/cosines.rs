@@ -52,12 +52,17 @@ impl Cosines {
         let mut derivatives = [0.0; ORDER];
         for &(m, a) in &self.terms {
             let (sine, cosine) = (m * middle).sin_cos();
-            let waves = [a * cosine, -a * sine, -a * cosine, a * sine];
-            let mut power = 1.0;
-            for (j, derivative) in derivatives.iter_mut().enumerate() {
-                *derivative += waves[j % 4] * power;
-                power *= m;
-            }
+            let (sine, cosine) = (a * sine, a * cosine);
+            let (m2, m3, m4) = (m * m, m * m * m, m * m * m * m);
+            // Written out, since unoptimised this loop is most of the planner's work near the top.
+            derivatives[0] += cosine;
+            derivatives[1] -= sine * m;
+            derivatives[2] -= cosine * m2;
+            derivatives[3] += sine * m3;
+            derivatives[4] += cosine * m4;
+            derivatives[5] -= sine * (m4 * m);
+            derivatives[6] -= cosine * (m4 * m * m);
+            derivatives[7] += sine * (m4 * m * m * m);
         }
         // Sums of some hundred terms, and cosines of angles that are rounded.
         let slack = std::array::from_fn(|j| 1e-14 * self.magnitudes[j] + 2.3e-16 * self.magnitudes[j + 1]);

@@ -127,34 +127,43 @@ impl Harmonics {
         [error(self.folded.as_ref().unwrap_or(&self.cosine)), self.sine.as_ref().map_or(0.0, error)]
     }
 
-    /// What is known of the sums where the phase is between `low` and `high`, for [`crate::program::Program::rounding`].
-    pub(super) fn known(
-        &self,
-        reduction: &Reduction,
-        [cosine, sine]: [f64; 2],
-        low: f64,
-        high: f64,
-    ) -> Vec<(&'static str, Known)> {
+    /// The sums that the program computes, given the errors of the cosine and the sine.
+    pub(super) fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
         let float = reduction.float;
+        let sum = |name, curve, order, weights: &[Double], factor: f64| {
+            let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0);
+            let error = if self.folded.is_some() { cosine } else { recurrence() + half_ulp(1.0, float) };
+            Sum { name, curve, order, error }
+        };
+        let mut all = vec![];
+        if !self.cosines.is_empty() {
+            all.push(sum("argument", Cosines::odd(&self.cosines), 0, &self.cosines, cosine));
+        }
+        if !self.sines.is_empty() {
+            all.push(sum("slope", Cosines::integral_of_sines(&self.sines), 1, &self.sines, sine));
+        }
+        all
+    }
+}
+
+/// A sum in a program, and how wrong it is computed.
+pub(super) struct Sum {
+    pub(super) name: &'static str,
+    /// It is the derivative of this order.
+    curve: Cosines,
+    order: usize,
+    error: f64,
+}
+
+impl Sum {
+    /// What is known of it where the phase is between `low` and `high`, for [`crate::program::Program::rounding`].
+    pub(super) fn known(&self, reduction: &Reduction, low: f64, high: f64) -> Known {
         let from_anchor = |phase: f64| {
             let phase = phase * reduction.unit.hi;
             if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase }
         };
-        let (low, high) = (from_anchor(low), from_anchor(high));
-        let known = |sum: Cosines, order: usize, weights: &[Double], factor: f64| {
-            let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0);
-            let error = if self.folded.is_some() { cosine } else { recurrence() + half_ulp(1.0, float) };
-            let (low, high) = sum.over(low, high).range(order);
-            Known::within(low - error, high + error, error)
-        };
-        let mut all = vec![];
-        if !self.cosines.is_empty() {
-            all.push(("argument", known(Cosines::odd(&self.cosines), 0, &self.cosines, cosine)));
-        }
-        if !self.sines.is_empty() {
-            all.push(("slope", known(Cosines::integral_of_sines(&self.sines), 1, &self.sines, sine)));
-        }
-        all
+        let (low, high) = self.curve.over(from_anchor(low), from_anchor(high)).range(self.order);
+        Known::within(low - self.error, high + self.error, self.error)
     }
 }
 

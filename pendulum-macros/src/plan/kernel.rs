@@ -104,17 +104,17 @@ impl Kernel {
         let half = reduction.half();
         let of_polynomial =
             |polynomial: &Polynomial| Self::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
-        let errors = |sum: &Harmonics| sum.errors(reduction, of_polynomial);
-        let harmonics = if let Self::Harmonics(sum) = self { Some((sum, errors(sum))) } else { None };
+        let harmonics = if let Self::Harmonics(harmonics) = self { Some(harmonics) } else { None };
+        let sums = |harmonics: &Harmonics| harmonics.sums(reduction, harmonics.errors(reduction, of_polynomial));
+        let sums = harmonics.map_or_else(Vec::new, |harmonics| sums(harmonics));
         let between = |low: f64, high: f64| {
             let mut known = vec![(phase, Known::between(low, high))];
-            if let Some((harmonics, errors)) = &harmonics {
-                let sums = harmonics.known(reduction, *errors, low, high);
-                known.extend(sums.into_iter().filter_map(|(name, sum)| Some((program.named(name)?, sum))));
-            }
+            known.extend(
+                sums.iter().filter_map(|sum| Some((program.named(sum.name)?, sum.known(reduction, low, high)))),
+            );
             norm(program.rounding(&known).iter().map(|known| known.error))
         };
-        if harmonics.is_some_and(|(harmonics, _)| harmonics.peaks()) {
+        if harmonics.is_some_and(|harmonics| harmonics.peaks()) {
             return by_halves([0.0, half], SLICES, MOST_HALVED, between);
         }
         let at = |index: u32| half * f64::from(index) / f64::from(SLICES);

@@ -99,8 +99,12 @@ fn unbounded(n: usize, scene: &Scene) -> String {
 fn exceeds_one(terms: usize, overshoot: f64, smallest: Option<usize>, scene: &Scene) -> String {
     let remedy = smallest.map_or_else(
         || {
-            let float = scene.float.word();
-            format!("no number of terms that `{float}` can use works: state the error as `tol` instead")
+            let none = if scene.outputs.contains(&Output::Velocity) {
+                "no number of terms was found that works for `velocity`".to_owned()
+            } else {
+                format!("no number of terms that `{}` can use works", scene.float.word())
+            };
+            format!("{none}: state the error as `tol` instead")
         },
         |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
     );

@@ -1,5 +1,7 @@
 //! Bounds over intervals, from bounds on parts of them; and norms.
 
+use std::collections::BinaryHeap;
+
 /// The largest of the errors, or the first that is above `cap`; infinite where one is no number.
 pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
     let mut largest: f64 = 0.0;
@@ -17,23 +19,25 @@ pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
 pub(super) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
     const GAIN: f64 = 0.97;
     let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(cells);
-    let cell = |low: f64, high: f64| (bound(low, high), low, high);
-    let mut open: Vec<(f64, f64, f64)> = (0..cells).map(|index| cell(at(index), at(index + 1))).collect();
+    let cell = |low: f64, high: f64| [largest([bound(low, high)].into_iter(), f64::INFINITY), low, high];
+    // Numbers that are positive have the order of their bits.
+    let ordered = |cell: [f64; 3]| cell.map(f64::to_bits);
+    let mut open: BinaryHeap<[u64; 3]> = (0..cells).map(|index| ordered(cell(at(index), at(index + 1)))).collect();
     let mut settled: f64 = 0.0;
     for _ in 0..most {
-        let worst = (0..open.len()).max_by(|&a, &b| open[a].0.total_cmp(&open[b].0));
-        let Some(worst) = worst.filter(|&worst| open[worst].0 > settled) else { break };
-        let (before, low, high) = open.swap_remove(worst);
+        let worst = open.peek().map(|worst| worst.map(f64::from_bits));
+        let Some([before, low, high]) = worst.filter(|&[worst, ..]| worst > settled) else { break };
+        open.pop();
         let middle = 0.5 * (low + high);
         let halves = [cell(low, middle), cell(middle, high)];
-        let after = halves[0].0.max(halves[1].0);
+        let after = halves[0][0].max(halves[1][0]);
         if before.is_finite() && after > GAIN * before {
             settled = settled.max(after);
         } else {
-            open.extend(halves);
+            open.extend(halves.map(ordered));
         }
     }
-    open.iter().fold(settled, |most, cell| most.max(cell.0))
+    open.peek().map_or(settled, |&[worst, ..]| settled.max(f64::from_bits(worst)))
 }
 
 /// √Σx², also where the squares overflow or underflow.

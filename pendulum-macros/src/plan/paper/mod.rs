@@ -114,7 +114,8 @@ impl Sum {
             Goal::Full => fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
         };
         if let Some(overshoot) = analysis.overshoot(n) {
-            return Err(Refusal::Overshoot { terms: n, overshoot, smallest: smallest(&analysis, scene, swing) });
+            let smallest = smallest(&analysis, scene, swing).and_then(|smallest| planned(scene, swing, smallest));
+            return Err(Refusal::Overshoot { terms: n, overshoot, smallest });
         }
         let coefficients: Vec<Real> = (1..=n).map(|n| swing.fourier_coefficient(n)).collect();
         let weight = |(index, b): (usize, &Real)| {
@@ -188,6 +189,13 @@ fn smallest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing) -> Option<
     (smallest <= most_useful_terms(swing, scene.float).min(MOST_HARMONICS)).then_some(smallest)
 }
 
+/// The first number of terms from `smallest` on, of a few, that is planned: without overshoot an error may still be too
+/// near to it to be bounded.
+fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
+    let ask = |n: usize| plan(&Scene { goal: Goal::Terms(n), ..scene.clone() }, swing, Method::Fourier);
+    (smallest..=most_useful_terms(swing, scene.float)).take(3).find(|&n| ask(n).is_ok())
+}
+
 /// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are, one.
 fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
     let Some(mut fails) = smallest(analysis, scene, swing) else { return 1 };
@@ -237,6 +245,11 @@ impl Sum {
             reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
         }
         let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
+        // Where the sum itself is too far from the motion no reduction helps.
+        let bias = wanted.iter().map(|wanted| wanted.bias / wanted.curve.unit).fold(0.0, f64::max);
+        if bias > promise {
+            return Err(Refusal::Unreachable { best: bias });
+        }
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
         for reduction in &reductions {

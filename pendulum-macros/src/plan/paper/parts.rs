@@ -22,7 +22,7 @@ pub(super) struct Wanted {
     /// The exact one.
     pub(super) curve: Curve,
     /// sup |approximate output − exact output|.
-    bias: f64,
+    pub(super) bias: f64,
     /// θ̂ where it is twice an arcsine.
     whole: Option<Whole>,
 }
