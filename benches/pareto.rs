@@ -1,8 +1,8 @@
 //! Run time against error, and error against time elapsed; see `docs/BENCHMARKS.md`.
 //!
-//! `cargo bench --bench pareto` measures for some minutes and writes to `target/benchmarks/`; `-- --quick` takes less than
-//! one; `-- --bless` writes to `docs/benchmarks/` and renews the tables of the frontier and
-//! of the promises in `docs/BENCHMARKS.md`.
+//! `cargo bench --bench pareto` measures for some minutes and writes to `target/benchmarks/`; `-- --quick` takes less
+//! than one; `-- --bless` writes to `docs/benchmarks/` and renews the tables of the frontier and of the promises in
+//! `docs/BENCHMARKS.md`.
 
 use std::error::Error;
 use std::fs;

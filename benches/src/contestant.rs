@@ -69,8 +69,8 @@ pub trait AnyTime<R> {
     fn chain(&self, times: &[R]) -> R;
 }
 
-/// Any function is one; the loops are compiled for each, so that what can be inlined is. The two loops have a copy of the
-/// function each, so that neither is inlined at the expense of the other: only what is inlined vectorises.
+/// Any function is one; the loops are compiled for each, so that what can be inlined is. The two loops have a copy of
+/// the function each, so that neither is inlined at the expense of the other: only what is inlined vectorises.
 #[derive(Clone, Copy, Debug)]
 pub struct Function<F, G> {
     /// For the array loop.

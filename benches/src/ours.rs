@@ -87,8 +87,8 @@ macro_rules! twice {
     }};
 }
 
-/// One entry per tolerance with a horizon of `$t_max`, 100 periods rounded up; then, for any time, one per tolerance and
-/// the one in full precision.
+/// One entry per tolerance with a horizon of `$t_max`, 100 periods rounded up; then, for any time, one per tolerance
+/// and the one in full precision.
 macro_rules! plans {
     ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*]) => {
         vec![
@@ -119,7 +119,8 @@ macro_rules! methods {
     };
 }
 
-/// θ and θ̇ with one reduction of the phase: with a horizon of `$t_max` to each tolerance, and at any time in full precision.
+/// θ and θ̇ with one reduction of the phase: with a horizon of `$t_max` to each tolerance, and at any time in full
+/// precision.
 macro_rules! states {
     ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*]) => {
         [

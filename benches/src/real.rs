@@ -15,8 +15,9 @@ pub trait Real: Float + FloatConst + Debug + Default + Send + Sync + 'static {
     /// Exactly.
     fn wide(self) -> f64;
 
-    /// The nearest integer, and its low bits, for values of less than 2⁵¹ (`f64`) or 2²² (`f32`). Adding 1.5·2⁵² (1.5·2²³)
-    /// and subtracting it again rounds without the library call that `round` is on the oldest x86-64, and vectorises.
+    /// The nearest integer, and its low bits, for values of less than 2⁵¹ (`f64`) or 2²² (`f32`). Adding 1.5·2⁵²
+    /// (1.5·2²³) and subtracting it again rounds without the library call that `round` is on the oldest x86-64, and
+    /// vectorises.
     fn nearest(self) -> (Self, usize);
 
     /// `self`, but not before `last` is known: its bits enter masked by `nothing`, which is 0 and must be hidden from

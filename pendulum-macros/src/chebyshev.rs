@@ -27,8 +27,8 @@ impl CosineTable {
         (0..self.m).map(|i| self.get(2 * i + 1))
     }
 
-    /// The first `count` ≤ m coefficients of the interpolant through `values` at [`Self::points`] (the zeroth one whole, not
-    /// doubled).
+    /// The first `count` ≤ m coefficients of the interpolant through `values` at [`Self::points`] (the zeroth one
+    /// whole, not doubled).
     pub(crate) fn coefficients(&self, values: &[Double], count: usize) -> Vec<Double> {
         let coefficient = |j: usize| {
             let sum = (0..self.m).fold(Double::ZERO, |sum, i| sum + values[i] * self.get(j * (2 * i + 1)));
@@ -38,9 +38,9 @@ impl CosineTable {
     }
 }
 
-/// Bounds the error of interpolation at so many Chebyshev points, of a function that is analytic inside the ellipse with
-/// foci ±1 and parameter ρ, and bounded there: 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation
-/// Practice*, theorem 8.2).
+/// Bounds the error of interpolation at so many Chebyshev points, of a function that is analytic inside the ellipse
+/// with foci ±1 and parameter ρ, and bounded there: 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and
+/// Approximation Practice*, theorem 8.2).
 pub(crate) fn interpolation_error(bound: f64, rho: f64, points: usize) -> f64 {
     4.0 * bound * rho.powf(1.0 - points as f64) / (rho - 1.0)
 }

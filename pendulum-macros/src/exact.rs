@@ -23,8 +23,8 @@ pub(crate) struct Context {
 }
 
 impl Context {
-    /// Enough for numbers written with up to `digits` decimal digits: their differences (π − θ0, v0 − 2ω) may cancel all
-    /// of them, 3.3 bits each. Where squares of such differences matter, [`Context::widened`] follows.
+    /// Enough for numbers written with up to `digits` decimal digits: their differences (π − θ0, v0 − 2ω) may cancel
+    /// all of them, 3.3 bits each. Where squares of such differences matter, [`Context::widened`] follows.
     pub(crate) fn for_digits(digits: usize) -> Self {
         Self { bits: GUARD_BITS + 4 * digits.max(35) }
     }
@@ -61,8 +61,8 @@ impl Context {
         Real(Big::from(2).with_precision(self.bits).value().ln())
     }
 
-    /// A decimal literal without suffix or underscores; `None` if malformed. Its digits are read as an integer, which is
-    /// fifty times faster than the library's conversion of a decimal to a binary float.
+    /// A decimal literal without suffix or underscores; `None` if malformed. Its digits are read as an integer, which
+    /// is fifty times faster than the library's conversion of a decimal to a binary float.
     pub(crate) fn decimal(self, text: &str) -> Option<Real> {
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));

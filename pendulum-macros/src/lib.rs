@@ -1,7 +1,7 @@
 //! The procedural macro behind `pendula::pendulum!`: *parse → check and solve → plan → emit*.
 //!
-//! Depend on `pendula`, not on this crate: the macro is documented there, and its expansion names items through the path
-//! that `pendula` hands in.
+//! Depend on `pendula`, not on this crate: the macro is documented there, and its expansion names items through the
+//! path that `pendula` hands in.
 
 mod chebyshev;
 mod check;

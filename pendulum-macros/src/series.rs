@@ -179,7 +179,8 @@ impl Wave {
         for (m, amplitude) in terms {
             largest = largest.max(amplitude.hi.abs());
             let tail = envelope.tail(m, 0.0);
-            // Where amplitudes overflow, or their products in two words do and are NaN, no comparison holds, nor a bound.
+            // Where amplitudes overflow, or their products in two words do and are NaN, no comparison holds, nor a
+            // bound.
             if !(envelope.size + largest + amplitude.hi).is_finite() {
                 omitted = f64::INFINITY;
                 break;

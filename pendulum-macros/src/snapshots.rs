@@ -1,6 +1,7 @@
 //! Formatted expansions of a few invocations, committed, so that a change of the generated code is seen and reviewed.
 //!
-//! `PENDULA_BLESS=1 cargo test -p pendulum-macros snapshots` writes them anew; read the difference before you commit it.
+//! `PENDULA_BLESS=1 cargo test -p pendulum-macros snapshots` writes them anew; read the difference before you commit
+//! it.
 
 use crate::expand;
 use proc_macro2::TokenStream;

@@ -1,8 +1,8 @@
 //! Instructions per value of our plans, counted by callgrind: a regression gate that noise cannot trip.
 //!
-//! `cargo run --release -p pendula-benches --bin instructions -- --check` fails where a count has risen by more than 3 %
-//! above the record in `benches/instructions/`, and `-- --bless` writes the record. Each count is the difference of two
-//! runs, of 3 passes and of 1 over 4096 values, so that start-up cancels. Without valgrind it says so and succeeds.
+//! `cargo run --release -p pendula-benches --bin instructions -- --check` fails where a count has risen by more than 3
+//! % above the record in `benches/instructions/`, and `-- --bless` writes the record. Each count is the difference of
+//! two runs, of 3 passes and of 1 over 4096 values, so that start-up cancels. Without valgrind it says so and succeeds.
 
 use std::collections::BTreeMap;
 use std::error::Error;

@@ -1,9 +1,9 @@
 //! What one operation of each kind costs in an array loop, an addition or a multiplication being 1: what the planner's
 //! cost model (`pendulum-macros/src/program/cost.rs`) has to say.
 //!
-//! `cargo run --release -p pendula-benches --bin weights`; with `RUSTFLAGS=-Ctarget-cpu=x86-64-v3` for AVX2. Operations of
-//! each kind are put between polynomials, which plans consist of, and the increase is divided by that
-//! of as many additions and multiplications. All loops are timed in interleaved rounds.
+//! `cargo run --release -p pendula-benches --bin weights`; with `RUSTFLAGS=-Ctarget-cpu=x86-64-v3` for AVX2. Operations
+//! of each kind are put between polynomials, which plans consist of, and the increase is divided by that of as many
+//! additions and multiplications. All loops are timed in interleaved rounds.
 
 use std::hint::black_box;
 
@@ -24,8 +24,8 @@ const TERMS: usize = 2;
 #[repr(align(64))]
 struct Block<R>([R; COUNT]);
 
-/// The sum of `REPEATS` chains, each of which has x ↦ `step(x, y, i)` between two polynomials. y is another variable and
-/// i counts the chains.
+/// The sum of `REPEATS` chains, each of which has x ↦ `step(x, y, i)` between two polynomials. y is another variable
+/// and i counts the chains.
 #[expect(clippy::inline_always, reason = "the loops are to vectorise whatever the step is")]
 #[inline(always)]
 fn body<R: Real>(x: R, step: impl Fn(R, R, usize) -> R) -> R {
@@ -45,8 +45,8 @@ fn body<R: Real>(x: R, step: impl Fn(R, R, usize) -> R) -> R {
     sum
 }
 
-/// One entry: a kind of operation, how many of them a repetition has beside the additions and multiplications named, and
-/// the loop.
+/// One entry: a kind of operation, how many of them a repetition has beside the additions and multiplications named,
+/// and the loop.
 struct Kind<'a> {
     name: &'static str,
     /// Additions and multiplications that a repetition has besides; they are taken off.

@@ -25,8 +25,9 @@ fn hermite<R: Real>((value, slope): (R, R), (end, end_slope): (R, R)) -> Interva
     Interval { value, slope, square: rise - slope - cubic, cubic }
 }
 
-/// `POINTS`, a power of two, of them over one period. Written for speed: the four coefficients of each interval are stored
-/// ready, the index cannot be out of bounds, and there is no branch and no conversion that would keep the loop scalar.
+/// `POINTS`, a power of two, of them over one period. Written for speed: the four coefficients of each interval are
+/// stored ready, the index cannot be out of bounds, and there is no branch and no conversion that would keep the loop
+/// scalar.
 fn table<R: Real, const POINTS: usize>(motion: &mut Motion) -> Contestant<R> {
     let step = motion.period / POINTS as f64;
     let mut node = |index: usize| {

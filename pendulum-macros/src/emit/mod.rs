@@ -15,8 +15,8 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::Attribute;
 
-/// The expansion: an expression that is a fn item, or a unit struct with its constants and functions. `root` is the path
-/// of the crate `pendula`, as its user knows it.
+/// The expansion: an expression that is a fn item, or a unit struct with its constants and functions. `root` is the
+/// path of the crate `pendula`, as its user knows it.
 pub(crate) fn emit(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStream {
     match &scene.form {
         Form::Expression => expression(scene, plan, root),
@@ -92,8 +92,8 @@ fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
     attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"))
 }
 
-/// `const fn name(t: f64) -> f64 { … }`, to be inlined wherever it is called: only then do loops over it vectorise, and the
-/// compiler by itself doesn't inline so long a function into more than one of them.
+/// `const fn name(t: f64) -> f64 { … }`, to be inlined wherever it is called: only then do loops over it vectorise, and
+/// the compiler by itself doesn't inline so long a function into more than one of them.
 fn function(scene: &Scene, function: &Function, root: &TokenStream) -> TokenStream {
     let float = format_ident!("{}", scene.float.word());
     let name = format_ident!("{}", function.name);

@@ -13,8 +13,8 @@ pub(crate) fn stub(form: Option<&Form>, float: Float, errors: &[TokenStream]) ->
     }
 }
 
-/// All errors as one macro call, which is an item as well as an expression: a request without `struct` may stand in either
-/// position. `concat!` expands its arguments first, and then is as silent as they are in error, of any type.
+/// All errors as one macro call, which is an item as well as an expression: a request without `struct` may stand in
+/// either position. `concat!` expands its arguments first, and then is as silent as they are in error, of any type.
 fn anywhere(errors: &[TokenStream]) -> TokenStream {
     match errors {
         [error] => error.clone(),

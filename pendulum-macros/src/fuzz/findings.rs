@@ -1,4 +1,5 @@
-//! What fuzzing found, each once: invocations that panicked, hung, promised what they didn't keep or explained it wrongly.
+//! What fuzzing found, each once: invocations that panicked, hung, promised what they didn't keep or explained it
+//! wrongly.
 
 use super::verdict::{Verdict, judge, mistakes};
 
@@ -115,8 +116,8 @@ fn refusals_offer_what_can_be_had() {
     );
 }
 
-/// Near the arcsine's edge no finite bound was found for the derivative of θ̂: `MAX_VELOCITY_ERROR` was infinite, or the
-/// call was refused.
+/// Near the arcsine's edge no finite bound was found for the derivative of θ̂: `MAX_VELOCITY_ERROR` was infinite, or
+/// the call was refused.
 #[test]
 fn the_velocity_of_the_paper_near_the_top() {
     planned("struct A; θ0 = π - 5.52933e-2, n = 9, outputs = [theta, velocity]");
@@ -143,8 +144,8 @@ fn full_precision_of_f32_near_the_top() {
     planned("struct A; velocity0 = 2 + 1e-78, float = f32, outputs = [acceleration, theta, velocity]");
 }
 
-/// The coefficients of a polynomial in the time itself, squared, underflow or overflow: the planner saw its bound broken
-/// and refused where another reduction serves, or, with a forced method, emitted an infinite coefficient.
+/// The coefficients of a polynomial in the time itself, squared, underflow or overflow: the planner saw its bound
+/// broken and refused where another reduction serves, or, with a forced method, emitted an infinite coefficient.
 #[test]
 fn coefficients_beyond_the_range_of_floats() {
     planned("struct A; theta0 = -(1e-268), ω = 3.3137e-3, t_max = 5.44920e5");

@@ -61,7 +61,8 @@ fn timed(tokens: &TokenStream) -> Result<(TokenStream, Duration), String> {
     })
 }
 
-/// What this thread has used of a processor, on Linux: other than the time elapsed, it doesn't depend on what else runs.
+/// What this thread has used of a processor, on Linux: other than the time elapsed, it doesn't depend on what else
+/// runs.
 fn processor_time() -> Option<Duration> {
     let statistics = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     statistics.split(' ').next()?.parse().ok().map(Duration::from_nanos)

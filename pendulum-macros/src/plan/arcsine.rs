@@ -98,7 +98,8 @@ mod tests {
         }
     }
 
-    /// Coarse fits are wrong by what their bound says, most so at the end of their range: the largest y, or 0 of the complement.
+    /// Coarse fits are wrong by what their bound says, most so at the end of their range: the largest y, or 0 of the
+    /// complement.
     #[test]
     fn coarse_fits_keep_their_bound_to_the_end() {
         for (most, worst) in [(0.1, 0.1), (0.3, 0.3), (0.62, 0.62), (0.9, 0.0)] {

@@ -7,8 +7,8 @@ use super::tests::scene;
 use crate::motion::Regime;
 use pendulum_runtime::double::Double;
 
-/// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the cosine's
-/// period off the anchor.
+/// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the
+/// cosine's period off the anchor.
 fn sampled(curve: &Curve, mean: f64) -> [f64; 3] {
     const SAMPLES: u32 = 2000;
     const STEP: f64 = 1e-5;
@@ -39,8 +39,8 @@ fn curves_of_swings() {
         let scene = scene(&format!("theta0 = {theta0}, omega = 3"));
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
         let curves = SwingCurves::new(swing, &scene.motion.omega);
-        // Each slice of the moments is a tenth longer than the one before, at most; of the acceleration's two factors each is
-        // bounded by itself.
+        // Each slice of the moments is a tenth longer than the one before, at most; of the acceleration's two factors
+        // each is bounded by itself.
         stated(theta0, &curves.theta(), [1.001, 1.001, 1.1]);
         stated(theta0, &curves.velocity(), [1.001, 1.001, 1.1]);
         stated(theta0, &curves.acceleration(), [1.001, 1.001, 1.11]);

@@ -2,8 +2,8 @@
 
 use crate::program::{Builder, Id};
 
-/// Σ cⱼxʲ by pairs, pairs of pairs and so on (Estrin 1960): the chain of dependent operations grows with the logarithm of
-/// the number of terms. `names` are those of x, x², x⁴ and so on.
+/// Σ cⱼxʲ by pairs, pairs of pairs and so on (Estrin 1960): the chain of dependent operations grows with the logarithm
+/// of the number of terms. `names` are those of x, x², x⁴ and so on.
 pub(crate) fn estrin(b: &mut Builder, x: Id, coefficients: &[Id], names: &[&'static str]) -> Id {
     let mut powers = vec![x];
     while 1 << powers.len() < coefficients.len() {

@@ -10,7 +10,8 @@ pub(crate) enum Form {
     Plain,
     /// Powers of u = 8p − centre: well conditioned, most so where the centre is near the end where the curve bends.
     Centred { centre: f64 },
-    /// Powers of p + c, by [`Adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most rounding.
+    /// Powers of p + c, by [`Adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
+    /// rounding.
     Adapted { chunk: usize },
 }
 
@@ -30,8 +31,8 @@ impl Form {
         !matches!(self, Self::Adapted { chunk: chunk @ 5.. } if terms <= chunk / 2)
     }
 
-    /// Operations that make the variables of p: y and w, of which small blocks mostly do without a shift; the centred one,
-    /// which poles are divided out in, too.
+    /// Operations that make the variables of p: y and w, of which small blocks mostly do without a shift; the centred
+    /// one, which poles are divided out in, too.
     pub(crate) fn variables(self, divided: bool) -> f64 {
         let own = match self {
             Self::Plain => 0.0,

@@ -1,5 +1,5 @@
-//! Full precision is kept for every output at all amplitudes: proven to be within 16 units of rounding of the largest value
-//! (48 of 1 for a position), and seen within half of that (a position within all of it).
+//! Full precision is kept for every output at all amplitudes: proven to be within 16 units of rounding of the largest
+//! value (48 of 1 for a position), and seen within half of that (a position within all of it).
 //!
 //! ```text
 //! PENDULA_SCENES=500 cargo test --release -p pendulum-macros full_precision_tests::many -- --ignored --nocapture
@@ -97,8 +97,8 @@ fn many() {
     check(worst);
 }
 
-/// Next to the lowest points before and after t = 0, on both sides of them, where the phase has to have all its digits; of
-/// releases from rest the values at t and −t are one, to the bit.
+/// Next to the lowest points before and after t = 0, on both sides of them, where the phase has to have all its digits;
+/// of releases from rest the values at t and −t are one, to the bit.
 #[test]
 fn the_first_passages_keep_their_digits() {
     for (start, float) in [

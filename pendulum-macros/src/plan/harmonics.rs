@@ -1,5 +1,5 @@
-//! Sums of harmonics of one cosine, evaluated by Clenshaw's recurrence: the paper's θ̂ (Eq. 22), its derivative, and the
-//! series of θ (Eq. 17 being its shape with one term).
+//! Sums of harmonics of one cosine, evaluated by Clenshaw's recurrence: the paper's θ̂ (Eq. 22), its derivative, and
+//! the series of θ (Eq. 17 being its shape with one term).
 //!
 //! With X = 2 cos 2φ and uₙ = wₙ + X·uₙ₊₁ − uₙ₊₂, Σ wₙ cos((2n−1)φ) = cos φ·(u₁ − u₂) and
 //! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). The recurrence is linear in the weights, so that a rounding error made in uₙ is

@@ -86,8 +86,8 @@ impl Kernel {
         if let Self::Turning(turning) = self { turning.own_rounding(reduction) } else { 0.0 }
     }
 
-    /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above `cap`
-    /// as soon as it is known to be.
+    /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above
+    /// `cap` as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
         let program = function(reduction, &[self]);
         if let Self::Hyperbolic(hyperbolic) = self {

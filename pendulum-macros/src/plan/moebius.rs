@@ -1,8 +1,8 @@
 //! A change of variable that moves a singularity away: P = p(¼ + b)/(p + b), which maps [0, ¼] to itself.
 //!
-//! The point −b goes to infinity, what is next to it goes far away, and a polynomial in P needs fewer terms for it than one
-//! in p (a conformal map, Trefethen, *Approximation Theory and Approximation Practice*, chapter 22, in its simplest form).
-//! It costs a division, an addition and a subtraction: P = (¼ + b) − b(¼ + b)/(p + b).
+//! The point −b goes to infinity, what is next to it goes far away, and a polynomial in P needs fewer terms for it than
+//! one in p (a conformal map, Trefethen, *Approximation Theory and Approximation Practice*, chapter 22, in its simplest
+//! form). It costs a division, an addition and a subtraction: P = (¼ + b) − b(¼ + b)/(p + b).
 
 use pendulum_runtime::double::Double;
 
@@ -34,8 +34,9 @@ impl Moebius {
 
     /// Bounds |Im √p| where P lies on the ellipse with foci 0 and ¼ and parameter ρ; `None` where that reaches ∞.
     ///
-    /// Without a map √p = ½ cos φ with |Im φ| = ½ ln ρ. With one, p + b = b(¼ + b)/d and d = ¼ + b − P. In a slice of the
-    /// ellipse the real part of d is between two numbers and the imaginary one at most a third: hence bounds of −Re p and
+    /// Without a map √p = ½ cos φ with |Im φ| = ½ ln ρ. With one, p + b = b(¼ + b)/d and d = ¼ + b − P. In a slice of
+    /// the ellipse the real part of d is between two numbers and the imaginary one at most a third: hence bounds of −Re
+    /// p and
     /// |Im p|, and 2(Im √p)² = |p| − Re p.
     pub(crate) fn height(map: Option<Self>, rho: f64) -> Option<f64> {
         const SLICES: u32 = 24;

@@ -1,9 +1,9 @@
-//! Suprema of |z·df/dz| for the angle, the velocity and the acceleration, z being the phase from the lowest point: what an
-//! error of the phase that is relative to z costs.
+//! Suprema of |z·df/dz| for the angle, the velocity and the acceleration, z being the phase from the lowest point: what
+//! an error of the phase that is relative to z costs.
 //!
-//! From the lowest point to the anchor v = θ̇ falls, so that in a slice of z it lies between its values at the ends. By the
-//! energy, cos θ = 1 − (F² − v²)/(2ω²) with F = v(0) falls with it. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded by the same
-//! intervals.
+//! From the lowest point to the anchor v = θ̇ falls, so that in a slice of z it lies between its values at the ends. By
+//! the energy, cos θ = 1 − (F² − v²)/(2ω²) with F = v(0) falls with it. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded
+//! by the same intervals.
 
 use crate::series::Wave;
 
@@ -15,7 +15,8 @@ pub(super) struct Moments {
     pub(super) acceleration: f64,
 }
 
-/// Slices, each longer than the one before by the same factor, which is also about that by which the suprema are exceeded.
+/// Slices, each longer than the one before by the same factor, which is also about that by which the suprema are
+/// exceeded.
 const SLICES: i32 = 64;
 
 /// What samples of the velocity may be wrong by, relative to the largest.

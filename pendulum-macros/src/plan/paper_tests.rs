@@ -32,8 +32,9 @@ fn a_tolerance_takes_the_fewest_terms_of_the_paper() {
     }
 }
 
-/// The error of the series is the supremum of its tail, here from samples of it. The bound's own are 16 a wave, so that it is
-/// at most 1/cos(π/16) above. (It isn't θ0 less the sum, which is the error at t = 0: elsewhere it is larger by twice the nome.)
+/// The error of the series is the supremum of its tail, here from samples of it. The bound's own are 16 a wave, so that
+/// it is at most 1/cos(π/16) above. (It isn't θ0 less the sum, which is the error at t = 0: elsewhere it is larger by
+/// twice the nome.)
 #[test]
 fn the_error_of_the_series_is_that_of_its_tail() {
     for (theta0, tol) in [("1", 1e-5), ("7π/8", 1e-4), ("0.999π", 1e-3)] {
@@ -106,8 +107,8 @@ fn the_error_of_the_harmonic_motion() {
     }
 }
 
-/// Small angles, Eq. 3: by the end of the horizon the phases differ by `(ω − 2π/T)·t_max`, here by far more than the cosine does
-/// from the shape; and at most two amplitudes.
+/// Small angles, Eq. 3: by the end of the horizon the phases differ by `(ω − 2π/T)·t_max`, here by far more than the
+/// cosine does from the shape; and at most two amplitudes.
 #[test]
 fn the_drift_of_small_angles() {
     for (theta0, t_max) in [(0.1_f64, 10.0), (0.1, 1000.0), (0.3, 40.0)] {
@@ -134,8 +135,8 @@ fn small_angles_at_any_time() {
     assert!((truncation(&plan) / (0.6 + shape) - 1.0).abs() < 1e-12, "{:e}", truncation(&plan));
 }
 
-/// Its velocity comes to be twice as large as either is, when the phases have drifted half a period apart; before that it is
-/// off by the sine of half the drift.
+/// Its velocity comes to be twice as large as either is, when the phases have drifted half a period apart; before that
+/// it is off by the sine of half the drift.
 #[test]
 fn velocities_of_small_angles() {
     for (t_max, most) in [(50.0, 1.15), (2000.0, 1.02)] {
@@ -191,8 +192,8 @@ fn what_methods_cannot_do() {
     assert!(planned("theta0 = π - 1e-14, tol = 1e-9, method = fourier").is_err());
 }
 
-/// θ̂ and its derivative 2y′/√(1 − y²), y = Σ(−1)ⁿ⁻¹k·b₂ₙ₋₁ cos((2n−1)πs), of swings to either side; and the distance of both
-/// from the exact motion, which is what is promised of them.
+/// θ̂ and its derivative 2y′/√(1 − y²), y = Σ(−1)ⁿ⁻¹k·b₂ₙ₋₁ cos((2n−1)πs), of swings to either side; and the distance
+/// of both from the exact motion, which is what is promised of them.
 #[test]
 fn the_paper_and_its_derivative() {
     for (start, n, most) in [("theta0 = 1", 1, 1.1), ("theta0 = -0.7π", 2, 1.4), ("theta0 = 7π/8, omega = 2", 4, 12.0)]

@@ -153,7 +153,8 @@ impl Aim {
         }
     }
 
-    /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else as it is.
+    /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
+    /// as it is.
     fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !matches!(self.output, Output::Theta | Output::Wrapped) {
@@ -208,8 +209,8 @@ impl Aim {
         (part.bound.total() - turns) / self.limit
     }
 
-    /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns of
-    /// an angle that grows without bound cost what they cost: the promise is about the rest.
+    /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns
+    /// of an angle that grows without bound cost what they cost: the promise is about the rest.
     fn accept(&self, scene: &Scene, kernel: Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
         let turns = kernel.rounding_of_turns(reduction);
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };

@@ -278,8 +278,8 @@ fn a_wrong_coefficient_is_seen() {
     assert!(probe.worst.1 <= intact.parts[0].bound.total());
 }
 
-/// The first passages after a release near the top, at the times whose products with the rate have most digits, are mirror
-/// images of each other to the bit, and as accurate as the later ones.
+/// The first passages after a release near the top, at the times whose products with the rate have most digits, are
+/// mirror images of each other to the bit, and as accurate as the later ones.
 #[test]
 fn the_first_passages_keep_their_bound() {
     for omega in ["1.4239", "1.423"] {

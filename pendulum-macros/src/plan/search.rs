@@ -19,9 +19,9 @@ struct Candidate<'a> {
     cost: f64,
 }
 
-/// The part of 2⁻⁴⁹ (2⁻²⁰) that leaves room for what is observed to stay below half of that: of a billion times in `f64` the
-/// worst has been up to 0.63 of what is proven, of all times in `f32`, whose phases are rounded less often, 0.79. Who asks
-/// for full precision wants it, rather than the last twentieth of the cost.
+/// The part of 2⁻⁴⁹ (2⁻²⁰) that leaves room for what is observed to stay below half of that: of a billion times in
+/// `f64` the worst has been up to 0.63 of what is proven, of all times in `f32`, whose phases are rounded less often,
+/// 0.79. Who asks for full precision wants it, rather than the last twentieth of the cost.
 const COMFORTABLE: f64 = 0.62;
 
 /// How the outputs follow from the phase.
@@ -137,8 +137,8 @@ fn candidates<'a>(
     approximations: &[Approximations],
 ) -> Vec<Candidate<'a>> {
     let mut candidates = Vec::new();
-    // At full precision the angle of a rotation is to be as good as it can be where it is small, if another output can be
-    // had from there.
+    // At full precision the angle of a rotation is to be as good as it can be where it is small, if another output can
+    // be had from there.
     let angle = |aim: &Aim| matches!(aim.output, Output::Theta | Output::Wrapped);
     let from_lowest = task.turning && scene.goal == Goal::Full && task.aims.iter().any(angle);
     for reduction in reductions {
@@ -215,8 +215,8 @@ impl Candidate<'_> {
         Ok(self.way.plan(self.reduction, parts, rejected))
     }
 
-    /// The output's cheapest variant that keeps the promise; at full precision comfortably, or else with the least bound.
-    /// Those that don't, and the next, are described in `rejected`.
+    /// The output's cheapest variant that keeps the promise; at full precision comfortably, or else with the least
+    /// bound. Those that don't, and the next, are described in `rejected`.
     fn polynomials(
         &self,
         scene: &Scene,

@@ -14,8 +14,8 @@ pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
     largest
 }
 
-/// Bounds a function on [low, high], given one on any interval, by halving the interval with the largest bound: until that
-/// gains less than a thirtieth, or `most` times.
+/// Bounds a function on [low, high], given one on any interval, by halving the interval with the largest bound: until
+/// that gains less than a thirtieth, or `most` times.
 pub(super) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
     const GAIN: f64 = 0.97;
     let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(cells);

@@ -85,8 +85,8 @@ fn the_worst_output() {
     assert!((plan.worst() / 0.875 - 1.0).abs() < 2e-12, "{}", plan.worst());
 }
 
-/// The turns of an angle that grows cost more than full precision's limit, which leaves them out; what can be had with them
-/// is known from a plan for full precision all the same.
+/// The turns of an angle that grows cost more than full precision's limit, which leaves them out; what can be had with
+/// them is known from a plan for full precision all the same.
 #[test]
 fn growing_angles_are_offered_what_full_precision_promises() {
     for text in
@@ -98,8 +98,8 @@ fn growing_angles_are_offered_what_full_precision_promises() {
     }
 }
 
-/// A tolerance is one of the velocity over ω, of the acceleration over ω²: of motions 2¹⁰ times as fast as many bits are the
-/// same, and what can be had of them.
+/// A tolerance is one of the velocity over ω, of the acceleration over ω²: of motions 2¹⁰ times as fast as many bits
+/// are the same, and what can be had of them.
 #[test]
 fn the_best_tolerance_of_other_rates() {
     for outputs in ["velocity", "acceleration"] {

@@ -1,5 +1,5 @@
-//! The exact motion by theta functions in multiple precision (*NIST Digital Library of Mathematical Functions*, ch. 20 and
-//! 22): nothing in common with the planner's Fourier series but K, K′ and q.
+//! The exact motion by theta functions in multiple precision (*NIST Digital Library of Mathematical Functions*, ch. 20
+//! and 22): nothing in common with the planner's Fourier series but K, K′ and q.
 
 use crate::exact::{Context, Real};
 use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing};

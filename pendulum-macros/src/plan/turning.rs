@@ -11,7 +11,8 @@ use pendulum_runtime::double::Double;
 /// What is added to the angle of the latest passage.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turning {
-    /// The angle from the lowest point; or the periodic part of that from the top (`from_top`), which 2π·phase completes.
+    /// The angle from the lowest point; or the periodic part of that from the top (`from_top`), which 2π·phase
+    /// completes.
     pub(crate) angle: Box<Kernel>,
     pub(crate) from_top: bool,
     /// Anchors per unit of the reduced phase.
@@ -55,7 +56,8 @@ impl Turning {
         b.mul(phase, turn)
     }
 
-    /// The angle from the lowest point, given the periodic part of that from the top: half a turn back, or forward before the top.
+    /// The angle from the lowest point, given the periodic part of that from the top: half a turn back, or forward
+    /// before the top.
     fn other_side(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         let zero = b.constant(0.0);
         let half = b.exact(Double::PI.hi, Double::PI.lo);
@@ -96,8 +98,8 @@ impl Turning {
     }
 }
 
-/// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before or
-/// after.
+/// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
+/// or after.
 fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let half = std::f64::consts::PI;
     let (half, minus) = (b.exact(half, 0.0), b.exact(-half, 0.0));
@@ -141,7 +143,8 @@ mod tests {
         (turning.clone(), plan)
     }
 
-    /// Half units in the last place: 2⁻⁵¹ up to 6.3 (2⁻²² in `f32`), 2⁻⁵² up to 3.2; of 7·1001 = 7007 they are 2⁻⁴¹ and 2⁻¹².
+    /// Half units in the last place: 2⁻⁵¹ up to 6.3 (2⁻²² in `f32`), 2⁻⁵² up to 3.2; of 7·1001 = 7007 they are 2⁻⁴¹ and
+    /// 2⁻¹².
     #[test]
     fn rounding_of_turns() {
         for (text, expected) in [

@@ -39,8 +39,8 @@ pub(crate) enum Source {
 }
 
 impl Variables {
-    /// Keeps the phase within half an anchor: beyond the horizon it is arbitrary, the result is not. `odd` tells whether
-    /// the sign of s matters.
+    /// Keeps the phase within half an anchor: beyond the horizon it is arbitrary, the result is not. `odd` tells
+    /// whether the sign of s matters.
     pub(crate) fn lower(b: &mut Builder, phase: Phase, reduction: &Reduction, odd: bool) -> Self {
         match reduction.origin {
             Origin::Anchor => Self::from_anchor(b, phase, reduction, odd),
@@ -141,14 +141,14 @@ impl Variables {
         b.sub(top, quotient)
     }
 
-    /// `value` of an odd curve of a rotation, whose magnitude it is if the phase was reduced from the lowest point: before
-    /// that point the top passed counts, after it the next one.
+    /// `value` of an odd curve of a rotation, whose magnitude it is if the phase was reduced from the lowest point:
+    /// before that point the top passed counts, after it the next one.
     pub(crate) fn sign_of_odd(&self, b: &mut Builder, value: Id) -> Id {
         self.side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }))
     }
 
-    /// `value` of a curve that changes its sign from anchor to anchor, and, if it is even about an anchor, from one side
-    /// of the lowest point to the other: before that point the anchor passed counts, after it the next one.
+    /// `value` of a curve that changes its sign from anchor to anchor, and, if it is even about an anchor, from one
+    /// side of the lowest point to the other: before that point the anchor passed counts, after it the next one.
     pub(crate) fn sign(&self, b: &mut Builder, value: Id, parity: Parity) -> Id {
         let side = self.side.filter(|_| parity == Parity::Even);
         let value = match side {

@@ -38,13 +38,13 @@ pub(super) fn bound(weights: &[Double], method: Method, rate: &Real, drift: f64,
 /// So near the top that θ has more harmonics the two velocities are as far apart as they are large.
 const MOST_TERMS: usize = 400;
 
-/// Cells of the half wave, and how many of them are halved: next to an overshoot the arcsine's derivative peaks within a
-/// millionth of the half wave.
+/// Cells of the half wave, and how many of them are halved: next to an overshoot the arcsine's derivative peaks within
+/// a millionth of the half wave.
 const CELLS: u32 = 96;
 const MOST_HALVED: usize = 2000;
 
-/// Bounds |2y′/√m − θ′|, m = 1 − y², between two phases: by the values themselves, or by that in the middle and the slope,
-/// (2y′/√m)′ = 2y″/√m + 2y y′²/m^(3/2).
+/// Bounds |2y′/√m − θ′|, m = 1 − y², between two phases: by the values themselves, or by that in the middle and the
+/// slope, (2y′/√m)′ = 2y″/√m + 2y y′²/m^(3/2).
 fn of_arcsine(ours: &Cosines, exact: &Cosines, low: f64, high: f64) -> f64 {
     let (y, theta) = (ours.over(low, high), exact.over(low, high));
     let most = y.largest(0);

@@ -21,8 +21,9 @@ impl Program {
 /// What a division costs beside a multiplication.
 pub(crate) const QUOTIENT: f64 = 2.5;
 
-/// Measured on x86-64, without and with AVX2, `f64` and `f32`, by `cargo run --release -p pendula-benches --bin weights`;
-/// docs/BENCHMARKS.md has the figures. Only their order matters to the planner, and that they are about right.
+/// Measured on x86-64, without and with AVX2, `f64` and `f32`, by `cargo run --release -p pendula-benches --bin
+/// weights`; docs/BENCHMARKS.md has the figures. Only their order matters to the planner, and that they are about
+/// right.
 fn weight(op: Op) -> f64 {
     match op {
         Op::Input | Op::Constant { .. } => 0.0,

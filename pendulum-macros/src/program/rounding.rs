@@ -4,12 +4,12 @@
 //! node's value if constants were unrounded and every operation exact. With a result of magnitude at most m, rounding
 //! adds at most half a unit in the last place of m; errors of operands propagate by the operation's derivative. This is
 //! the method of Higham, *Accuracy and Stability of Numerical Algorithms* (2002), 3.1, with intervals in place of
-//! asymptotic constants. Rounding is monotone, so the intervals of computed values are exact when their ends are computed
-//! by the very operations of the program; the bounds on errors are inflated by more than their own rounding.
+//! asymptotic constants. Rounding is monotone, so the intervals of computed values are exact when their ends are
+//! computed by the very operations of the program; the bounds on errors are inflated by more than their own rounding.
 //!
-//! Where an operand reaches a result by two ways whose effects cancel, as x does in x·f(x²), that is too pessimistic. The
-//! module [`adjoint`] therefore sums the roundings a second time, each weighted by the derivative of the result with
-//! respect to the node where it happens; the smaller of the two bounds counts.
+//! Where an operand reaches a result by two ways whose effects cancel, as x does in x·f(x²), that is too pessimistic.
+//! The module [`adjoint`] therefore sums the roundings a second time, each weighted by the derivative of the result
+//! with respect to the node where it happens; the smaller of the two bounds counts.
 
 mod adjoint;
 

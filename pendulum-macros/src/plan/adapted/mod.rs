@@ -1,14 +1,15 @@
 //! Polynomials with adapted coefficients: three operations for two terms instead of four.
 //!
-//! With y = p + c and w = y², write a polynomial as E(w) + y·O(w). Where all roots α of O are real, dividing it by w − α
-//! leaves a number β and no multiple of y, and the quotient is of the same kind. So it equals
+//! With y = p + c and w = y², write a polynomial as E(w) + y·O(w). Where all roots α of O are real, dividing it by w −
+//! α leaves a number β and no multiple of y, and the quotient is of the same kind. So it equals
 //!
 //! ((z·(w − α₁) + β₁)·(w − α₂) + β₂)…, with z linear or quadratic in y,
 //!
 //! a multiplication and two additions for two terms, of which w − α waits for nothing (Knuth, *The Art of Computer
-//! Programming* 2, 4.6.4, theorem E). Some c makes the roots real (Eve 1964). What it costs is conditioning: the factors
-//! may be large where the value is small. Hence c is chosen among many by estimated rounding, and long polynomials are cut
-//! into blocks, Σ Bⱼ(y)·y^(chunk·j), each of which is adapted. The proof of the rounding is that of any program.
+//! Programming* 2, 4.6.4, theorem E). Some c makes the roots real (Eve 1964). What it costs is conditioning: the
+//! factors may be large where the value is small. Hence c is chosen among many by estimated rounding, and long
+//! polynomials are cut into blocks, Σ Bⱼ(y)·y^(chunk·j), each of which is adapted. The proof of the rounding is that of
+//! any program.
 
 mod shifts;
 
@@ -37,8 +38,8 @@ struct Block {
     factors: Vec<(Double, Double)>,
 }
 
-/// The chain of dependent operations, in cycles, of a polynomial of `terms` in blocks of `chunk`, given y: four operations
-/// of a block's head or two of a factor at a time; then the blocks are joined.
+/// The chain of dependent operations, in cycles, of a polynomial of `terms` in blocks of `chunk`, given y: four
+/// operations of a block's head or two of a factor at a time; then the blocks are joined.
 pub(crate) fn chain(terms: usize, chunk: usize) -> usize {
     let longest = terms.min(chunk);
     let joints = terms.div_ceil(chunk).next_power_of_two().ilog2() as usize;
@@ -193,7 +194,8 @@ mod tests {
         assert_eq!(polished(&powers, 0.0), Double::ZERO);
     }
 
-    /// Evaluated in `f64`, it is the polynomial but for the rounding estimated; and it takes as many operations as said.
+    /// Evaluated in `f64`, it is the polynomial but for the rounding estimated; and it takes as many operations as
+    /// said.
     #[test]
     fn it_is_the_polynomial() {
         for terms in 4..=20 {

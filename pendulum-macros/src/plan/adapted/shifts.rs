@@ -32,8 +32,8 @@ impl Choices {
         Some(Self { best, unshifted: choice(0) })
     }
 
-    /// The cheapest whose rounding, in units of rounding, is below `limit`. Without a shift it has to be far below: what
-    /// rounding takes, truncation lacks.
+    /// The cheapest whose rounding, in units of rounding, is below `limit`. Without a shift it has to be far below:
+    /// what rounding takes, truncation lacks.
     pub(crate) fn within(self, limit: f64) -> Option<Choice> {
         let far_below = |choice: &Choice| choice.rounding <= limit / 16.0;
         self.unshifted.filter(far_below).or(Some(self.best)).filter(|choice| choice.rounding <= limit)
@@ -75,8 +75,8 @@ fn rough_block(powers: &[f64]) -> Option<Rough> {
     Some(Rough { head: left, factors })
 }
 
-/// Divides powers of y by y² − α; the constant of the remainder, whose other coefficient is nought where α is a root of the
-/// odd part.
+/// Divides powers of y by y² − α; the constant of the remainder, whose other coefficient is nought where α is a root of
+/// the odd part.
 pub(super) fn divide<T: Copy + Add<Output = T> + Mul<Output = T>>(powers: &mut Vec<T>, alpha: T) -> T {
     for i in (2..powers.len()).rev() {
         powers[i - 2] = powers[i - 2] + alpha * powers[i];

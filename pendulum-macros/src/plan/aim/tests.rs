@@ -1,4 +1,5 @@
-//! What an error of the phase is taken to cost, against samples of the motion; and the limits that outputs have to keep.
+//! What an error of the phase is taken to cost, against samples of the motion; and the limits that outputs have to
+//! keep.
 
 use super::*;
 use crate::plan::tests::scene;
@@ -84,8 +85,8 @@ fn passages() {
             assert!((error([1.0, 0.0]) / slope - 1.0).abs() < 1e-12, "{text} {:?}", aim.output);
         }
     }
-    // Far from the top the images count: those of the next passages are added to what is left of it at half a turn, all in
-    // all 2·span·e^(−span/2) for an angle.
+    // Far from the top the images count: those of the next passages are added to what is left of it at half a turn, all
+    // in all 2·span·e^(−span/2) for an angle.
     let (scene, task) = task("velocity0 = 6.5, omega = 3, outputs = [theta]");
     let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
     let passage = passage(&rotation.elliptic, -1.0, 1.0).unwrap();

@@ -6,9 +6,10 @@
 //!
 //! π − |θ| = 4 arctan A, A = Q/P, Q = (E + σG)(1 + σq′³M − q′⁴), P = 1 + σq′M, M = E² + G²,
 //!
-//! which is the dual theta quotient (tan(θ/4) = [sinh X − q′ sinh 3X + …]/[cosh X + q′ cosh 3X + …], X = w/2, for a swing)
-//! solved for tan((π − θ)/4); the terms left out are below q′⁶ relative to Q and P. From it, with sin(θ/2) = (P² − Q²)/N
-//! and cos(θ/2) = 2QP/N, N = P² + Q², follow position and acceleration. The velocity's numerator is a theta function too:
+//! which is the dual theta quotient (tan(θ/4) = [sinh X − q′ sinh 3X + …]/[cosh X + q′ cosh 3X + …], X = w/2, for a
+//! swing) solved for tan((π − θ)/4); the terms left out are below q′⁶ relative to Q and P. From it, with sin(θ/2) = (P²
+//! − Q²)/N and cos(θ/2) = 2QP/N, N = P² + Q², follow position and acceleration. The velocity's numerator is a theta
+//! function too:
 //!
 //! |θ̇| = F·Σ (−σ)ᵐ q′^(m²) E^(2m+1)/N = F·(E − σG)(1 − q′² − q′⁶ − σq′(1 − q′⁴)M + q′⁴M²)/N up to q′⁹,
 //!
@@ -132,7 +133,8 @@ impl Hyperbolic {
         let float = b.float();
         let magnitude = b.convert(variables.magnitude, Float::F64);
         let quotient = self.quotient(b, magnitude);
-        // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the negative.
+        // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the
+        // negative.
         let direction = self.passage.direction * if self.passage.alternates { 1.0 } else { -1.0 };
         match self.output {
             Output::Theta | Output::Wrapped => {

@@ -144,8 +144,8 @@ fn velocities_at_the_lowest_point() {
     }
 }
 
-/// Beyond 24 binades E goes on to nought and G to what it is at the top. 1/(2³⁰E + 2⁻¹⁰) is largest where E is nought, and
-/// 1/(1 + 2⁻¹⁰ − 2¹⁵G) where 2⁻¹⁵ is G: both 1024, with half a unit in the last place that is 2⁻⁴⁴.
+/// Beyond 24 binades E goes on to nought and G to what it is at the top. 1/(2³⁰E + 2⁻¹⁰) is largest where E is nought,
+/// and 1/(1 + 2⁻¹⁰ − 2¹⁵G) where 2⁻¹⁵ is G: both 1024, with half a unit in the last place that is 2⁻⁴⁴.
 #[test]
 fn the_last_binade_stands_for_all_that_follow() {
     let kernel = |q: f64, image_exponent: i32| {

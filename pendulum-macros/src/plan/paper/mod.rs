@@ -162,8 +162,8 @@ fn tail(terms: &[(u32, Double)]) -> f64 {
     (0..=points / 2).map(at).fold(0.0, f64::max) / (std::f64::consts::PI / 16.0).cos() * (1.0 + 1e-9)
 }
 
-/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0 while
-/// the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
+/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0
+/// while the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
 fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
     let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
     if theta.terms().len() > MOST_HARMONICS {
@@ -178,8 +178,8 @@ fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
 
 /// The smallest number of terms without overshoot, `None` if there is none among those that the float can use.
 ///
-/// Those leave a tail that swings by a tenth of half a unit in the last place of 1, at least, and near the turning point
-/// 1 − x² is k′² and twice the tail: where k′² is far less no number needs to be tried (and all would take long).
+/// Those leave a tail that swings by a tenth of half a unit in the last place of 1, at least, and near the turning
+/// point 1 − x² is k′² and twice the tail: where k′² is far less no number needs to be tried (and all would take long).
 fn smallest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing) -> Option<usize> {
     let margin = swing.elliptic.complementary.square().to_f64();
     if margin < scene.float.unit() / 128.0 {
@@ -196,7 +196,8 @@ fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
     (smallest..=most_useful_terms(swing, scene.float)).take(3).find(|&n| ask(n).is_ok())
 }
 
-/// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are, one.
+/// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are,
+/// one.
 fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
     let Some(mut fails) = smallest(analysis, scene, swing) else { return 1 };
     let mut serves = fails;
@@ -214,7 +215,8 @@ fn horizon(scene: &Scene, rate: &Real) -> f64 {
     scene.t_max.as_ref().map_or_else(|| 2f64.powi(54) / rate.to_f64(), Real::to_f64)
 }
 
-/// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the largest.
+/// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the
+/// largest.
 fn is_useful(part: &Part, scene: &Scene) -> bool {
     let bound = part.bound.total();
     let vague = matches!(scene.goal, Goal::Terms(_)) && part.output == Output::Velocity && bound > 2.0 * part.largest;

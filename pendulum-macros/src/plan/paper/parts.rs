@@ -45,8 +45,8 @@ impl Sum {
         scene.outputs.iter().map(one).collect()
     }
 
-    /// `None` where it takes too many terms. It may be off by what a tolerance leaves, or by 8 units in the last place of θ0;
-    /// if need be by 11 that are proven, of which two thirds have been observed at most.
+    /// `None` where it takes too many terms. It may be off by what a tolerance leaves, or by 8 units in the last place
+    /// of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
     fn whole(&self, scene: &Scene, swing: &Swing) -> Option<Whole> {
         let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
         let allowed = match scene.goal {

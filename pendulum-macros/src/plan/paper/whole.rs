@@ -1,15 +1,15 @@
 //! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), as a whole: one polynomial instead of a sum, a root and an
 //! arcsine.
 //!
-//! θ̂ is an even function of the phase, analytic in p = s² but where y = ±1. Sums of few terms take these values near the
-//! turning point, off the real axis: at 7π/8 with N = 4 where p = −0.008 ± 0.022i. A [`Moebius`] map moves them away and
-//! leaves 37 terms of 63.
+//! θ̂ is an even function of the phase, analytic in p = s² but where y = ±1. Sums of few terms take these values near
+//! the turning point, off the real axis: at 7π/8 with N = 4 where p = −0.008 ± 0.022i. A [`Moebius`] map moves them
+//! away and leaves 37 terms of 63.
 //!
-//! **Error.** That θ̂ is analytic in some ellipse is awkward to prove. Instead the interpolant Q is tested afterwards: the
-//! residual R = y − sin(Q/2) is analytic wherever p is finite, and |y| and |sin(Q/2)| ≤ sinh(|Q|/2) are bounded on an
-//! ellipse by their coefficients. So its own interpolation at M points has an error of at most 4Bρ^(1−M)/(ρ − 1) (see
-//! [`crate::plan::polynomial`]), and its values there, multiplied by Lebesgue's constant, bound the rest:
-//! Λ ≤ (2/π) ln M + 1 (Rivlin 1974). Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point,
+//! **Error.** That θ̂ is analytic in some ellipse is awkward to prove. Instead the interpolant Q is tested afterwards:
+//! the residual R = y − sin(Q/2) is analytic wherever p is finite, and |y| and |sin(Q/2)| ≤ sinh(|Q|/2) are bounded on
+//! an ellipse by their coefficients. So its own interpolation at M points has an error of at most 4Bρ^(1−M)/(ρ − 1)
+//! (see [`crate::plan::polynomial`]), and its values there, multiplied by Lebesgue's constant, bound the rest: Λ ≤
+//! (2/π) ln M + 1 (Rivlin 1974). Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point,
 //! stays between −π/2 and π/2, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
 
 use crate::chebyshev::{CosineTable, cos_pi, interpolation_error, lebesgue, points_for, sin_pi, value};
@@ -121,8 +121,8 @@ struct Point {
     y: f64,
 }
 
-/// Bounds |y| where |y″| ≤ `bend`, from points between the lowest point, ½, and the turning point, 0, about which y is odd
-/// and even.
+/// Bounds |y| where |y″| ≤ `bend`, from points between the lowest point, ½, and the turning point, 0, about which y is
+/// odd and even.
 fn largest(points: &[Point], bend: f64) -> f64 {
     let lowest = Point { s: 0.5, y: 0.0 };
     let other_side = points.last().map(|&Point { s, y }| Point { s: -s, y });
@@ -202,8 +202,8 @@ mod tests {
         }
     }
 
-    /// Of a series that is wrong by much the sine of its half may be larger than y, too: by sup |R|, which is ε/2 at the lowest
-    /// point, times Λ.
+    /// Of a series that is wrong by much the sine of its half may be larger than y, too: by sup |R|, which is ε/2 at
+    /// the lowest point, times Λ.
     #[test]
     fn large_errors_bring_the_sum_nearer_to_one() {
         let scene = scene("theta0 = 7π/8");
@@ -270,7 +270,8 @@ mod tests {
         ((re.hypot(im) - re) / 2.0).sqrt()
     }
 
-    /// Against the arcsine of the sum, for swings of all amplitudes, released and launched, to either side, and any time.
+    /// Against the arcsine of the sum, for swings of all amplitudes, released and launched, to either side, and any
+    /// time.
     #[test]
     fn plans_compute_twice_the_arcsine() {
         let mut random = Random::new(7);

@@ -1,10 +1,10 @@
 //! A curve as a Chebyshev series in the square of the phase, with a bound of its error.
 //!
-//! The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays
-//! within the strip |Im s| ≤ sinh(½ ln ρ)/2, where the Fourier series bounds the curve by B; the interpolant's error is at
-//! most 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation Practice*, theorem 8.2). Dropping its
-//! coefficients beyond the degree d adds at most the sum of their magnitudes. M is chosen so that the former is negligible;
-//! the latter, explicitly known, is the truncation error.
+//! The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays within the
+//! strip |Im s| ≤ sinh(½ ln ρ)/2, where the Fourier series bounds the curve by B; the interpolant's error is at most
+//! 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation Practice*, theorem 8.2). Dropping its
+//! coefficients beyond the degree d adds at most the sum of their magnitudes. M is chosen so that the former is
+//! negligible; the latter, explicitly known, is the truncation error.
 
 use super::Polynomial;
 use super::pole::Pole;
@@ -67,7 +67,8 @@ impl Approximation {
         };
         let values: Vec<Double> = table.points().map(sample).collect();
         let mut series = table.coefficients(&values, points);
-        // Near an anchor an odd curve's omitted terms are divided by s, of which the smallest sample is above 1/(3·points).
+        // Near an anchor an odd curve's omitted terms are divided by s, of which the smallest sample is above
+        // 1/(3·points).
         let omitted = curve.omitted() * if curve.parity() == Parity::Odd { 3.0 * points as f64 } else { 1.0 };
         let mut remainder = error + 2.0 * omitted * pole.map_or(1.0, |pole| pole.most(0.5));
         // What is far below the aim isn't worth carrying.
@@ -104,8 +105,8 @@ impl Approximation {
         sum * self.outer_weight(overshoot)
     }
 
-    /// The error of the whole series. Its part due to the points is a sum of Tⱼ for j from their number on, in which the
-    /// weights fall like ρ⁻ʲ; outside of the interval Tⱼ grows by a factor from one to the next.
+    /// The error of the whole series. Its part due to the points is a sum of Tⱼ for j from their number on, in which
+    /// the weights fall like ρ⁻ʲ; outside of the interval Tⱼ grows by a factor from one to the next.
     fn least_truncation(&self, overshoot: f64) -> f64 {
         let growth = growth(overshoot);
         if growth >= 0.9 * self.log_rho {
@@ -143,8 +144,8 @@ impl Approximation {
         if self.map.is_some() { Double::ONE } else { reduction.unit }
     }
 
-    /// The polynomial with that many terms, in the variable of `form` (p + `shift` if adapted) scaled to the reduction's
-    /// unit.
+    /// The polynomial with that many terms, in the variable of `form` (p + `shift` if adapted) scaled to the
+    /// reduction's unit.
     fn shifted_powers(
         &self,
         terms: usize,
@@ -173,8 +174,8 @@ impl Approximation {
         Polynomial { form, pole, parity, map, alternates, coefficients, adapted: None, truncation }
     }
 
-    /// What coefficients that are too small for two words change: infinite where the powers of the unit are. Powers of a phase
-    /// in units of time are of any size, and an amplitude may be 1e-300.
+    /// What coefficients that are too small for two words change: infinite where the powers of the unit are. Powers of
+    /// a phase in units of time are of any size, and an amplitude may be 1e-300.
     fn lost_to_underflow(&self, terms: usize, form: Form, unit: Double) -> f64 {
         let eighth = if let Form::Centred { .. } = form { 1.0 } else { (unit * unit * 8.0).hi };
         let (highest, widest) = (eighth.powi(terms as i32), 1e280);
@@ -196,8 +197,8 @@ impl Approximation {
         to_powers(&self.series[..terms.min(self.series.len())])
     }
 
-    /// The polynomial with that many terms, evaluated as `form` says; `None` if its coefficients can't be adapted without
-    /// rounding by more than about `limit`.
+    /// The polynomial with that many terms, evaluated as `form` says; `None` if its coefficients can't be adapted
+    /// without rounding by more than about `limit`.
     pub(crate) fn polynomial(
         &self,
         terms: usize,

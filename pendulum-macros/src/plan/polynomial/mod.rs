@@ -2,8 +2,8 @@
 //!
 //! About a turning point θ is an even function of the phase s, and analytic in p = s² farther than in any variable
 //! centred at the lowest point: its nearest singularities lie above the lowest point, s = ½ ± iK′/(2K), at the end of
-//! the interval and not over its middle. At 7π/8 each coefficient gains a factor 4.47, against 2.71 for an odd polynomial
-//! about the lowest point.
+//! the interval and not over its middle. At 7π/8 each coefficient gains a factor 4.47, against 2.71 for an odd
+//! polynomial about the lowest point.
 
 mod approximation;
 mod pole;
@@ -42,8 +42,8 @@ const PLAIN_POWERS: [&str; 8] = ["p", "p2", "p4", "p8", "p16", "p32", "p64", "p1
 const CENTRED_POWERS: [&str; 8] = ["u", "u2", "u4", "u8", "u16", "u32", "u64", "u128"];
 
 impl Polynomial {
-    /// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes of
-    /// 1e-268 and periods of 1e150 have plans, but not by adapted coefficients.
+    /// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow:
+    /// amplitudes of 1e-268 and periods of 1e150 have plans, but not by adapted coefficients.
     fn is_moderate(&self, quarter: f64, float: Float) -> bool {
         let widest = if float == Float::F64 { 1e12 } else { 1e3 };
         let largest = self

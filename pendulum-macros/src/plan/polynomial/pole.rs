@@ -3,8 +3,8 @@
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
-/// ((8p − place)² + height²)^power, which vanishes at the nearest pair of singularities. θ̇ has simple poles there, θ̈ and
-/// the position double ones, θ itself logarithms, which dividing doesn't remove.
+/// ((8p − place)² + height²)^power, which vanishes at the nearest pair of singularities. θ̇ has simple poles there, θ̈
+/// and the position double ones, θ itself logarithms, which dividing doesn't remove.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pole {
     pub(super) place: f64,

@@ -55,7 +55,8 @@ impl Clock<'_> {
             Method::Scaled { anchor, .. } => Double::ONE / Double::new(anchor * scale),
             _ => Double::new(1.0 / scale),
         };
-        // The launch phase is added in two words where there are any. Where it is a rounded time, that has been counted.
+        // The launch phase is added in two words where there are any. Where it is a rounded time, that has been
+        // counted.
         let exact = self.is_exact() || matches!(method, Method::AnyTime { .. });
         let counted = exact || matches!(method, Method::CodyWaite { .. });
         let wide = matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. });
@@ -77,9 +78,9 @@ impl Clock<'_> {
         }
     }
 
-    /// What keeps the product of the time with its factor from overflowing: a power of two beside a factor above 1, or, of
-    /// factors so large that powers of the phase would get out of hand, a cap of the time. Products of Cody and Waite's
-    /// overflow without harm; those of `f32` times with `f64` words don't.
+    /// What keeps the product of the time with its factor from overflowing: a power of two beside a factor above 1, or,
+    /// of factors so large that powers of the phase would get out of hand, a cap of the time. Products of Cody and
+    /// Waite's overflow without harm; those of `f32` times with `f64` words don't.
     fn within_range(&self, method: &Method) -> (f64, Option<f64>) {
         let rate = self.rate.to_f64();
         let factor = match method {
@@ -152,8 +153,8 @@ impl Clock<'_> {
         let rate = self.float.round(self.rate.to_f64());
         let left = words.iter().fold(time, |rest, &word| rest - self.exact(word)).abs().to_f64();
         let last = words.last().copied().unwrap_or(0.0).abs();
-        // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a time
-        // next to half an anchor, where that is next to a power of two, escapes both.
+        // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a
+        // time next to half an anchor, where that is next to a power of two, escapes both.
         let half = 0.5 / rate;
         let crosses = exponent(half * (1.0 + 1e-6)) != exponent(half * (1.0 - 1e-6));
         let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
@@ -170,8 +171,8 @@ impl Clock<'_> {
         Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, self.misplaced(anchors)))
     }
 
-    /// How far beyond half an anchor a remainder may be that isn't what n was rounded from: by the roundings of the rate, of
-    /// its product with the time and of the launch.
+    /// How far beyond half an anchor a remainder may be that isn't what n was rounded from: by the roundings of the
+    /// rate, of its product with the time and of the launch.
     fn misplaced(&self, anchors: f64) -> f64 {
         3.01 * anchors * self.float.unit()
     }
@@ -188,9 +189,9 @@ impl Clock<'_> {
         self.wide_words(origin, false, 2f64.powi(-27))
     }
 
-    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: n is taken from the
-    /// first product, which is exact, then the second is added, exactly or to 2⁻⁵⁴, and the third, below 2⁻³, to 2⁻⁵⁴. What
-    /// three words leave is below 2⁻⁵⁷.
+    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: n is taken from
+    /// the first product, which is exact, then the second is added, exactly or to 2⁻⁵⁴, and the third, below 2⁻³, to
+    /// 2⁻⁵⁴. What three words leave is below 2⁻⁵⁷.
     fn fine_any_time(&self) -> Reduction {
         self.wide_words(Origin::Lowest, true, 2f64.powi(-52))
     }
@@ -234,9 +235,9 @@ impl Clock<'_> {
         }
     }
 
-    /// Three roundings of sums, relative to the result (one is that of [`Self::halfway`] or of the first sum, which is exact
-    /// where the last word's product matters), and that product: of three words, below 16 anchors at the end of the
-    /// longest horizon, it is rounded to 2⁻⁵⁰ there and so is its sum with another.
+    /// Three roundings of sums, relative to the result (one is that of [`Self::halfway`] or of the first sum, which is
+    /// exact where the last word's product matters), and that product: of three words, below 16 anchors at the end of
+    /// the longest horizon, it is rounded to 2⁻⁵⁰ there and so is its sum with another.
     fn any_time(&self, count: usize, origin: Origin) -> Reduction {
         let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
         let part = (self.horizon() * self.rate.to_f64() / UNLIMITED).min(1.0);
@@ -250,7 +251,8 @@ impl Clock<'_> {
         self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20))
     }
 
-    /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is less.
+    /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is
+    /// less.
     fn rounding_in_one_word(&self, anchors: f64, float: Float) -> f64 {
         let of_sum = if self.launch == Double::ZERO { 0.0 } else { half_ulp(0.49, float) + half_ulp(0.5, float) };
         half_ulp(anchors * 1.001, float).max(of_sum)
@@ -261,8 +263,8 @@ impl Clock<'_> {
         self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0
     }
 
-    /// 1 where t = 0 is half-way between two origins, else 0. The phase is then what half an anchor is more than a small time
-    /// of finer digits: this difference is rounded, too, if it is above a quarter of an anchor.
+    /// 1 where t = 0 is half-way between two origins, else 0. The phase is then what half an anchor is more than a
+    /// small time of finer digits: this difference is rounded, too, if it is above a quarter of an anchor.
     fn halfway(&self, origin: Origin) -> f64 {
         let from_origin = self.launch.hi - if origin == Origin::Anchor { 0.5 } else { 0.0 };
         f64::from(u8::from(self.launch.lo == 0.0 && from_origin.fract() == 0.0))

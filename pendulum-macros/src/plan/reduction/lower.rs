@@ -145,12 +145,13 @@ impl Reduction {
         self.numbered(b, remainder, magic, count)
     }
 
-    /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the sum of
-    /// the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24), hence
-    /// exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below 2^(e−75).
-    /// The first is taken modulo 8, exactly, and the sum of the first three rounded to n, up to 2³¹ and off by at most
-    /// 2⁻²². The first less n is exact, and with the second a multiple of 2^(e−77) again of a few anchors: so only the sums
-    /// with the last two parts are rounded. With three words the third is all the rest, and its product with t the last part.
+    /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the
+    /// sum of the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24),
+    /// hence exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below
+    /// 2^(e−75). The first is taken modulo 8, exactly, and the sum of the first three rounded to n, up to 2³¹ and off
+    /// by at most 2⁻²². The first less n is exact, and with the second a multiple of 2^(e−77) again of a few anchors:
+    /// so only the sums with the last two parts are rounded. With three words the third is all the rest, and its
+    /// product with t the last part.
     fn any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
         let words: Vec<Id> = words.iter().map(|&word| b.constant(word * self.scale)).collect();
         let (r1, r2, r3) = (words[0], words[1], words[2]);
@@ -179,10 +180,10 @@ impl Reduction {
     }
 
     /// The four parts and the offset, less n. Without a launch the offset is nought or a half, and each sum is rounded
-    /// relative to its result, if at all: the first if that is above a quarter, where then the last is nothing beside it.
-    /// With a launch the sums are done in two words; from the lowest point also that with n, beside which a first part below
-    /// a half may be the longer number (Dekker's sum, whose larger operand is n wherever it is rounded: by up to 2⁻⁵⁴, which
-    /// from an anchor is part of the error).
+    /// relative to its result, if at all: the first if that is above a quarter, where then the last is nothing beside
+    /// it. With a launch the sums are done in two words; from the lowest point also that with n, beside which a first
+    /// part below a half may be the longer number (Dekker's sum, whose larger operand is n wherever it is rounded: by
+    /// up to 2⁻⁵⁴, which from an anchor is part of the error).
     fn sum_of_parts(&self, b: &mut Builder, n: Id, [first, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
         let offset = self.offset();
         if is_half(offset) {
@@ -205,8 +206,8 @@ impl Reduction {
         b.add(sum, lost)
     }
 
-    /// The sum of the parts and the offset, less n. Where the offset is a half, it is taken from n, without rounding: the
-    /// first part less n alone may be longer than that part.
+    /// The sum of the parts and the offset, less n. Where the offset is a half, it is taken from n, without rounding:
+    /// the first part less n alone may be longer than that part.
     fn less(&self, b: &mut Builder, parts: &[Id], n: Id) -> Id {
         let offset = self.offset();
         let (before, after) = if is_half(offset) { (offset, Double::ZERO) } else { (Double::ZERO, offset) };
@@ -224,8 +225,8 @@ impl Reduction {
         (b.sub(x, eights), eights)
     }
 
-    /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has to
-    /// be exact where the launch cancels it: t in 27 + 26 bits, R in 26 + 26 and the rest.
+    /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has
+    /// to be exact where the launch cancels it: t in 27 + 26 bits, R in 26 + 26 and the rest.
     fn linear(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
         let [r1, r2, r3] = words.map(|word| b.constant(word));
         if self.launch == Double::ZERO {

@@ -1,9 +1,10 @@
 //! Phase reduction: from the time to the phase between two anchors, where the motion is symmetric.
 //!
-//! An anchor is a turning point of a swing, or the top of a rotation; `rate` anchors are passed per unit of time, and
-//! x = rate·t + launch counts them. A reduction computes either n = round(x), whose parity tells the sign of a swing, and
-//! the remainder s = x − n, or n = round(x − ½) and z = x − n − ½, the phase from the lowest point, near which it is the
-//! more accurate and the motion the fastest. |s| and |z| are at most ½ (plus `overshoot`), in units of `unit` anchors.
+//! An anchor is a turning point of a swing, or the top of a rotation; `rate` anchors are passed per unit of time, and x
+//! = rate·t + launch counts them. A reduction computes either n = round(x), whose parity tells the sign of a swing, and
+//! the remainder s = x − n, or n = round(x − ½) and z = x − n − ½, the phase from the lowest point, near which it is
+//! the more accurate and the motion the fastest. |s| and |z| are at most ½ (plus `overshoot`), in units of `unit`
+//! anchors.
 //!
 //! Rounding is done by adding and subtracting 1.5·2⁵² (1.5·2²³), which leaves the integer in the sum's low bits. The
 //! subtractions that follow are exact: their operands are multiples of the same unit and the result is no longer.
@@ -55,14 +56,15 @@ pub(crate) enum Origin {
 pub(crate) enum Method {
     /// s = t·R − n with R in one word.
     OneWord { rate: f64 },
-    /// s = t·R′ − n·A, in units of which an anchor has A: a number of few bits such that nA is exact, R′ = AR to far beyond
-    /// its last place, and the product is rounded as little as its digits allow.
+    /// s = t·R′ − n·A, in units of which an anchor has A: a number of few bits such that nA is exact, R′ = AR to far
+    /// beyond its last place, and the product is rounded as little as its digits allow.
     Scaled { rate: f64, scaled: f64, anchor: f64 },
     /// s = t − n·T₁ − n·T₂ …, every nTᵢ but the last exact (Cody and Waite 1980); s is a time.
     CodyWaite { rate: f64, words: Vec<f64> },
     /// An `f32` time, R in one `f64` word.
     Wide { rate: f64 },
-    /// An `f32` time, R in three `f64` words whose first two products are exact; `fine` if they are added to −n one by one.
+    /// An `f32` time, R in three `f64` words whose first two products are exact; `fine` if they are added to −n one by
+    /// one.
     WideAnyTime { words: [f64; 3], fine: bool },
     /// An `f64` time, R in three or four words; all products that matter but the last are exact.
     AnyTime { words: Vec<f64> },

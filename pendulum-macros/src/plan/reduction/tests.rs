@@ -1,4 +1,5 @@
-//! Every reduction against the exact phase, over horizons of all lengths: its error is what it promises, and not much less.
+//! Every reduction against the exact phase, over horizons of all lengths: its error is what it promises, and not much
+//! less.
 
 use super::*;
 use crate::exact::{Context, Real};
@@ -135,7 +136,8 @@ fn errors_are_those_promised() {
     // Every way from every launch, but for the one that is only for none.
     assert_eq!(worst.len(), 17 * 4 + 2, "{worst:?}");
     for (way, worst) in worst {
-        // Of any time, sums of several parts are rarely all at their worst; of three words the drift depends on the rate.
+        // Of any time, sums of several parts are rarely all at their worst; of three words the drift depends on the
+        // rate.
         let least = match way.0.as_str() {
             "AnyTime 3" => 0.02,
             "AnyTime 4" => 0.2,
@@ -145,8 +147,8 @@ fn errors_are_those_promised() {
     }
 }
 
-/// Beyond the horizon any phase will do, be it infinite, which is clamped; but it has to be one, however fast the motion. At
-/// infinite times there is none.
+/// Beyond the horizon any phase will do, be it infinite, which is clamped; but it has to be one, however fast the
+/// motion. At infinite times there is none.
 #[test]
 fn every_finite_time_has_a_phase() {
     let context = Context::for_digits(60);
@@ -210,9 +212,9 @@ fn cody_waite(
     (reduction, rate)
 }
 
-/// Over a few anchors the words leave nothing. What is left is a unit of rounding of half the time between anchors for each
-/// difference but the first; and for that, where half the time is next to a power of two, of which it may be on the other
-/// side. Half the time is 0.714…, or 1 but for a ten-millionth.
+/// Over a few anchors the words leave nothing. What is left is a unit of rounding of half the time between anchors for
+/// each difference but the first; and for that, where half the time is next to a power of two, of which it may be on
+/// the other side. Half the time is 0.714…, or 1 but for a ten-millionth.
 #[test]
 fn roundings_of_differences() {
     let u = Float::F64.unit();
@@ -306,8 +308,8 @@ fn the_separatrix() {
     }
 }
 
-/// Which ways there are, by horizon: one word up to an eighth of 1.5·2⁵² (2²³) anchors, scaled ones while 8 bits are left for the
-/// unit, Cody and Waite's up to 2³⁴ (2¹⁵).
+/// Which ways there are, by horizon: one word up to an eighth of 1.5·2⁵² (2²³) anchors, scaled ones while 8 bits are
+/// left for the unit, Cody and Waite's up to 2³⁴ (2¹⁵).
 #[test]
 fn ways_of_each_horizon() {
     let context = Context::for_digits(60);

@@ -3,8 +3,8 @@
 use crate::exact::Real;
 use crate::parse::Float;
 
-/// `x` > 0 as a sum of `count` words rounded down, all but the last with at most `bits` bits: no word is negative, so that
-/// overflow in their products can't meet with opposite signs.
+/// `x` > 0 as a sum of `count` words rounded down, all but the last with at most `bits` bits: no word is negative, so
+/// that overflow in their products can't meet with opposite signs.
 pub(super) fn split_down(x: &Real, bits: i32, count: usize, float: Float) -> Vec<f64> {
     let mut rest = x.clone();
     let mut words = Vec::new();

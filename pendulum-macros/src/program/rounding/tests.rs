@@ -1,4 +1,5 @@
-//! Each operation's interval and error, worked out by hand: a bound that is too large is as wrong here as one too small.
+//! Each operation's interval and error, worked out by hand: a bound that is too large is as wrong here as one too
+//! small.
 
 use super::*;
 use crate::program::Builder;

@@ -67,8 +67,8 @@ fn truncation_errors() {
     }
 }
 
-/// A whole series is wrong by what its interpolation is, bounded on an ellipse: crudely, but with at most five points more than
-/// would have done.
+/// A whole series is wrong by what its interpolation is, bounded on an ellipse: crudely, but with at most five points
+/// more than would have done.
 #[test]
 fn interpolation_errors() {
     for text in ["theta0 = 1", "theta0 = 7π/8", "velocity0 = 2.1"] {
@@ -170,8 +170,8 @@ fn weights() {
     }
 }
 
-/// Terms that a curve's series omits change the samples by so much, in two words of which each may be off, times what poles
-/// are at most; of an odd curve it is divided by a phase down to ½ sin(π/4M), and multiplied by ½ again.
+/// Terms that a curve's series omits change the samples by so much, in two words of which each may be off, times what
+/// poles are at most; of an odd curve it is divided by a phase down to ½ sin(π/4M), and multiplied by ½ again.
 #[test]
 fn omitted_terms() {
     let (curves, _) = curves("theta0 = 7π/8");
@@ -225,8 +225,8 @@ fn dropped_terms() {
     }
 }
 
-/// A thousandth of an anchor beyond the interval's end Tⱼ is cosh(j arcosh(1 + ε)), an odd curve a five-hundredth longer;
-/// half an anchor beyond it nothing is known.
+/// A thousandth of an anchor beyond the interval's end Tⱼ is cosh(j arcosh(1 + ε)), an odd curve a five-hundredth
+/// longer; half an anchor beyond it nothing is known.
 #[test]
 fn truncation_beyond_the_end() {
     const BEYOND: f64 = 1e-3;
@@ -259,8 +259,8 @@ fn units_without_bounds() {
     }
 }
 
-/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units squared; of an odd curve it is s/unit
-/// that it is multiplied with.
+/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units squared; of an odd curve it is
+/// s/unit that it is multiplied with.
 #[test]
 fn underflow_of_coefficients() {
     let (curves, _) = curves("theta0 = 7π/8");
@@ -278,8 +278,8 @@ fn underflow_of_coefficients() {
     }
 }
 
-/// With another unit of the phase adapted polynomials are the same ones; and they say by how much they are others than those
-/// that they were made of, wherever the phase may be.
+/// With another unit of the phase adapted polynomials are the same ones; and they say by how much they are others than
+/// those that they were made of, wherever the phase may be.
 #[test]
 fn adapted_polynomials() {
     for (text, index, chunk) in [("theta0 = 1", 2, 16), ("velocity0 = 2.1", 1, 16), ("7π/8", 1, 4), ("7π/8", 2, 4)] {
@@ -318,8 +318,8 @@ fn adapted_polynomials() {
     }
 }
 
-/// 4Bρ^(1−M)/(ρ − 1) with the bounds of the curve and of its poles, over s if it is odd, on the image of the ellipse: there
-/// s = ½ cos φ with Im φ = ½ ln ρ, and |s| is from ½ sinh ½ ln ρ to ½ cosh ½ ln ρ.
+/// 4Bρ^(1−M)/(ρ − 1) with the bounds of the curve and of its poles, over s if it is odd, on the image of the ellipse:
+/// there s = ½ cos φ with Im φ = ½ ln ρ, and |s| is from ½ sinh ½ ln ρ to ½ cosh ½ ln ρ.
 fn interpolation_error(curve: &Curve, pole: Option<Pole>, height: f64, points: usize) -> f64 {
     let half_log = (2.0 * height).asinh();
     let (nearest, farthest) = (0.5 * half_log.sinh(), 0.5 * half_log.cosh());
