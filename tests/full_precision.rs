@@ -69,7 +69,18 @@ fn f64_launched_in_mid_swing() {
     judge(&launched, wrong(&F64));
 }
 
-/// Beyond 2⁵⁴ in t the reduction's third partial product is about 1, and its rounding is not in the proven bound.
+/// Next to the lowest point an acceleration changes fastest; its bound is far above what is observed elsewhere.
+#[test]
+fn f64_accelerations() {
+    let accelerations = findings!(3000; [[2.6901 0 1] [2.7604 0 1] [2.3587 0 1] [(7π/8) 0 1]] [
+        {; f64; acceleration; }
+        {26; f64; acceleration; }
+        {1272; f64; velocity acceleration position theta; }
+    ]);
+    judge(&accelerations, wrong(&F64));
+}
+
+/// Beyond 2⁵⁴ in t the reduction's third partial product is about 1: its rounding would show.
 #[test]
 fn f64_launched_and_far_out() {
     let launched = findings!(600; [[0.3 2 1.25] [2.9 0.1 2]] [
