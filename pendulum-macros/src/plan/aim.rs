@@ -58,14 +58,13 @@ impl Task {
     fn swing(scene: &Scene, swing: &Swing) -> Self {
         let curves = SwingCurves::new(swing, &scene.motion.omega);
         let aims = scene.outputs.iter().map(|&output| {
-            let theta = curves.theta();
             let (functions, power) = match output {
-                Output::Theta | Output::Wrapped => (vec![theta.clone()], 0),
+                Output::Theta | Output::Wrapped => (vec![curves.theta()], 0),
                 Output::Velocity => (vec![curves.velocity()], 1),
                 Output::Acceleration => (vec![curves.acceleration()], 2),
                 Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
             };
-            let steepest = if output == Output::Position { theta } else { functions[0].clone() };
+            let steepest = if output == Output::Position { curves.theta() } else { functions[0].clone() };
             Aim::new(scene, output, functions, power, &steepest)
         });
         let direction = if swing.mirrored { -1.0 } else { 1.0 };

@@ -6,6 +6,7 @@ use crate::plan::moments::Moments;
 use crate::plan::reduction::Reduction;
 use crate::series::{Parity, Wave, rotation_rate, swing_rate};
 use pendulum_runtime::double::Double;
+use std::cell::OnceCell;
 
 /// A function of the phase s (in anchors) between two anchors.
 #[derive(Clone, Debug)]
@@ -92,11 +93,12 @@ impl Curve {
 pub(crate) struct SwingCurves<'a> {
     swing: &'a Swing,
     omega: &'a Real,
+    moments: OnceCell<Moments>,
 }
 
 impl<'a> SwingCurves<'a> {
     pub(crate) fn new(swing: &'a Swing, omega: &'a Real) -> Self {
-        Self { swing, omega }
+        Self { swing, omega, moments: OnceCell::new() }
     }
 
     /// Anchors per unit of ωt: 1/(2K).
@@ -119,8 +121,9 @@ impl<'a> SwingCurves<'a> {
         Curve { wave, alternates: true, largest, slope: slope * (1.0 + 1e-12), moment, unit }
     }
 
-    fn moments(&self) -> Moments {
-        Moments::new(&Wave::swing(self.swing, 1, Double::ONE), self.rate().hi, 2.0 * self.modulus())
+    fn moments(&self) -> &Moments {
+        let slope = || Wave::swing(self.swing, 1, Double::ONE);
+        self.moments.get_or_init(|| Moments::new(&slope(), self.rate().hi, 2.0 * self.modulus()))
     }
 
     /// θ; |θ̇| ≤ 2kω.
@@ -161,11 +164,12 @@ impl<'a> SwingCurves<'a> {
 pub(crate) struct RotationCurves<'a> {
     rotation: &'a Rotation,
     omega: &'a Real,
+    moments: OnceCell<Moments>,
 }
 
 impl<'a> RotationCurves<'a> {
     pub(crate) fn new(rotation: &'a Rotation, omega: &'a Real) -> Self {
-        Self { rotation, omega }
+        Self { rotation, omega, moments: OnceCell::new() }
     }
 
     /// Turns per unit of time.
@@ -178,10 +182,11 @@ impl<'a> RotationCurves<'a> {
         Curve { wave, alternates: false, largest, slope, moment, unit }
     }
 
-    fn moments(&self) -> Moments {
+    fn moments(&self) -> &Moments {
         let omega = self.omega.to_f64();
-        let slope = Wave::rotation(self.rotation, 1, Double::ONE);
-        Moments::new(&slope, self.rate().hi / omega, self.rotation.fastest.to_f64() / omega)
+        let slope = || Wave::rotation(self.rotation, 1, Double::ONE);
+        let (rate, fastest) = (self.rate().hi / omega, self.rotation.fastest.to_f64() / omega);
+        self.moments.get_or_init(|| Moments::new(&slope(), rate, fastest))
     }
 
     /// The angle from the top less that of uniform rotation, 2πs; its slope is that of the whole.

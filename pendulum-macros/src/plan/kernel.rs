@@ -89,10 +89,6 @@ impl Kernel {
     /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above
     /// `cap` as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
-        let program = function(reduction, &[self]);
-        if let Self::Hyperbolic(hyperbolic) = self {
-            return hyperbolic.rounding(&program, cap);
-        }
         if let Self::Turning(Turning { angle, .. }) = self {
             return angle.rounding(reduction, cap);
         }
@@ -100,13 +96,17 @@ impl Kernel {
             // Between the largest number below π and π itself is less than a unit of π.
             return angle.rounding(reduction, cap) + 2.0 * half_ulp(PI, reduction.float);
         }
+        let program = function(reduction, &[self]);
+        if let Self::Hyperbolic(hyperbolic) = self {
+            return hyperbolic.rounding(&program, cap);
+        }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
         let half = reduction.half();
         let of_polynomial =
             |polynomial: &Polynomial| Self::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
         let harmonics = if let Self::Harmonics(harmonics) = self { Some(harmonics) } else { None };
-        let sums = |harmonics: &Harmonics| harmonics.sums(reduction, harmonics.errors(reduction, of_polynomial));
-        let sums = harmonics.map_or_else(Vec::new, |harmonics| sums(harmonics));
+        let sums = harmonics
+            .map_or_else(Vec::new, |harmonics| harmonics.sums(reduction, harmonics.errors(reduction, of_polynomial)));
         let between = |low: f64, high: f64| {
             let mut known = vec![(phase, Known::between(low, high))];
             known.extend(

@@ -35,9 +35,8 @@ impl Moebius {
     /// Bounds |Im √p| where P lies on the ellipse with foci 0 and ¼ and parameter ρ; `None` where that reaches ∞.
     ///
     /// Without a map √p = ½ cos φ with |Im φ| = ½ ln ρ. With one, p + b = b(¼ + b)/d and d = ¼ + b − P. In a slice of
-    /// the ellipse the real part of d is between two numbers and the imaginary one at most a third: hence bounds of −Re
-    /// p and
-    /// |Im p|, and 2(Im √p)² = |p| − Re p.
+    /// the ellipse the real part of d is between two numbers and the imaginary one at most a third: hence bounds of
+    /// −Re p and |Im p|, and 2(Im √p)² = |p| − Re p.
     pub(crate) fn height(map: Option<Self>, rho: f64) -> Option<f64> {
         const SLICES: u32 = 24;
         let Some(map) = map else { return Some(0.5 * (0.5 * rho.ln()).sinh()) };

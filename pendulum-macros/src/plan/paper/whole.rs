@@ -8,7 +8,7 @@
 //! **Error.** That θ̂ is analytic in some ellipse is awkward to prove. Instead the interpolant Q is tested afterwards:
 //! the residual R = y − sin(Q/2) is analytic wherever p is finite, and |y| and |sin(Q/2)| ≤ sinh(|Q|/2) are bounded on
 //! an ellipse by their coefficients. So its own interpolation at M points has an error of at most 4Bρ^(1−M)/(ρ − 1)
-//! (see [`crate::plan::polynomial`]), and its values there, multiplied by Lebesgue's constant, bound the rest: Λ ≤
+//! ([`interpolation_error`]), and its values there, multiplied by Lebesgue's constant, bound the rest: Λ ≤
 //! (2/π) ln M + 1 (Rivlin 1974). Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point,
 //! stays between −π/2 and π/2, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
 

@@ -110,8 +110,8 @@ impl Clock<'_> {
         })
     }
 
-    /// |t|·|AR − R′|, the rounding of the product t·R′ (least for its digits where the last of them stands just below a power
-    /// of two), and that of the difference, if |t| is about half an anchor; in units of which an anchor has A.
+    /// |t|·|AR − R′|, the rounding of the product t·R′ (least for its digits where the last of them stands just below a
+    /// power of two), and that of the difference, if |t| is about half an anchor; in units of which an anchor has A.
     fn scaled(&self) -> Option<Reduction> {
         const TRIED: u32 = 64;
         let anchors = self.horizon() * self.rate.to_f64();
