@@ -51,6 +51,34 @@ pub(crate) fn points_for(bound: f64, rho: f64, limit: f64) -> f64 {
     if degree < 1.0 { 2.0 } else { degree + 1.0 }
 }
 
+/// An interpolation at so many Chebyshev points, and the bound of its error by the ellipse with parameter ρ.
+#[derive(Clone, Copy)]
+pub(crate) struct Interpolation {
+    pub(crate) points: usize,
+    pub(crate) rho: f64,
+    pub(crate) error: f64,
+}
+
+impl Interpolation {
+    /// The fewest points, at least `least`, that one of the `ellipses`, given by their bounds and parameters, proves to
+    /// be enough for an error of `limit`; `None` if all take more than `most`.
+    pub(crate) fn fewest(
+        ellipses: impl Iterator<Item = (f64, f64)>,
+        limit: f64,
+        least: usize,
+        most: usize,
+    ) -> Option<Self> {
+        let of = |(bound, rho): (f64, f64)| {
+            let points = points_for(bound, rho, limit);
+            (points <= most as f64).then(|| {
+                let points = least.max(points as usize);
+                Self { points, rho, error: interpolation_error(bound, rho, points) }
+            })
+        };
+        ellipses.filter_map(of).min_by_key(|interpolation| interpolation.points)
+    }
+}
+
 /// Bounds what interpolation at so many Chebyshev points multiplies values with, Lebesgue's constant (Rivlin 1974).
 pub(crate) fn lebesgue(points: usize) -> f64 {
     2.0 / std::f64::consts::PI * (points as f64).ln() + 1.0

@@ -8,11 +8,11 @@
 //! **Error.** That θ̂ is analytic in some ellipse is awkward to prove. Instead the interpolant Q is tested afterwards:
 //! the residual R = y − sin(Q/2) is analytic wherever p is finite, and |y| and |sin(Q/2)| ≤ sinh(|Q|/2) are bounded on
 //! an ellipse by their coefficients. So its own interpolation at M points has an error of at most 4Bρ^(1−M)/(ρ − 1)
-//! ([`interpolation_error`]), and its values there, multiplied by Lebesgue's constant, bound the rest: Λ ≤
+//! ([`crate::chebyshev::interpolation_error`]), and its values there, multiplied by Lebesgue's constant, bound the rest: Λ ≤
 //! (2/π) ln M + 1 (Rivlin 1974). Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point,
 //! stays between −π/2 and π/2, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
 
-use crate::chebyshev::{CosineTable, cos_pi, interpolation_error, lebesgue, points_for, sin_pi, value};
+use crate::chebyshev::{CosineTable, Interpolation, cos_pi, lebesgue, sin_pi, value};
 use crate::plan::moebius::Moebius;
 use crate::plan::polynomial::Approximation;
 use crate::series::Wave;
@@ -29,7 +29,7 @@ const LOOK: usize = 48;
 const ROUGH: f64 = 1e-12;
 
 /// More points than this take too long.
-const MOST_POINTS: f64 = 400.0;
+const MOST_POINTS: usize = 400;
 
 /// θ̂ for these weights, the whole approximation wrong by much less than `limit`; `None` if it needs many terms.
 pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximation> {
@@ -96,7 +96,7 @@ fn twice_arcsine(y: Double) -> Option<Double> {
 
 /// Bounds the distance of `series` from θ̂ on the interval; `None` if the sum may reach 1.
 fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<f64> {
-    let (points, interpolation) = enough_points(sum, map, series, negligible * 1e-4)?;
+    let Interpolation { points, error, .. } = enough_points(sum, map, series, negligible * 1e-4)?;
     let sample = |u: Double| {
         let s = phase(map, u);
         let y = sum.at(s);
@@ -104,7 +104,7 @@ fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -
         (Point { s: s.hi, y: y.hi.abs() }, residual.hi.abs())
     };
     let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = CosineTable::new(points).points().map(sample).unzip();
-    let residual = residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + interpolation;
+    let residual = residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + error;
     let most = largest(&points_of_sum, bend(sum)) + residual;
     (most < 1.0).then(|| 2.0 * residual / (1.0 - most * most).sqrt())
 }
@@ -138,14 +138,11 @@ fn bound(sum: &Wave, map: Option<Moebius>, series: &[Double], rho: f64) -> Optio
     Some(sum.bound(height) + (0.5 * angle).sinh())
 }
 
-/// The number of points that makes the residual's interpolation error negligible, and that error.
-fn enough_points(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<(usize, f64)> {
-    let choice = |rho: f64| {
-        let bound = bound(sum, map, series, rho)?;
-        let points = points_for(bound, rho, negligible);
-        (points <= MOST_POINTS).then(|| (points as usize, interpolation_error(bound, rho, points as usize)))
-    };
-    [1.15, 1.25, 1.35, 1.5, 1.7, 2.0, 2.5, 3.0].into_iter().filter_map(choice).min_by_key(|&(points, _)| points)
+/// As many points as make the residual's interpolation error negligible.
+fn enough_points(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<Interpolation> {
+    let ellipse = |rho: f64| Some((bound(sum, map, series, rho)?, rho));
+    let ellipses = [1.15, 1.25, 1.35, 1.5, 1.7, 2.0, 2.5, 3.0].into_iter().filter_map(ellipse);
+    Interpolation::fewest(ellipses, negligible, 2, MOST_POINTS)
 }
 
 #[cfg(test)]
@@ -193,7 +190,7 @@ mod tests {
                 for spoilt in [0, 3, 40] {
                     let mut series = series.clone();
                     series[spoilt] = series[spoilt] + Double::new(epsilon);
-                    let (points, _) = enough_points(&sum, map, &series, 1e-30).unwrap();
+                    let Interpolation { points, .. } = enough_points(&sum, map, &series, 1e-30).unwrap();
                     let expected = epsilon * lebesgue(points) / (1.0 - largest * largest).sqrt();
                     let seen = error(&sum, map, &series, 1e-26).unwrap() / expected;
                     assert!((0.99..1.02).contains(&seen), "{theta0} {terms} {map:?} {spoilt}: {seen}");
@@ -212,7 +209,7 @@ mod tests {
         let mut series = interpolant(&sum, Some(Moebius::new(0.14)), 90).unwrap();
         let epsilon = 2e-3;
         series[0] = series[0] + Double::new(epsilon);
-        let (points, _) = enough_points(&sum, Some(Moebius::new(0.14)), &series, 1e-30).unwrap();
+        let Interpolation { points, .. } = enough_points(&sum, Some(Moebius::new(0.14)), &series, 1e-30).unwrap();
         let residual = 0.5 * epsilon * lebesgue(points);
         let most = sum.at(Double::ZERO).hi + residual;
         let expected = 2.0 * residual / (1.0 - most * most).sqrt();
@@ -229,7 +226,7 @@ mod tests {
         let expected = (PI * height).cosh() + 0.5 * (3.0 * PI * height).cosh() + 1.125f64.sinh();
         let found = bound(&sum, None, &[Double::ONE; 2], 2.0).unwrap();
         assert!((found / expected - 1.0).abs() < 1e-8, "{found} {expected}");
-        let (_, error) = enough_points(&sum, None, &[Double::ONE; 2], 1e-20).unwrap();
+        let Interpolation { error, .. } = enough_points(&sum, None, &[Double::ONE; 2], 1e-20).unwrap();
         assert!(error <= 1e-20 && error > 1e-22, "{error:e}");
     }
 

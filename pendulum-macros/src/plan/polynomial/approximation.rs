@@ -8,7 +8,7 @@
 
 use super::Polynomial;
 use super::pole::Pole;
-use crate::chebyshev::{CosineTable, interpolation_error, points_for, scale, shift, to_powers};
+use crate::chebyshev::{CosineTable, Interpolation, scale, shift, to_powers};
 use crate::plan::adapted::{Adapted, Choices};
 use crate::plan::curve::Curve;
 use crate::plan::form::Form;
@@ -53,12 +53,12 @@ impl Approximation {
 
     /// As [`Self::new`], for a curve without singularities.
     pub(crate) fn entire(curve: &Curve, negligible: f64) -> Self {
-        let useless = Interpolation { points: MOST_POINTS, log_rho: 0.0, error: f64::INFINITY };
+        let useless = Interpolation { points: MOST_POINTS, rho: 1.0, error: f64::INFINITY };
         Self::with_points(curve, None, negligible, &enough_points(curve, None, negligible).unwrap_or(useless))
     }
 
     fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, interpolation: &Interpolation) -> Self {
-        let Interpolation { points, log_rho, error } = *interpolation;
+        let Interpolation { points, rho, error } = *interpolation;
         let table = CosineTable::new(points);
         let sample = |u: Double| {
             let s = ((u + Double::ONE) * 0.125).sqrt();
@@ -82,7 +82,7 @@ impl Approximation {
             series,
             remainder,
             points,
-            log_rho,
+            log_rho: rho.ln(),
             choices: RefCell::default(),
         }
     }
@@ -244,17 +244,11 @@ fn growth(overshoot: f64) -> f64 {
     (16.0 * overshoot * (1.0 + overshoot)).sqrt()
 }
 
-struct Interpolation {
-    points: usize,
-    log_rho: f64,
-    error: f64,
-}
-
 /// As many points as make the interpolation error negligible.
 fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Interpolation> {
     let strip = curve.strip();
     let heights = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * strip).min(1.5));
-    let choice = |height: f64| {
+    let ellipse = |height: f64| {
         let log_rho = 2.0 * (2.0 * height).asinh();
         // s = ½ cos φ with |Im φ| = ½ ln ρ.
         let radius = 0.5 * (0.5 * log_rho).cosh();
@@ -263,14 +257,9 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
             // |s| ≥ height on the ellipse's image.
             bound /= height;
         }
-        let rho = log_rho.exp();
-        let points = points_for(bound, rho, negligible);
-        (points <= MOST_POINTS as f64).then(|| {
-            let points = points.max(4.0) as usize;
-            Interpolation { points, log_rho, error: interpolation_error(bound, rho, points) }
-        })
+        (bound, log_rho.exp())
     };
-    heights.into_iter().filter_map(choice).min_by_key(|interpolation| interpolation.points)
+    Interpolation::fewest(heights.into_iter().map(ellipse), negligible, 4, MOST_POINTS)
 }
 
 #[cfg(test)]

@@ -210,7 +210,7 @@ fn dropped_terms() {
     for (index, power) in [(0, 0), (1, 1)] {
         let curve = &curves[index].0;
         let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
-        let interpolation = Interpolation { points: 30, log_rho: 1.0, error: 1e-9 };
+        let interpolation = Interpolation { points: 30, rho: 3.0, error: 1e-9 };
         let approximation = |negligible: f64| Approximation::with_points(curve, pole, negligible, &interpolation);
         let (long, short) = (approximation(0.0), approximation(1e-2));
         let terms = short.terms();
