@@ -36,6 +36,9 @@ fn time_and_amplitude_mirror_to_the_bit() {
         f64 1 (-1) within 9e15:;
         f64 1e-9 (-1e-9) within 9e15:;
         f64 2 (-2) within 100.0: tol = 1e-9, t_max = 1000;
+        f64 (7π/8) (-7π/8) within 1.0: t_max = 2;
+        f64 3 (-3) within 1.0: tol = 1e-6, t_max = 0.01;
+        f32 1 (-1) within 1.0: tol = 1e-3, t_max = 1;
         f64 1 (-1) within 9e15: tol = 1e-3, method = series;
         f64 0.1 (-0.1) within 9e15: tol = 1e-2, method = harmonic;
         f32 (7π/8) (-7π/8) within 9e15:;
@@ -139,6 +142,9 @@ fn what_is_not_a_time_gives_nan() {
     check!(f64: theta velocity acceleration position; theta0 = 2, omega = 1e-6);
     check!(f64: theta velocity acceleration position; theta0 = 2, tol = 1e-9, t_max = 100);
     check!(f64: theta velocity acceleration position; theta0 = 0.95π, tol = 1e-4, t_max = 1e6);
+    check!(f64: theta velocity acceleration position; theta0 = 7π/8, tol = 1e-9, t_max = 2);
+    check!(f64: theta velocity acceleration position; velocity0 = -1.9, t_max = 0.5);
+    check!(f64: theta velocity acceleration position; theta0 = 1, velocity0 = 1, omega = 1e9, tol = 1e-6, t_max = 1e-9);
     check!(f64: theta velocity; theta0 = 7π/8, n = 4);
     check!(f64: theta velocity; theta0 = 1, omega = 1e6, n = 4);
     check!(f64: theta; theta0 = 1, tol = 1e-2, t_max = 10, method = series);
@@ -148,6 +154,7 @@ fn what_is_not_a_time_gives_nan() {
     check!(f32: theta velocity acceleration position; theta0 = 7π/8);
     check!(f32: theta velocity acceleration position; theta0 = 2, tol = 1e-4, t_max = 100);
     check!(f32: theta velocity acceleration position; theta0 = 2, omega = 1000, tol = 1e-3);
+    check!(f32: theta velocity acceleration position; theta0 = 2, velocity0 = -0.0001, omega = 1e-3, tol = 1e-3, t_max = 500);
     check!(f32: theta velocity; theta0 = 7π/8, n = 4);
     check!(f32: theta; theta0 = 1, tol = 1e-2, t_max = 10, method = series);
 }

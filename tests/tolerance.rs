@@ -80,6 +80,22 @@ fn a_trillionth() {
     ]);
 }
 
+/// Less than half a swing: polynomials of the time itself, of what is met alone.
+#[test]
+fn a_moment() {
+    kept!(1e-3; [[0.1 0 1] [(7π/8) 0 1] [0 (-1.9) 1] [1 (-1) 1] [(-1) 1 1]] [
+        {1; f32; theta velocity acceleration position; tol = 1e-3}
+        {0.25; f64; theta velocity acceleration position; tol = 1e-3}
+    ]);
+    kept!(1e-6; [[0.01 0 1] [(7π/8) 0 1] [(0.999π) 0 1] [0 1 1] [1 1 1] [(-2.5) (-0.25) 0.5]] [
+        {2; f64; theta velocity acceleration position; tol = 1e-6}
+        {0.015625; f64; theta velocity acceleration position; tol = 1e-6}
+    ]);
+    kept!(1e-12; [[1 0 1] [(7π/8) 0 1] [0 1 1] [1 (-1) 1]] [
+        {1; f64; theta velocity acceleration position; tol = 1e-12}
+    ]);
+}
+
 #[test]
 fn near_the_top() {
     kept!(1e-6; [[(0.99π) 0 1] [(0.9999π) 0 1] [(1π-1e-6) 0 1] [(1π-1e-9) 0 1]] [

@@ -91,7 +91,7 @@ pub(crate) fn value(series: &[Double], x: Double) -> Double {
     first - x * second
 }
 
-/// cos πx for |x| ≤ 1, within 2⁻¹⁰⁰ (Taylor's series of cosine or sine on [0, π/4]).
+/// cos πx for |x| ≤ 1.5, within 2⁻¹⁰⁰ (Taylor's series of cosine or sine on [0, π/4]).
 pub(crate) fn cos_pi(x: Double) -> Double {
     let x = x.abs();
     if x.hi > 0.5 {
@@ -103,7 +103,7 @@ pub(crate) fn cos_pi(x: Double) -> Double {
     cosine(Double::PI * x)
 }
 
-/// sin πx for |x| ≤ 1.
+/// sin πx for |x| ≤ 1.5.
 pub(crate) fn sin_pi(x: Double) -> Double {
     let value = cos_pi(Double::new(0.5) - x.abs());
     if x.hi < 0.0 { -value } else { value }

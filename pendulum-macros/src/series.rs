@@ -24,6 +24,8 @@ pub(crate) struct Wave {
 pub(crate) enum Parity {
     Even,
     Odd,
+    /// About the middle of an arc that begins anywhere.
+    Neither,
 }
 
 /// |aₘ| ≤ size·mᵖ·exp(−rate·m).
@@ -121,6 +123,28 @@ impl Wave {
         Self::collect(parity, polynomial, terms, envelope)
     }
 
+    /// The mirror image.
+    pub(crate) fn negated(mut self) -> Self {
+        self.terms.iter_mut().for_each(|(_, amplitude)| *amplitude = -*amplitude);
+        Self { linear: -self.linear, constant: -self.constant, ..self }
+    }
+
+    /// The symmetry about a number of halves of an anchor: sines of odd multiples of πs are cosines from half-way on.
+    pub(crate) fn parity_about(&self, halves: Option<i64>) -> Parity {
+        let odd = self.terms.first().is_some_and(|(m, _)| m % 2 == 1);
+        match (self.parity, halves.map(|halves| odd && halves % 2 != 0)) {
+            (_, None) => Parity::Neither,
+            (Parity::Even, Some(true)) => Parity::Odd,
+            (Parity::Odd, Some(true)) => Parity::Even,
+            (parity, _) => parity,
+        }
+    }
+
+    /// With a constant added.
+    pub(crate) fn raised(self, by: Double) -> Self {
+        Self { constant: self.constant + by, ..self }
+    }
+
     /// The periodic part.
     pub(crate) fn without_mean(self) -> Self {
         Self { linear: Double::ZERO, ..self }
@@ -200,7 +224,7 @@ impl Wave {
         Self { omitted, ..self }
     }
 
-    /// The value at the phase s, |s| ≤ 1.
+    /// The value at the phase s, |s| ≤ 1.5.
     pub(crate) fn at(&self, s: Double) -> Double {
         let (cosine, sine) = (cos_pi(s), sin_pi(s));
         // Recurrence for cos(mπs), sin(mπs): rotation by one step of the series.
@@ -234,13 +258,13 @@ impl Wave {
         sum
     }
 
-    /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 1; infinite beyond the strip of convergence.
+    /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 4; infinite beyond the strip of convergence.
     pub(crate) fn bound(&self, height: f64) -> f64 {
         let growth = std::f64::consts::PI * height;
         let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * (growth * f64::from(m)).cosh()).sum();
         let next = self.terms.last().map_or(1, |&(m, _)| m + self.envelope.step);
         let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(next, growth) };
-        (self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
+        (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
     }
 
     /// Half the height of the strip in which the series converges, infinite for a finite one.

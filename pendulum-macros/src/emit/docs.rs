@@ -75,11 +75,11 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     let horizon = scene.t_max.as_ref().map_or_else(|| "2⁵³ periods".to_owned(), |t| format!("|t| ≤ {}", shown(t)));
     let mut lines = vec![format!("Planned for {goal}, over {horizon}:"), String::new()];
     let reduction = &plan.reduction;
-    lines.push(format!(
-        "* phase: {}, wrong by at most {:.1e} anchors",
-        reduction.describe(),
-        reduction.error + 0.5 * reduction.relative_error
-    ));
+    let wrong = match reduction.error + 0.5 * reduction.relative_error {
+        0.0 => String::new(),
+        error => format!(", wrong by at most {error:.1e} anchors"),
+    };
+    lines.push(format!("* phase: {}{wrong}", reduction.describe()));
     lines.extend(plan.parts.iter().map(|part| self::part(part, plan)));
     if !plan.coefficients.is_empty() {
         let all: Vec<String> =

@@ -56,6 +56,12 @@ keywords! {
     }
 }
 
+impl Output {
+    pub(crate) fn is_angle(self) -> bool {
+        matches!(self, Self::Theta | Self::Wrapped)
+    }
+}
+
 /// What `ident` stands for, or the nearest word.
 pub(super) fn one_word<T>(ident: &Ident, what: &str, words: &[&str], from_word: fn(&str) -> Option<T>) -> Result<T> {
     let text = ident.to_string();

@@ -1,5 +1,6 @@
 //! What each output has to keep, in every regime.
 
+use super::arc::Arc;
 use super::curve::{Curve, RotationCurves, SwingCurves};
 use super::hyperbolic::{Hyperbolic, Passage};
 use super::reduction::{Clock, Reduction};
@@ -12,6 +13,7 @@ use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
 /// The motion in the planner's terms: its outputs as functions of one phase.
+#[derive(Clone)]
 pub(super) struct Task {
     pub(super) aims: Vec<Aim>,
     /// Anchors per unit of time, and at t = 0.
@@ -22,9 +24,12 @@ pub(super) struct Task {
     /// The passage through the lowest point; absent where the nome makes its series converge slowly.
     pub(super) passage: Option<Passage>,
     pub(super) turning: bool,
+    /// Where no more than an arc is met, the time itself.
+    unreduced: Option<Reduction>,
 }
 
 /// One output's promise.
+#[derive(Clone)]
 pub(super) struct Aim {
     pub(super) output: Output,
     /// The functions of the phase that make it; none on the separatrix.
@@ -75,6 +80,7 @@ impl Task {
             direction,
             passage: passage(&swing.elliptic, 1.0, direction),
             turning: false,
+            unreduced: None,
         }
     }
 
@@ -100,6 +106,7 @@ impl Task {
             direction,
             passage: passage(&rotation.elliptic, -1.0, direction),
             turning: true,
+            unreduced: None,
         }
     }
 
@@ -134,11 +141,45 @@ impl Task {
             direction,
             passage: Some(passage),
             turning: false,
+            unreduced: None,
         }
+    }
+
+    /// The same over no more than the horizon meets, where that is less than from one anchor to the next.
+    pub(super) fn over_arc(&self, scene: &Scene) -> Option<Self> {
+        let reach = Arc::reach(scene)?;
+        let arc = Arc::new(reach, &self.rate, &self.launch)?;
+        let mut aims = self.aims.clone();
+        match &scene.motion.regime {
+            Regime::Swing(_) => {}
+            Regime::Rotation(rotation) => {
+                // Beyond the top another turn is to be taken from a wrapped angle.
+                if arc.ends().iter().any(|end| !(0.0..1.0).contains(end)) && scene.outputs.contains(&Output::Wrapped) {
+                    return None;
+                }
+                let angle = RotationCurves::new(rotation, &scene.motion.omega).whole_angle();
+                let angles = aims.iter_mut().filter(|aim| aim.output.is_angle());
+                angles.for_each(|aim| aim.curves = vec![angle.clone()]);
+            }
+            Regime::Separatrix(_) => return None,
+        }
+        let context = self.rate.context();
+        Some(Self {
+            aims: aims.iter().map(|aim| aim.over(arc, self.direction)).collect(),
+            rate: context.integer(1) / context.float(reach)?.scale(1),
+            launch: context.integer(0),
+            direction: 1.0,
+            passage: None,
+            turning: false,
+            unreduced: Some(Reduction::time(reach, arc.halves().is_none(), scene.float)?),
+        })
     }
 
     /// The reductions of its phase.
     pub(super) fn reductions(&self, scene: &Scene) -> Vec<Reduction> {
+        if let Some(time) = &self.unreduced {
+            return vec![time.clone()];
+        }
         let t_max = scene.t_max.as_ref().map(Real::to_f64);
         let clock = Clock { rate: &self.rate, launch: self.launch.to_double(), t_max, float: scene.float };
         match scene.motion.regime {
@@ -204,6 +245,16 @@ impl Aim {
             aim.truncation = aim.limit.max(aim.truncation / 8.0);
         }
         aim
+    }
+
+    /// Its curves over an arc, mirrored if `direction` is negative: a position's height isn't.
+    fn over(&self, arc: Arc, direction: f64) -> Self {
+        let over = |(index, curve): (usize, &Curve)| {
+            let curve = curve.clone().over(arc);
+            if direction < 0.0 && index == 0 { curve.negated() } else { curve }
+        };
+        let curves = self.curves.iter().enumerate().map(over).collect();
+        Self { curves, power: 0, slope: 0.0, moment: 0.0, ..self.clone() }
     }
 
     /// One unit of rounding of the largest value.

@@ -1,5 +1,6 @@
 //! The curves that outputs are made of: each a function of the phase alone, with what planning needs to know of it.
 
+use super::arc::Arc;
 use crate::exact::Real;
 use crate::motion::{Rotation, Swing};
 use crate::plan::moments::Moments;
@@ -8,10 +9,11 @@ use crate::series::{Parity, Wave, rotation_rate, swing_rate};
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
 
-/// A function of the phase s (in anchors) between two anchors.
+/// A function of the phase s (in anchors) between two anchors, or over an [`Arc`].
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
     wave: Wave,
+    arc: Arc,
     /// Set where the sign changes from anchor to anchor.
     pub(crate) alternates: bool,
     /// The largest magnitude for real s.
@@ -26,21 +28,31 @@ pub(crate) struct Curve {
 
 impl Curve {
     pub(crate) fn parity(&self) -> Parity {
-        self.wave.parity
+        self.wave.parity_about(self.arc.halves())
     }
 
     pub(crate) fn at(&self, s: Double) -> Double {
-        self.wave.at(s)
+        self.wave.at(self.arc.phase(s))
     }
 
     /// Bounds |curve| for |Im s| ≤ `height`.
     pub(crate) fn bound(&self, height: f64) -> f64 {
-        self.wave.bound(height)
+        self.wave.bound(height * self.arc.stretch.hi)
     }
 
     /// Height of the strip where [`Self::bound`] is finite.
     pub(crate) fn strip(&self) -> f64 {
-        self.wave.strip()
+        self.wave.strip() / self.arc.stretch.hi
+    }
+
+    /// What of it is met in the arc, for a phase that is never reduced: exact, hence without slopes.
+    pub(crate) fn over(self, arc: Arc) -> Self {
+        Self { arc, alternates: false, slope: 0.0, moment: 0.0, ..self }
+    }
+
+    /// The mirror image.
+    pub(crate) fn negated(self) -> Self {
+        Self { wave: self.wave.negated(), ..self }
     }
 
     /// What the series' omitted terms can change.
@@ -72,7 +84,8 @@ impl Curve {
     /// sin πs.
     pub(crate) fn sine() -> Self {
         let largest = std::f64::consts::PI;
-        Self { wave: Wave::sine(), alternates: true, largest: 1.0, slope: largest, moment: largest, unit: 1.0 }
+        let (wave, arc) = (Wave::sine(), Arc::WHOLE);
+        Self { wave, arc, alternates: true, largest: 1.0, slope: largest, moment: largest, unit: 1.0 }
     }
 
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
@@ -80,6 +93,7 @@ impl Curve {
         let largest = amplitude.to_f64();
         Self {
             wave: Wave::cosine(amplitude.to_double()),
+            arc: Arc::WHOLE,
             alternates: true,
             largest,
             slope: largest * std::f64::consts::PI,
@@ -118,7 +132,8 @@ impl<'a> SwingCurves<'a> {
 
     fn wave(&self, order: i32, scale: Double, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let wave = Wave::swing(self.swing, order, scale);
-        Curve { wave, alternates: true, largest, slope: slope * (1.0 + 1e-12), moment, unit }
+        let (arc, slope) = (Arc::WHOLE, slope * (1.0 + 1e-12));
+        Curve { wave, arc, alternates: true, largest, slope, moment, unit }
     }
 
     fn moments(&self) -> &Moments {
@@ -179,7 +194,7 @@ impl<'a> RotationCurves<'a> {
 
     fn wave(&self, wave: Wave, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let slope = slope / self.rate().hi * (1.0 + 1e-12);
-        Curve { wave, alternates: false, largest, slope, moment, unit }
+        Curve { wave, arc: Arc::WHOLE, alternates: false, largest, slope, moment, unit }
     }
 
     fn moments(&self) -> &Moments {
@@ -194,6 +209,11 @@ impl<'a> RotationCurves<'a> {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
         let slopes = [self.rotation.fastest.to_f64(), self.moments().angle];
         self.wave(wave, std::f64::consts::PI, slopes, 1.0)
+    }
+
+    /// The angle itself, of the turn that passes the lowest point at s = ½.
+    pub(crate) fn whole_angle(&self) -> Curve {
+        Curve { wave: Wave::rotation(self.rotation, 0, Double::ONE).raised(-Double::PI), ..self.angle() }
     }
 
     /// |θ̇|; its derivative is at most ω².

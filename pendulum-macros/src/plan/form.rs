@@ -2,6 +2,7 @@
 
 use super::adapted;
 use crate::program::cost::QUOTIENT;
+use crate::series::Parity;
 
 /// The variable of the polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +14,11 @@ pub(crate) enum Form {
     /// Powers of p + c, by [`Adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
     /// rounding.
     Adapted { chunk: usize },
+}
+
+/// What stands for the square of the phase, for the reader.
+pub(super) fn square(parity: Parity) -> &'static str {
+    if parity == Parity::Neither { "s + ½" } else { "s²" }
 }
 
 impl Form {
@@ -57,12 +63,14 @@ impl Form {
         operations as f64 + quotient + WAITING * (chain + wait).saturating_sub(HIDDEN) as f64
     }
 
-    /// The variable, for the reader; s is the phase in half periods (turns).
-    pub(crate) fn variable(self) -> String {
+    /// The variable, for the reader; s is the phase in half periods (turns), or in arcs.
+    pub(crate) fn variable(self, parity: Parity) -> String {
+        let square = square(parity);
         match self {
-            Self::Plain => "s²".to_owned(),
+            Self::Plain => square.to_owned(),
+            Self::Centred { centre } if parity == Parity::Neither => format!("2s + {}", 1.0 - centre),
             Self::Centred { centre } => format!("8s² − {centre}"),
-            Self::Adapted { chunk } => format!("s², adapted in blocks of {chunk}"),
+            Self::Adapted { chunk } => format!("{square}, adapted in blocks of {chunk}"),
         }
     }
 

@@ -51,7 +51,7 @@ impl Kernel {
     fn is_odd(&self) -> bool {
         match self {
             Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
-            Self::Circle { cosine, .. } => cosine.parity == Parity::Odd,
+            Self::Circle { sine, cosine } => [sine, cosine].iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
             Self::Hyperbolic(_) => false,
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.is_odd(),
@@ -141,7 +141,7 @@ fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Po
     let x = match (sine.alternates, cosine.parity) {
         (true, _) => variables.sign(b, x, sine.parity),
         (false, Parity::Odd) => variables.sign_of_odd(b, x),
-        (false, Parity::Even) => x,
+        (false, Parity::Even | Parity::Neither) => x,
     };
     let (sine_squared, cosine_squared) = (b.mul(half_sine, half_sine), b.mul(half_cosine, half_cosine));
     let y = b.sub(sine_squared, cosine_squared);

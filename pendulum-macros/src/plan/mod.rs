@@ -3,6 +3,7 @@
 mod adapted;
 mod aim;
 mod alternatives;
+mod arc;
 mod arcsine;
 mod cosines;
 pub(crate) mod curve;

@@ -12,6 +12,7 @@ use super::turning::Turning;
 use super::{Bound, Part, Plan};
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
+use crate::series::Parity;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -24,9 +25,9 @@ pub(super) struct Variant {
 
 impl Variant {
     /// For the reader.
-    pub(super) fn describe(self) -> String {
+    pub(super) fn describe(self, parity: Parity) -> String {
         let poles = if self.divided { " over the nearest poles" } else { "" };
-        format!("a polynomial in {}{poles}", self.form.variable())
+        format!("a polynomial in {}{poles}", self.form.variable(parity))
     }
 }
 
@@ -99,8 +100,7 @@ impl Aim {
     /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them.
     pub(super) fn passage_estimate(&self) -> f64 {
         let bits = -(self.limit / self.unit.max(self.largest)).log2().min(-4.0);
-        let angle = matches!(self.output, Output::Theta | Output::Wrapped);
-        30.0 + 2.0 * (3.0 + bits / 5.0) + if angle { bits / 1.3 } else { 16.0 }
+        30.0 + 2.0 * (3.0 + bits / 5.0) + if self.output.is_angle() { bits / 1.3 } else { 16.0 }
     }
 
     /// The fewest terms that keep the promise, or what was reached.
@@ -157,7 +157,7 @@ impl Aim {
     /// as it is.
     fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
-        if !task.turning || !matches!(self.output, Output::Theta | Output::Wrapped) {
+        if !task.turning || !self.output.is_angle() {
             let beyond = wrapped && self.largest + self.limit >= PI.next_down();
             return if beyond { Kernel::Within(Box::new(kernel)) } else { kernel };
         }

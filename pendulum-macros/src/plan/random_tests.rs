@@ -32,9 +32,10 @@ fn random_scene(random: &mut Random) -> String {
         (_, true) => format!(", tol = {:.2e}", 10f64.powf(-1.0 - 4.0 * random.unit())),
         (_, false) => format!(", tol = {:.2e}", 10f64.powf(-1.0 - 11.0 * random.unit())),
     };
-    let horizon = match random.below(4) {
+    let horizon = match random.below(5) {
         0 => String::new(),
         1 => format!(", t_max = {:.3}", 10.0 * random.unit() + 0.1),
+        2 => format!(", t_max = {:.3e}", 10f64.powf(-3.0 * random.unit())),
         _ => format!(", t_max = {:.3e}", 10f64.powf(if single { 4.0 } else { 8.0 } * random.unit())),
     };
     let output = random.choose(&["theta", "theta", "velocity", "acceleration", "position", "wrapped"]);
@@ -225,6 +226,20 @@ fn bounds_are_close_to_errors() {
         ("velocity0 = 3, tol = 1e-9, t_max = 1e4", 1.3),
         ("velocity0 = 3, tol = 1e-9, t_max = 1e4, outputs = [wrapped]", 1.3),
         ("velocity0 = 3, tol = 1e-9, t_max = 1e4, outputs = [velocity]", 1.2),
+        ("theta0 = 7π/8, tol = 1e-6, t_max = 2", 1.2),
+        ("theta0 = 7π/8, tol = 1e-11, t_max = 6, outputs = [velocity]", 1.2),
+        ("theta0 = -7π/8, tol = 1e-6, t_max = 0.1, outputs = [acceleration]", 1.2),
+        ("theta0 = -7π/8, tol = 1e-3, t_max = 0.1, outputs = [position]", 1.2),
+        ("velocity0 = 1.9, tol = 1e-9, t_max = 1", 1.2),
+        ("velocity0 = -1.9, tol = 1e-9, t_max = 1, outputs = [velocity]", 1.2),
+        ("velocity0 = -1.9, tol = 1e-4, t_max = 1, float = f32, outputs = [acceleration]", 1.3),
+        ("velocity0 = -1.9, tol = 1e-9, t_max = 1, outputs = [position]", 1.2),
+        ("theta0 = 1, velocity0 = -0.8, tol = 1e-7, t_max = 0.9, outputs = [position]", 1.2),
+        ("theta0 = 3, velocity0 = -2.5, tol = 1e-7, t_max = 0.3", 1.2),
+        ("velocity0 = 3, tol = 1e-7, t_max = 0.3, outputs = [wrapped]", 1.2),
+        ("theta0 = 2, omega = 1e9, tol = 1e-9, t_max = 1e-9", 1.2),
+        ("theta0 = 2, velocity0 = 1e-20, omega = 1e-20, tol = 1e-9, t_max = 1e20, outputs = [velocity]", 1.2),
+        ("velocity0 = -1e9, omega = 1e9, tol = 1e-3, t_max = 1e-9, float = f32, outputs = [acceleration]", 1.2),
         ("theta0 = 2, tol = 1e-6, t_max = 1e4, method = series", 1.2),
         ("theta0 = 2, tol = 1e-6, t_max = 1e4, method = fourier", 1.5),
         ("theta0 = 0.1, tol = 1e-3, t_max = 1e4, method = harmonic", 1.2),

@@ -2,17 +2,25 @@
 //! estimated cost, until one keeps the promise.
 
 use super::aim::{Aim, Task};
+use super::curve::Curve;
 use super::part::{Approximations, Variant};
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use super::{Part, Plan, Refusal, alternatives, kernel, verify};
-use crate::parse::Output;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
 
+/// A task, and what all ways of doing it share.
+struct Prospect {
+    task: Task,
+    approximations: Vec<Approximations>,
+    reductions: Vec<Reduction>,
+}
+
 /// One way of computing all outputs.
 struct Candidate<'a> {
+    prospect: &'a Prospect,
     reduction: &'a Reduction,
     way: Way,
     /// Estimated; no less than a term too low.
@@ -35,28 +43,35 @@ enum Way {
 
 /// The cheapest plan.
 pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
-    let mut task = Task::new(scene);
-    match (cheapest(scene, &task), scene.goal) {
+    let mut tasks = tasks(scene);
+    let prospects: Vec<Prospect> = tasks.iter().map(|task| Prospect::new(scene, task.clone())).collect();
+    match (cheapest(scene, &prospects), scene.goal) {
         // The best that can be promised is what full precision promises.
         (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) => {
-            task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
-            Err(Refusal::Unreachable { best: best.min(most_accurate(scene, &task)) })
+            let aims = tasks.iter_mut().flat_map(|task| &mut task.aims);
+            aims.for_each(|aim| aim.at_full_precision(scene.float));
+            let reached = tasks.iter().map(|task| most_accurate(scene, task));
+            Err(Refusal::Unreachable { best: reached.fold(best, f64::min) })
         }
         (result, _) => result,
     }
 }
 
-fn cheapest(scene: &Scene, task: &Task) -> Result<Plan, Refusal> {
-    let approximations: Vec<Approximations> = task.aims.iter().map(Approximations::new).collect();
-    let reductions = task.reductions(scene);
+/// The whole motion, and the part of it that a short horizon meets.
+fn tasks(scene: &Scene) -> Vec<Task> {
+    let whole = Task::new(scene);
+    whole.over_arc(scene).into_iter().chain([whole]).collect()
+}
+
+fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     let mut closest = f64::INFINITY;
     let mut rejected = Vec::new();
-    let candidates = candidates(scene, &reductions, task, &approximations);
+    let candidates = candidates(scene, prospects);
     let mut best: Option<(f64, usize, Plan)> = None;
     for (index, candidate) in candidates.iter().enumerate() {
-        match candidate.plan(scene, task, &approximations) {
+        match candidate.plan(scene) {
             Ok(plan) => {
-                let part = task.part_of_limits(scene, &plan);
+                let part = candidate.prospect.task.part_of_limits(scene, &plan);
                 if best.as_ref().is_none_or(|(least, ..)| part < *least) {
                     best = Some((part, index, plan));
                 }
@@ -71,7 +86,7 @@ fn cheapest(scene: &Scene, task: &Task) -> Result<Plan, Refusal> {
         }
     }
     let (_, index, plan) = best.ok_or(Refusal::Unreachable { best: closest })?;
-    if let Some(output) = verify::broken(scene, task, &plan) {
+    if let Some(output) = verify::broken(scene, &candidates[index].prospect.task, &plan) {
         return Err(Refusal::Broken { output });
     }
     let next = candidates[index..].iter().find(|next| next.way != candidates[index].way);
@@ -112,52 +127,64 @@ fn most_accurate(scene: &Scene, task: &Task) -> f64 {
 /// All plans of a scene with one output that keep the promise, whatever they cost.
 #[cfg(test)]
 pub(super) fn every(scene: &Scene) -> Vec<Plan> {
-    let task = Task::new(scene);
-    let (aim, all) = (&task.aims[0], &Approximations::new(&task.aims[0]));
-    let reductions = task.reductions(scene);
-    let plans = reductions.iter().flat_map(|reduction| {
-        let polynomial = |(variant, _): (Variant, f64)| {
-            let part = aim.part(scene, &task, all.choose(variant.divided), reduction, variant.form).ok()?;
-            Some((Way::Polynomials, part))
-        };
-        let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
-        let passage = passage.and_then(|passage| aim.passage_part(scene, &task, reduction, passage).ok());
-        let parts = aim.variants(all, reduction).into_iter().filter_map(polynomial);
-        let parts: Vec<_> = parts.chain(passage.map(|part| (Way::Passage, part))).collect();
-        parts.into_iter().map(|(way, part)| way.plan(reduction, vec![part], Vec::new()))
-    });
-    plans.collect()
+    let every = |task: Task| {
+        let (aim, all) = (&task.aims[0], &Approximations::new(&task.aims[0]));
+        let reductions = task.reductions(scene);
+        let plans = reductions.iter().flat_map(|reduction| {
+            let polynomial = |(variant, _): (Variant, f64)| {
+                let part = aim.part(scene, &task, all.choose(variant.divided), reduction, variant.form).ok()?;
+                Some((Way::Polynomials, part))
+            };
+            let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
+            let passage = passage.and_then(|passage| aim.passage_part(scene, &task, reduction, passage).ok());
+            let parts = aim.variants(all, reduction).into_iter().filter_map(polynomial);
+            let parts: Vec<_> = parts.chain(passage.map(|part| (Way::Passage, part))).collect();
+            parts.into_iter().map(|(way, part)| way.plan(reduction, vec![part], Vec::new()))
+        });
+        plans.collect::<Vec<Plan>>()
+    };
+    tasks(scene).into_iter().flat_map(every).collect()
 }
 
 /// Every combination that might serve, cheapest first.
-fn candidates<'a>(
-    scene: &Scene,
-    reductions: &'a [Reduction],
-    task: &Task,
-    approximations: &[Approximations],
-) -> Vec<Candidate<'a>> {
-    let mut candidates = Vec::new();
+fn candidates<'a>(scene: &Scene, prospects: &'a [Prospect]) -> Vec<Candidate<'a>> {
+    let mut candidates: Vec<Candidate> = prospects.iter().flat_map(|prospect| prospect.candidates(scene)).collect();
     // At full precision the angle of a rotation is to be as good as it can be where it is small, if another output can
     // be had from there.
-    let angle = |aim: &Aim| matches!(aim.output, Output::Theta | Output::Wrapped);
-    let from_lowest = task.turning && scene.goal == Goal::Full && task.aims.iter().any(angle);
-    for reduction in reductions {
-        let cheapest = |(aim, all): (&Aim, &Approximations)| Some(aim.variants(all, reduction).first()?.1);
-        if let Some(kernels) = task.aims.iter().zip(approximations).map(cheapest).sum::<Option<f64>>() {
-            let cost = skeleton(reduction, &task.aims).cost() + kernels;
-            candidates.push(Candidate { reduction, way: Way::Polynomials, cost });
-        }
-    }
-    if task.passage.is_some() && scene.method.is_none() {
-        for reduction in reductions.iter().filter(|reduction| reduction.origin == Origin::Lowest) {
-            let base = skeleton(reduction, &task.aims).cost();
-            let kernels: f64 = task.aims.iter().map(Aim::passage_estimate).sum();
-            candidates.push(Candidate { reduction, way: Way::Passage, cost: base + kernels });
-        }
-    }
-    let late = |candidate: &Candidate| from_lowest && candidate.reduction.origin != Origin::Lowest;
+    let angle = scene.outputs.iter().any(|output| output.is_angle());
+    let late = |candidate: &Candidate| {
+        let from_lowest = candidate.prospect.task.turning && scene.goal == Goal::Full && angle;
+        from_lowest && candidate.reduction.origin != Origin::Lowest
+    };
     candidates.sort_by(|a, b| late(a).cmp(&late(b)).then(a.cost.total_cmp(&b.cost)));
     candidates
+}
+
+impl Prospect {
+    fn new(scene: &Scene, task: Task) -> Self {
+        let approximations = task.aims.iter().map(Approximations::new).collect();
+        let reductions = task.reductions(scene);
+        Self { task, approximations, reductions }
+    }
+
+    fn candidates(&self, scene: &Scene) -> Vec<Candidate<'_>> {
+        let Self { task: Task { aims, passage, .. }, approximations, reductions } = self;
+        let candidate = |reduction, way, kernels: f64| {
+            let cost = skeleton(reduction, aims).cost() + kernels;
+            Candidate { prospect: self, reduction, way, cost }
+        };
+        let polynomials = reductions.iter().filter_map(|reduction| {
+            let cheapest = |(aim, all): (&Aim, &Approximations)| Some(aim.variants(all, reduction).first()?.1);
+            let kernels = aims.iter().zip(approximations).map(cheapest).sum::<Option<f64>>()?;
+            Some(candidate(reduction, Way::Polynomials, kernels))
+        });
+        let from_lowest = reductions.iter().filter(|reduction| reduction.origin == Origin::Lowest);
+        let passes = passage.is_some() && scene.method.is_none();
+        let passages = from_lowest
+            .filter(|_| passes)
+            .map(|reduction| candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum()));
+        polynomials.chain(passages).collect()
+    }
 }
 
 /// The reduction and the variables, without any kernel.
@@ -195,7 +222,8 @@ impl Candidate<'_> {
         format!("{kernel}, phase by {}", self.reduction.describe())
     }
 
-    fn plan(&self, scene: &Scene, task: &Task, approximations: &[Approximations]) -> Result<Plan, f64> {
+    fn plan(&self, scene: &Scene) -> Result<Plan, f64> {
+        let Prospect { task, approximations, .. } = self.prospect;
         let mut rejected = Vec::new();
         let mut part = |(aim, all): (&Aim, &Approximations)| {
             let passage = || match &task.passage {
@@ -204,7 +232,7 @@ impl Candidate<'_> {
                 }
                 _ => Err(f64::INFINITY),
             };
-            let mut polynomials = || self.polynomials(scene, task, aim, all, &mut rejected);
+            let mut polynomials = || self.polynomials(scene, aim, all, &mut rejected);
             // What one way can't promise of an output the other may.
             match self.way {
                 Way::Polynomials => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
@@ -220,7 +248,6 @@ impl Candidate<'_> {
     fn polynomials(
         &self,
         scene: &Scene,
-        task: &Task,
         aim: &Aim,
         all: &Approximations,
         rejected: &mut Vec<String>,
@@ -228,18 +255,24 @@ impl Candidate<'_> {
         let mut best: Result<Part, f64> = Err(f64::INFINITY);
         let variants = aim.variants(all, self.reduction);
         let word = aim.output.word();
+        let parity = aim.curves.first().map_or(Parity::Even, Curve::parity);
         for (index, (variant, cost)) in variants.iter().enumerate() {
-            let found = aim.part(scene, task, all.choose(variant.divided), self.reduction, variant.form);
+            let found = aim.part(scene, &self.prospect.task, all.choose(variant.divided), self.reduction, variant.form);
             let reached = found.as_ref().map_or_else(|&reached| reached, |part| part.bound.total() / part.unit);
             if found.as_ref().is_ok_and(|part| aim.part_of_limit(scene, part, self.reduction) <= comfortable(scene)) {
                 let next = variants.get(index + 1).map(|(next, dearer)| {
-                    format!("{} for `{word}`: it costs about {:.1} operations more", next.describe(), dearer - cost)
+                    format!(
+                        "{} for `{word}`: it costs about {:.1} operations more",
+                        next.describe(parity),
+                        dearer - cost
+                    )
                 });
                 rejected.extend(next);
                 return found;
             }
             if reached.is_finite() {
-                rejected.push(format!("{} for `{word}`: it can promise only {reached:.1e}", variant.describe()));
+                let variant = variant.describe(parity);
+                rejected.push(format!("{variant} for `{word}`: it can promise only {reached:.1e}"));
             }
             best = match (best, found) {
                 (Ok(best), Ok(found)) if found.bound.total() < best.bound.total() => Ok(found),

@@ -60,6 +60,38 @@ fn each_scene_gets_its_way() {
     }
 }
 
+/// Less than a quarter of a period either way, than half a turn, is computed of the time itself; of a wrapped angle,
+/// what doesn't pass the top.
+#[test]
+fn short_horizons_need_no_reduction() {
+    use super::reduction::Method;
+    for (text, most) in [
+        ("theta0 = 7π/8, tol = 1e-6, t_max = 2", 13),
+        ("theta0 = 7π/8, tol = 1e-6, t_max = 2, outputs = [velocity]", 17),
+        ("theta0 = 1, t_max = 1.67, outputs = [position]", 72),
+        ("velocity0 = -1, tol = 1e-6, t_max = 1", 14),
+        ("theta0 = 1, velocity0 = 1, tol = 1e-6, t_max = 0.5", 16),
+        ("theta0 = 1, velocity0 = 3, omega = 1e200, tol = 1e-6, t_max = 1e-201", 10),
+        ("velocity0 = 3, tol = 1e-6, t_max = 0.3", 13),
+        ("theta0 = -3, velocity0 = -3, tol = 1e-6, t_max = 0.3", 16),
+        ("theta0 = 1, float = f32, omega = 1e-6, tol = 1e-4, t_max = 1e5", 11),
+    ] {
+        let plan = planned(text);
+        assert!(matches!(plan.reduction.method, Method::Time { .. }), "{text}: {}", plan.reduction.describe());
+        assert!(plan.operations() <= most, "{text}: {} operations, {most} before", plan.operations());
+    }
+    for text in [
+        "theta0 = 1, t_max = 1.68",
+        "theta0 = 1, t_max = 1, method = series",
+        "theta0 = -3, velocity0 = -3, t_max = 0.3, outputs = [wrapped]",
+        "velocity0 = 2, t_max = 0.1",
+        "theta0 = 1, float = f32, omega = 1e38, tol = 1e-4, t_max = 1e-39",
+    ] {
+        let plan = planned(text);
+        assert!(!matches!(plan.reduction.method, Method::Time { .. }), "{text}: {}", plan.reduction.describe());
+    }
+}
+
 #[test]
 fn promises_are_kept_or_refused() {
     for tol in ["0.1", "1e-3", "1e-6", "1e-9", "1e-12", "1e-14"] {

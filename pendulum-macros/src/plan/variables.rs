@@ -34,6 +34,8 @@ pub(crate) enum Source {
     Square,
     /// What p falls short of a quarter by, and that quarter, in units of the reduced variable.
     Below { below: Id, quarter: Double },
+    /// p = (s + ½)/4, with half an arc in units of the reduced variable.
+    Linear { half: Double },
     /// P = (¼ + b) − b(¼ + b)/divisor, in anchors whatever the unit of the reduced variable.
     Quotient { divisor: Id, map: Moebius },
 }
@@ -43,6 +45,7 @@ impl Variables {
     /// whether the sign of s matters.
     pub(crate) fn lower(b: &mut Builder, phase: Phase, reduction: &Reduction, odd: bool) -> Self {
         match reduction.origin {
+            Origin::Anchor if reduction.is_lopsided() => Self::from_start(b, phase, reduction),
             Origin::Anchor => Self::from_anchor(b, phase, reduction, odd),
             Origin::Lowest => Self::from_lowest(b, phase, reduction),
         }
@@ -61,6 +64,18 @@ impl Variables {
         b.name(square, "p");
         let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
         Self { distance, magnitude: distance, square, unit, source: Source::Square, side: None, magic, count }
+    }
+
+    /// Over an arc without symmetry.
+    fn from_start(b: &mut Builder, phase: Phase, reduction: &Reduction) -> Self {
+        let distance = clamp(b, phase.remainder, reduction.half());
+        b.name(distance, "clamped");
+        let half = Double::new(0.5) / reduction.unit;
+        let half_id = b.exact(half.hi, half.lo);
+        let square = b.add(distance, half_id);
+        let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
+        let source = Source::Linear { half };
+        Self { distance, magnitude: distance, square, unit, source, side: None, magic, count }
     }
 
     /// With s = ½ − |z|: p = ¼ − |z|(1 − |z|), in which |z| small beside 1 loses nothing.
@@ -102,6 +117,13 @@ impl Variables {
                 let top = b.constant(2.0 - centre);
                 b.sub(top, scaled)
             }
+            Source::Linear { .. } => {
+                let doubled = self.unit * 2.0;
+                let doubled = b.exact(doubled.hi, doubled.lo);
+                let scaled = b.mul(self.distance, doubled);
+                let offset = b.constant(centre - 1.0);
+                b.sub(scaled, offset)
+            }
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -centre),
         };
         b.name(centred, "u")
@@ -111,6 +133,11 @@ impl Variables {
     pub(crate) fn shifted(&self, b: &mut Builder, shift: f64) -> Id {
         match self.source {
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift),
+            Source::Linear { half } => {
+                let offset = half + Double::new(shift);
+                let offset = b.exact(offset.hi, offset.lo);
+                b.add(self.distance, offset)
+            }
             _ if shift == 0.0 => self.square,
             Source::Square => {
                 let shift = b.constant(shift);

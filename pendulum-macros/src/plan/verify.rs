@@ -41,9 +41,8 @@ impl Aim {
     /// turns are counted.
     fn distance(&self, task: &Task, s: Double, odd: bool, values: &[f64]) -> Option<f64> {
         let sign = |alternates: bool| if alternates && odd { -1.0 } else { 1.0 };
-        let angle = matches!(self.output, Output::Theta | Output::Wrapped);
         match self.curves.as_slice() {
-            [curve] if !(task.turning && angle) => {
+            [curve] if !(task.turning && self.output.is_angle()) => {
                 let exact = curve.at(s) * (sign(curve.alternates) * task.direction);
                 Some((Double::new(values[0]) - exact).hi.abs())
             }

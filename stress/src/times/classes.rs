@@ -182,6 +182,7 @@ fn largest(motion: &Motion) -> [f64; 2] {
 pub fn classes() -> Vec<Class> {
     let mut all = Vec::new();
     swings(&mut all);
+    moments(&mut all);
     near_top(&mut all);
     rotations(&mut all);
     paper(&mut all);
@@ -199,6 +200,14 @@ fn swings(all: &mut Vec<Class>) {
     plan!(all: "any time", [(1e-9) 0 1]; theta velocity);
     plan!(all: "launched, any time", [1 1 1]; theta velocity position);
     plan!(all: "launched, any time", [(0.3) 2 (1.25)]; theta);
+}
+
+/// Less than half a swing, or than a turn, whose phase is the time itself.
+fn moments(all: &mut Vec<Class>) {
+    plan!(all: "a moment", [(7π/8) 0 1] within 3; theta velocity position);
+    plan!(all: "tol 1e-9, a moment", [0 (-1.9) 1] tol 1e-9 within 1; theta acceleration);
+    plan!(all: "a moment", [1 (-1) 1] within 1; theta velocity acceleration);
+    plan!(all: "rotation, a moment", [0 (2.5) 1] within 1; velocity position);
 }
 
 fn near_top(all: &mut Vec<Class>) {

@@ -16,7 +16,9 @@ mod shifts;
 pub(crate) use shifts::Choices;
 
 use super::estrin::estrin;
+use super::form::square;
 use crate::program::{Builder, Id};
+use crate::series::Parity;
 use pendulum_runtime::double::Double;
 use shifts::{divide, roots, value};
 
@@ -73,8 +75,9 @@ impl Adapted {
     }
 
     /// For the reader.
-    pub(crate) fn variable(&self) -> String {
-        if self.shift == 0.0 { "s²".to_owned() } else { "s² + c".to_owned() }
+    pub(crate) fn variable(&self, parity: Parity) -> String {
+        let square = square(parity);
+        if self.shift == 0.0 { square.to_owned() } else { format!("{square} + c") }
     }
 
     /// For the reader: how it is evaluated.

@@ -102,7 +102,7 @@ impl Hyperbolic {
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
         // On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of whose inverse the arctangent is a mean.
-        let angle = matches!(output, Output::Theta | Output::Wrapped);
+        let angle = output.is_angle();
         let arctangent =
             angle.then(|| Fit::new(&Domain::reaching(1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
         // An angle, sin θ and e^{iθ} change by at most 4 times as much as Q or P, the velocity by 2F times.

@@ -1,4 +1,5 @@
-//! A curve as a Chebyshev series in the square of the phase, with a bound of its error.
+//! A curve as a Chebyshev series in the square p of the phase, with a bound of its error. Over an arc without symmetry
+//! p = (s + ½)/4 takes the place of the square.
 //!
 //! The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays within the
 //! strip |Im s| ≤ sinh(½ ln ρ)/2, where the Fourier series bounds the curve by B; the interpolant's error is at most
@@ -61,7 +62,7 @@ impl Approximation {
         let Interpolation { points, rho, error } = *interpolation;
         let table = CosineTable::new(points);
         let sample = |u: Double| {
-            let s = ((u + Double::ONE) * 0.125).sqrt();
+            let s = if curve.parity() == Parity::Neither { u * 0.5 } else { ((u + Double::ONE) * 0.125).sqrt() };
             let value = pole.map_or(Double::ONE, |pole| pole.at(u)) * curve.at(s);
             if curve.parity() == Parity::Odd { value / s } else { value }
         };
@@ -139,9 +140,13 @@ impl Approximation {
         self.series.len()
     }
 
-    /// Anchors per unit of the phase that the polynomial's variable is made of.
-    fn unit(&self, reduction: &Reduction) -> Double {
-        if self.map.is_some() { Double::ONE } else { reduction.unit }
+    /// p per unit of the polynomial's variable.
+    fn area(&self, reduction: &Reduction) -> Double {
+        match self.parity {
+            _ if self.map.is_some() => Double::ONE,
+            Parity::Neither => reduction.unit * 0.25,
+            Parity::Even | Parity::Odd => reduction.unit * reduction.unit,
+        }
     }
 
     /// The polynomial with that many terms, in the variable of `form` (p + `shift` if adapted) scaled to the
@@ -155,20 +160,17 @@ impl Approximation {
         alternates: bool,
     ) -> Polynomial {
         let powers = self.powers(terms);
-        let unit = self.unit(reduction);
+        let eighth = self.area(reduction) * 8.0;
         let mut coefficients = match form {
             Form::Centred { centre } => shift(&powers, Double::new(centre - 1.0)),
-            Form::Plain | Form::Adapted { .. } => {
-                let eighth = unit * unit * 8.0;
-                scale(shift(&powers, -Double::ONE - eighth * shifted), eighth)
-            }
+            Form::Plain | Form::Adapted { .. } => scale(shift(&powers, -Double::ONE - eighth * shifted), eighth),
         };
         if self.parity == Parity::Odd {
             for coefficient in &mut coefficients {
-                *coefficient = *coefficient * unit;
+                *coefficient = *coefficient * reduction.unit;
             }
         }
-        let lost = self.lost_to_underflow(terms, form, unit);
+        let lost = self.lost_to_underflow(terms, form, reduction);
         let truncation = self.truncation(terms, reduction.overshoot) + lost;
         let (pole, parity, map) = (self.pole, self.parity, self.map);
         Polynomial { form, pole, parity, map, alternates, coefficients, adapted: None, truncation }
@@ -176,14 +178,14 @@ impl Approximation {
 
     /// What coefficients that are too small for two words change: infinite where the powers of the unit are. Powers of
     /// a phase in units of time are of any size, and an amplitude may be 1e-300.
-    fn lost_to_underflow(&self, terms: usize, form: Form, unit: Double) -> f64 {
-        let eighth = if let Form::Centred { .. } = form { 1.0 } else { (unit * unit * 8.0).hi };
+    fn lost_to_underflow(&self, terms: usize, form: Form, reduction: &Reduction) -> f64 {
+        let eighth = if let Form::Centred { .. } = form { 1.0 } else { (self.area(reduction) * 8.0).hi };
         let (highest, widest) = (eighth.powi(terms as i32), 1e280);
         if !(1.0 / widest..widest).contains(&highest) {
             return f64::INFINITY;
         }
         // Of 8p ≤ 2.
-        let weight = self.weight() * if self.parity == Parity::Odd { 1.0 / unit.hi } else { 1.0 };
+        let weight = self.weight() * if self.parity == Parity::Odd { 1.0 / reduction.unit.hi } else { 1.0 };
         weight * UNDERFLOW * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
     }
 
@@ -211,8 +213,7 @@ impl Approximation {
             return Some(self.in_powers(terms, form, reduction, alternates));
         };
         let choice = self.choices(terms, chunk)?.within(limit / (reduction.float.unit() * self.weight()))?;
-        let unit = self.unit(reduction);
-        let quarter = (Double::new(0.25) / (unit * unit)).hi;
+        let quarter = (Double::new(0.25) / self.area(reduction)).hi;
         let shift = reduction.float.round(choice.shift * 4.0 * quarter);
         let mut polynomial = self.shifted_powers(terms, form, shift, reduction, alternates);
         let reach = shift.abs().max((shift + quarter).abs()) * 1.01;
@@ -249,9 +250,10 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
     let strip = curve.strip();
     let heights = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * strip).min(1.5));
     let ellipse = |height: f64| {
-        let log_rho = 2.0 * (2.0 * height).asinh();
-        // s = ½ cos φ with |Im φ| = ½ ln ρ.
-        let radius = 0.5 * (0.5 * log_rho).cosh();
+        // s = ½ cos φ with |Im φ| = ½ ln ρ, or ln ρ where the polynomial is one in s itself.
+        let angle = (2.0 * height).asinh();
+        let log_rho = if curve.parity() == Parity::Neither { angle } else { 2.0 * angle };
+        let radius = 0.5 * angle.cosh();
         let mut bound = curve.bound(height) * pole.map_or(1.0, |pole| pole.most(radius));
         if curve.parity() == Parity::Odd {
             // |s| ≥ height on the ellipse's image.

@@ -60,7 +60,7 @@ impl Polynomial {
         match (self.alternates, self.parity) {
             (true, parity) => variables.sign(b, value, parity),
             (false, Parity::Odd) => variables.sign_of_odd(b, value),
-            (false, Parity::Even) => value,
+            (false, Parity::Even | Parity::Neither) => value,
         }
     }
 
@@ -111,8 +111,8 @@ impl Polynomial {
         let terms = self.coefficients.len();
         let over = self.pole.map_or(String::new(), |pole| format!(" over one of {}", pole.terms()));
         let (variable, how) = match &self.adapted {
-            Some(adapted) => (adapted.variable(), adapted.describe()),
-            None => (self.form.variable(), String::new()),
+            Some(adapted) => (adapted.variable(self.parity), adapted.describe()),
+            None => (self.form.variable(self.parity), String::new()),
         };
         let image = self.map.map_or(String::new(), |map| format!(", s² replaced by {}", map.describe()));
         format!("polynomial of {terms} terms in {variable}{over}{image}{how}")

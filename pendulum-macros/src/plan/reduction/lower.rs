@@ -22,6 +22,7 @@ impl Reduction {
                 self.wide_any_time(b, wide, words, *fine)
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
+            Method::Time { .. } => self.unreduced(b, t),
             Method::Linear { words } => {
                 let wide = b.convert(t, Float::F64);
                 self.linear(b, wide, words)
@@ -223,6 +224,17 @@ impl Reduction {
         let sum = b.add(x, constant);
         let eights = b.sub(sum, constant);
         (b.sub(x, eights), eights)
+    }
+
+    /// Infinite times are turned to NaN by t − t.
+    fn unreduced(&self, b: &mut Builder, t: Id) -> Phase {
+        let zero = b.sub(t, t);
+        let mut remainder = b.add(t, zero);
+        if self.scale != 1.0 {
+            let scale = b.constant(self.scale);
+            remainder = b.mul(remainder, scale);
+        }
+        Phase { remainder, magic: t, count: t }
     }
 
     /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has

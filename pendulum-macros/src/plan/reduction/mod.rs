@@ -18,6 +18,8 @@ pub(crate) use clock::Clock;
 use crate::parse::Float;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
+use std::ops::Range;
+use words::exponent;
 
 /// How the phase is found, over which horizon, and how wrong it can be.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +70,8 @@ pub(crate) enum Method {
     WideAnyTime { words: [f64; 3], fine: bool },
     /// An `f64` time, R in three or four words; all products that matter but the last are exact.
     AnyTime { words: Vec<f64> },
+    /// s = t: the horizon is less than an arc, whether the motion over it is symmetric or not.
+    Time { lopsided: bool },
     /// z = t·R + launch, never reduced: the separatrix has one lowest point. R in three words where there is a launch.
     Linear { words: [f64; 3] },
 }
@@ -83,10 +87,36 @@ pub(crate) struct Phase {
     pub(crate) count: Id,
 }
 
+/// Times whose powers are of moderate size.
+const MODERATE: Range<f64> = 0.03125..32.0;
+
 /// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision.
 const LINEAR_HALF: f64 = 700.0;
 
 impl Reduction {
+    /// The time itself, where |t| up to `reach` is half an arc, if its type is good for such times.
+    pub(crate) fn time(reach: f64, lopsided: bool, float: Float) -> Option<Self> {
+        let most: f64 = if float == Float::F64 { 1e280 } else { 1e30 };
+        let scale = if MODERATE.contains(&reach) { 1.0 } else { 2f64.powi(-1 - exponent(reach)) };
+        (1.0 / most..most).contains(&reach).then(|| Self {
+            method: Method::Time { lopsided },
+            float,
+            launch: Double::ZERO,
+            origin: Origin::Anchor,
+            error: 0.0,
+            relative_error: 0.0,
+            overshoot: 0.0,
+            unit: Double::new(0.5 / scale) / Double::new(reach),
+            scale,
+            cap: None,
+        })
+    }
+
+    /// Whether it is that of an arc without symmetry.
+    pub(crate) fn is_lopsided(&self) -> bool {
+        self.method == Method::Time { lopsided: true }
+    }
+
     /// Whether the phase is known at all at the end of the horizon.
     fn is_useful(&self) -> bool {
         self.error < 0.5 && self.half().is_finite()
@@ -115,6 +145,7 @@ impl Reduction {
                 "exact products, from the largest on, with the rate in three words of `f64`".to_owned()
             }
             Method::AnyTime { words } => format!("exact products with the rate in {} words", words.len()),
+            Method::Time { .. } => "the time itself, which the horizon keeps short".to_owned(),
             Method::Linear { .. } => "the time itself".to_owned(),
         };
         format!("{how}{from}")

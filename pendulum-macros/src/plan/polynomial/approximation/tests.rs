@@ -263,7 +263,7 @@ fn units_without_bounds() {
 /// s/unit that it is multiplied with.
 #[test]
 fn underflow_of_coefficients() {
-    let (curves, _) = curves("theta0 = 7π/8");
+    let (curves, reduction) = curves("theta0 = 7π/8");
     for (index, power) in [(0, 0), (1, 0), (1, 1)] {
         let approximation = Approximation::new(&curves[index].0, power, 1e-9).unwrap();
         for unit in [1.0, 0.01, 30.0_f64] {
@@ -271,7 +271,8 @@ fn underflow_of_coefficients() {
             let sum: f64 = (0..5).map(|j| widest.powi(j)).sum();
             let times = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
             let least = UNDERFLOW * (sum * times * approximation.weight());
-            let found = approximation.lost_to_underflow(5, Form::Plain, Double::new(unit));
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let found = approximation.lost_to_underflow(5, Form::Plain, &reduction);
             // Numbers so small have few digits.
             assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{index} {unit}: {found:e} {least:e}");
         }

@@ -1,0 +1,48 @@
+//! The part of the motion that a horizon shorter than half a swing (than a turn) meets.
+//!
+//! There the phase needs no reduction, and what isn't met need not be approximated: polynomials of the time itself take
+//! few terms. About the place where the pendulum is at t = 0, if that is an anchor or half-way between two, the motion
+//! is even or odd.
+
+use crate::exact::Real;
+use crate::scene::Scene;
+use pendulum_runtime::double::Double;
+
+/// The phase s = centre + stretch·σ, with σ from −½ to ½ over the arc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Arc {
+    pub(super) centre: Double,
+    pub(super) stretch: Double,
+}
+
+impl Arc {
+    /// From half an anchor before an anchor to half an anchor after it.
+    pub(crate) const WHOLE: Self = Self { centre: Double::ZERO, stretch: Double::ONE };
+
+    /// The greatest |t| of a scene's horizon. Rounded to the type of times it is still part of it.
+    pub(super) fn reach(scene: &Scene) -> Option<f64> {
+        Some(scene.t_max.as_ref()?.to_f64() * (1.0 + 4.0 * scene.float.unit()))
+    }
+
+    /// Of the times up to ±`reach`, if that is less than from one anchor to the next.
+    pub(super) fn new(reach: f64, rate: &Real, launch: &Real) -> Option<Self> {
+        let stretch = (rate * rate.context().float(reach)?.scale(1)).to_double();
+        (0.0 < stretch.hi && stretch.hi < 1.0).then(|| Self { centre: launch.to_double(), stretch })
+    }
+
+    /// The phase from the anchor.
+    pub(super) fn phase(self, sigma: Double) -> Double {
+        self.centre + sigma * self.stretch
+    }
+
+    /// Its first and last phase.
+    pub(super) fn ends(self) -> [f64; 2] {
+        [-0.5, 0.5].map(|end| self.phase(Double::new(end)).hi)
+    }
+
+    /// The number of halves of an anchor in its centre, if it is that of a symmetry.
+    pub(super) fn halves(self) -> Option<i64> {
+        let halves = self.centre * 2.0;
+        (halves.lo == 0.0 && halves.hi.fract() == 0.0).then_some(halves.hi as i64)
+    }
+}
