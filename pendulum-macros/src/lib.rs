@@ -8,6 +8,8 @@ mod check;
 mod emit;
 mod exact;
 #[cfg(test)]
+mod expansion_time;
+#[cfg(test)]
 mod fuzz;
 mod motion;
 mod parse;

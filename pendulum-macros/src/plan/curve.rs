@@ -50,6 +50,11 @@ impl Curve {
         Self { arc, alternates: false, slope: 0.0, moment: 0.0, ..self }
     }
 
+    /// Whether it is met in part.
+    pub(crate) fn is_arc(&self) -> bool {
+        self.arc != Arc::WHOLE
+    }
+
     /// The mirror image.
     pub(crate) fn negated(self) -> Self {
         Self { wave: self.wave.negated(), ..self }

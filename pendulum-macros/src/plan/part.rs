@@ -40,7 +40,9 @@ pub(super) struct Approximations {
 impl Approximations {
     pub(super) fn new(aim: &Aim) -> Self {
         // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
-        let negligible = |curve: &Curve| (aim.truncation.min(curve.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0);
+        // Over an arc, that may be any number of digits; but there it costs nothing.
+        let blurred = |curve: &Curve| if curve.is_arc() { 0.0 } else { aim.truncation.min(curve.largest) };
+        let negligible = |curve: &Curve| (blurred(curve) * 2f64.powi(-30)).max(aim.floor() / 128.0);
         let all = |power| aim.curves.iter().filter_map(|c| Approximation::new(c, power, negligible(c))).collect();
         Self { plain: all(0), divided: if aim.power > 0 { all(aim.power) } else { Vec::new() } }
     }
