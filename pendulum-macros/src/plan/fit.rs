@@ -32,7 +32,8 @@ impl Fit {
     /// The Chebyshev interpolant, cut where its error is below `limit`.
     pub(crate) fn new(domain: &Domain, limit: f64, function: impl Fn(Double) -> Double) -> Self {
         let Domain { end, rho, bound } = *domain;
-        let points = points_for(bound, rho, limit / 16.0).clamp(4.0, 200.0) as usize;
+        // So many that their error doesn't blur the bound where the last term is far below the limit.
+        let points = points_for(bound, rho, limit * 2f64.powi(-16)).clamp(4.0, 200.0) as usize;
         let error = interpolation_error(bound, rho, points);
         let table = CosineTable::new(points);
         let values: Vec<Double> = table.points().map(|u| function((u + Double::ONE) * (0.5 * end))).collect();
