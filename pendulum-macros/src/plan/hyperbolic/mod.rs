@@ -105,13 +105,19 @@ impl Hyperbolic {
         let angle = output.is_angle();
         let arctangent =
             angle.then(|| Fit::new(&Domain::reaching(1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
-        // An angle, sin θ and e^{iθ} change by at most 4 times as much as Q or P, the velocity by 2F times.
-        let weight = if output == Output::Velocity { 2.5 } else { 4.5 };
-        let levels = [(Images::Sum, q.sqrt()), (Images::Denominator, 2.0 * q), (Images::Correction, 2.0 * q.powi(3))];
-        let matters = |&&(_, term): &&(Images, f64)| weight * term > limit / 8.0;
+        // With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at
+        // most √q′, M at most 1 + q′², and q′ at most 0.05. The velocity changes by 2FG, and by 4F times the sum of what
+        // Q, P and their values at the lowest point change relative to themselves. What no level has is q′⁶ of each.
+        let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 5.0] } else { [4.01, 2.3] };
+        let levels = [
+            (Images::Sum, by_sum * q.sqrt()),
+            (Images::Denominator, by_ratio * q),
+            (Images::Correction, by_ratio * q.powi(3)),
+        ];
+        let matters = |&&(_, change): &&(Images, f64)| change > limit / 8.0;
         let images = levels.iter().rev().find(matters).map_or(Images::Nothing, |level| level.0);
         let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
-        let truncation = left_out.chain([2.0 * q.powi(6)]).map(|term| weight * term).sum();
+        let truncation = left_out.sum::<f64>() + 5.0 * q.powi(6);
         // A truncation of a few units of rounding is asked for where full precision is.
         let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
         Self { output, passage, images, careful, even, odd, arctangent, factor, truncation }
