@@ -106,9 +106,10 @@ impl Hyperbolic {
         let arctangent =
             angle.then(|| Fit::new(&Domain::reaching(1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
         // With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at
-        // most √q′, M at most 1 + q′², and q′ at most 0.05. The velocity changes by 2FG, and by 4F times the sum of what
-        // Q, P and their values at the lowest point change relative to themselves. What no level has is q′⁶ of each.
-        let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 5.0] } else { [4.01, 2.3] };
+        // most √q′, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by
+        // q′F·2E(1 − E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. What no
+        // level has is q′⁶ of each.
+        let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 1.1 + 25.0 * q] } else { [4.01, 2.3] };
         let levels = [
             (Images::Sum, by_sum * q.sqrt()),
             (Images::Denominator, by_ratio * q),
