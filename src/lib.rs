@@ -153,8 +153,9 @@ struct Readme;
 ///
 /// NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞). For a
 /// release from rest θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit within the horizon; beyond it, the θ of a
-/// swing stays within ±(`AMPLITUDE` + `MAX_ERROR`). Of θ̇ the bound alone is promised: near the top, where `METHOD` is
-/// `"passage"`, it is not exactly 0 at the release.
+/// swing stays within ±(`AMPLITUDE` + `MAX_ERROR`), and of a horizon of less than a quarter of a period all outputs may
+/// stay as they are at its end. Of θ̇ the bound alone is promised: near the top, where `METHOD` is `"passage"`, it is not
+/// exactly 0 at the release.
 ///
 /// ```
 /// pendula::pendulum! {
