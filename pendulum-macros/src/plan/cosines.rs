@@ -100,6 +100,28 @@ impl Local {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chebyshev::{cos_pi, sin_pi};
+
+    /// At a point there is no spread but that of roundings, which are those of m·π·s in one word.
+    #[test]
+    fn roundings_of_high_harmonics() {
+        for m in [1, 31, 401, 799] {
+            let sum = Cosines::new([(m, 0.75)].into_iter());
+            for s in [0.0, 0.1, 0.3, 0.49, 0.5] {
+                let local = sum.over(s, s);
+                // m·s less the nearest even number, exactly.
+                let phase = Double::new(f64::from(m)) * s;
+                let phase = phase - Double::new(2.0 * (0.5 * phase.hi).round());
+                let rate = Double::PI * f64::from(m);
+                let exact = [cos_pi(phase), -(sin_pi(phase) * rate), -(cos_pi(phase) * rate * rate)];
+                for (order, exact) in exact.into_iter().enumerate() {
+                    let error = (exact * 0.75 - Double::new(local.middle(order))).hi.abs();
+                    let most = 0.75 * rate.hi.powi(order as i32) * (1e-14 + 2.4e-16 * rate.hi);
+                    assert!(error <= local.spread(order) && local.spread(order) <= most, "{m} {s} {order}: {error:e}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn intervals_hold_samples_and_are_not_wide() {
