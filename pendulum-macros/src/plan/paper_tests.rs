@@ -37,7 +37,7 @@ fn a_tolerance_takes_the_fewest_terms_of_the_paper() {
 /// twice the nome.)
 #[test]
 fn the_error_of_the_series_is_that_of_its_tail() {
-    for (theta0, tol) in [("1", 1e-5), ("7π/8", 1e-4), ("0.999π", 1e-3)] {
+    for (theta0, tol) in [("1", 1e-5), ("7π/8", 1e-4), ("0.999π", 1e-3), ("0.99π", 1e-9)] {
         let text = format!("theta0 = {theta0}, tol = {tol}, method = series");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
@@ -163,6 +163,24 @@ fn the_whole_arcsine_is_off_by_two_errors() {
         let Kernel::Polynomial(polynomial) = &plan.parts[0].kernel else { panic!("{text}: another kernel") };
         let expected = bias + polynomial.truncation;
         assert!(polynomial.truncation > 0.0 && (truncation(&plan) / expected - 1.0).abs() < 1e-12, "{text}");
+    }
+}
+
+/// Velocities of motions 2²⁰ times as fast have as many terms, and what can be had of them is the same in their units.
+#[test]
+fn sums_of_other_rates() {
+    for (method, tol) in [("fourier", "0.01"), ("series", "1e-4"), ("series", "1e-10"), ("harmonic", "0.5")] {
+        let ways = |tol: &str| {
+            ["1", "1048576"].map(|omega| {
+                let goal = format!("method = {method}, tol = {tol}, outputs = [velocity]");
+                planned(&format!("struct A; theta0 = 2, omega = {omega}, {goal}"))
+            })
+        };
+        let [slow, fast] = ways(tol).map(Result::unwrap);
+        assert_eq!(slow.terms(), fast.terms(), "{method} {tol}");
+        assert!((slow.worst() / fast.worst() - 1.0).abs() < 1e-4, "{method} {tol}");
+        let [slow, fast] = ways("1e-20").map(Result::unwrap_err);
+        assert_eq!(slow, fast, "{method} {tol}");
     }
 }
 

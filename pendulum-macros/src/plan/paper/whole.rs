@@ -300,6 +300,25 @@ mod tests {
         assert!(wholes > 12, "{wholes}");
     }
 
+    /// The map is one of anchors, whatever the unit of the reduced phase.
+    #[test]
+    fn maps_in_other_units() {
+        let mut random = Random::new(8);
+        for text in ["theta0 = 7π/8, n = 4, t_max = 1e4", "theta0 = -7π/8, n = 4, omega = 30"] {
+            let (scene, plan) = (scene(text), plan(&scene(text)).unwrap());
+            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+            let (part, sum) = (&plan.parts[0], Wave::harmonics(&weights(swing, 4)));
+            assert!(plan.reduction.unit != Double::ONE && part.description.contains("replaced"), "{text}: {plan:?}");
+            let most = part.bound.phase + part.bound.evaluation + 1e-15;
+            for _ in 0..40 {
+                let t = 100.0 * random.unit();
+                let exact = exact(&scene, swing, &sum, t).unwrap();
+                let error = (Double::new(plan.functions[0].program.run(t)[0]) - exact).hi.abs();
+                assert!(error <= most, "{text} at {t}: {error:e}");
+            }
+        }
+    }
+
     fn exact(scene: &Scene, swing: &Swing, sum: &Wave, t: f64) -> Option<Double> {
         let context = scene.motion.omega.context();
         let phase = swing_rate(swing) * context.float(t)? + &swing.launch;
