@@ -112,12 +112,14 @@ mod tests {
                 // m·s less the nearest even number, exactly.
                 let phase = Double::new(f64::from(m)) * s;
                 let phase = phase - Double::new(2.0 * (0.5 * phase.hi).round());
-                let rate = Double::PI * f64::from(m);
-                let exact = [cos_pi(phase), -(sin_pi(phase) * rate), -(cos_pi(phase) * rate * rate)];
-                for (order, exact) in exact.into_iter().enumerate() {
-                    let error = (exact * 0.75 - Double::new(local.middle(order))).hi.abs();
-                    let most = 0.75 * rate.hi.powi(order as i32) * (1e-14 + 2.4e-16 * rate.hi);
+                let mut scale = Double::new(0.75);
+                for order in 0..ORDER {
+                    let wave = if order % 2 == 0 { cos_pi(phase) } else { sin_pi(phase) };
+                    let exact = wave * scale * if matches!(order % 4, 1 | 2) { -1.0 } else { 1.0 };
+                    let error = (exact - Double::new(local.middle(order))).hi.abs();
+                    let most = scale.hi * (1e-14 + 2.4e-16 * PI * f64::from(m));
                     assert!(error <= local.spread(order) && local.spread(order) <= most, "{m} {s} {order}: {error:e}");
+                    scale = scale * Double::PI * f64::from(m);
                 }
             }
         }

@@ -81,10 +81,21 @@ fn the_series_at_full_precision() {
     }
 }
 
+/// The velocity takes terms that θ doesn't.
+#[test]
+fn a_derivative_may_need_more_terms() {
+    let terms = |output: &str| {
+        let text = format!("struct A; theta0 = 0.9999π, tol = 1e-6, method = series, outputs = [{output}]");
+        planned(&text).unwrap().terms()
+    };
+    let (theta, velocity) = (terms("theta"), terms("velocity"));
+    assert!(velocity > theta + 4, "{theta} {velocity}");
+}
+
 /// A tolerance out of reach is answered with what can be had: a few units of rounding of θ0.
 #[test]
 fn what_many_terms_reach() {
-    for (theta0, float) in [("1", "f64"), ("1", "f32"), ("7π/8", "f32")] {
+    for (theta0, float) in [("1e-3", "f64"), ("1", "f64"), ("1", "f32"), ("7π/8", "f32")] {
         for method in ["fourier", "series"] {
             let text = format!("theta0 = {theta0}, method = {method}, tol = 1e-20, float = {float}, t_max = 10");
             let Err(Refusal::Unreachable { best }) = planned(&text) else { panic!("{text}") };
@@ -127,12 +138,14 @@ fn the_drift_of_small_angles() {
     }
 }
 
-/// Of all times it is these two amplitudes.
+/// Of all times it is these two amplitudes, however slow the motion.
 #[test]
 fn small_angles_at_any_time() {
-    let plan = planned("theta0 = 0.3, method = small_angle").unwrap();
-    let shape = truncation(&planned("theta0 = 0.3, method = harmonic").unwrap());
-    assert!((truncation(&plan) / (0.6 + shape) - 1.0).abs() < 1e-12, "{:e}", truncation(&plan));
+    for omega in ["1", "1e-20", "1e20"] {
+        let planned = |method: &str| planned(&format!("theta0 = 0.3, omega = {omega}, method = {method}")).unwrap();
+        let (found, shape) = (truncation(&planned("small_angle")), truncation(&planned("harmonic")));
+        assert!((found / (0.6 + shape) - 1.0).abs() < 1e-12, "{omega}: {found:e}");
+    }
 }
 
 /// Its velocity comes to be twice as large as either is, when the phases have drifted half a period apart; before that
@@ -181,6 +194,15 @@ fn sums_of_other_rates() {
         assert!((slow.worst() / fast.worst() - 1.0).abs() < 1e-4, "{method} {tol}");
         let [slow, fast] = ways("1e-20").map(Result::unwrap_err);
         assert_eq!(slow, fast, "{method} {tol}");
+    }
+    // The cheapest phase that will do.
+    for exponent in (0..40).step_by(2) {
+        let reduction = |log_omega: i32| {
+            let (omega, t_max) = (2f64.powi(log_omega), 2f64.powi(exponent - log_omega));
+            let goal = "method = series, tol = 1e-9, outputs = [velocity]";
+            planned(&format!("struct A; theta0 = 2, omega = {omega}, t_max = {t_max:e}, {goal}")).unwrap().reduction
+        };
+        assert_eq!(reduction(0).describe(), reduction(20).describe(), "{exponent}");
     }
 }
 

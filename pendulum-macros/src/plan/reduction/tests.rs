@@ -273,6 +273,25 @@ fn products_of_words_are_exact() {
     }
 }
 
+/// Converted to `f32`, the phase is rounded besides: by half a unit in the last place of half an anchor, or relative to
+/// what is left of it at the lowest point.
+#[test]
+fn phases_of_narrow_times() {
+    let rate = Context::for_digits(60).decimal("0.7").unwrap();
+    let (unit, t_max) = (Float::F32.unit(), Some(1e6));
+    let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F32 };
+    let wide = |way: &Reduction| matches!(way.method, Method::Wide { .. } | Method::WideAnyTime { .. });
+    for way in clock.reductions().into_iter().filter(wide) {
+        let (rounded, before) = match way.origin {
+            Origin::Anchor => (0.25 * unit, way.error - 0.25 * unit),
+            Origin::Lowest => (way.relative_error, way.error),
+        };
+        assert!((0.25 * unit..=1.01 * unit).contains(&rounded), "{way:?}");
+        assert!(way.origin == Origin::Anchor || rounded >= unit, "{way:?}");
+        assert!(before > 0.0 && before <= 2f64.powi(-27), "{way:?}");
+    }
+}
+
 /// Of the two ways in three words of `f64` the dearer comes closer, near the lowest point.
 #[test]
 fn words_from_the_largest_on() {
