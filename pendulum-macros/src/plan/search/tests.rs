@@ -98,3 +98,20 @@ fn what_is_taken_of_limits() {
         assert_eq!(accepted.bound, Bound { evaluation: 0.125 * limit + turns, ..bound }, "{text}");
     }
 }
+
+/// Where the angle of a rotation is small it has all its digits at full precision, for which the phase is that from the
+/// lowest point; nothing else of it is worth that.
+#[test]
+fn small_angles_of_rotations() {
+    for (text, origin) in [
+        ("velocity0 = 3", Origin::Lowest),
+        ("velocity0 = -2.1, float = f32", Origin::Lowest),
+        ("velocity0 = 3, outputs = [velocity, wrapped]", Origin::Lowest),
+        ("velocity0 = 3, outputs = [velocity]", Origin::Anchor),
+        ("velocity0 = 3, tol = 1e-6, t_max = 100", Origin::Anchor),
+        ("theta0 = 1", Origin::Anchor),
+    ] {
+        let plan = plan(&prospects(text).0).unwrap();
+        assert_eq!(plan.reduction.origin, origin, "{text}");
+    }
+}
