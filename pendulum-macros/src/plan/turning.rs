@@ -159,7 +159,7 @@ mod tests {
         }
     }
 
-    /// After so many turns it is 2π times their number, in every way of computing it.
+    /// After so many turns, whole ones and halves, it is 2π times their number, in every way of computing it.
     #[test]
     fn turns_are_counted() {
         for (text, direction) in [("velocity0 = 2.5", 1.0), ("velocity0 = -2.5", -1.0)] {
@@ -168,7 +168,7 @@ mod tests {
             let plans = crate::plan::search::every(&scene);
             assert!(plans.len() > 4);
             for plan in plans {
-                for turns in [0.0, 1.0, -1.0, 3.0, 1000.0, -1000.0] {
+                for turns in [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, 3.0, 1000.0, -1000.5] {
                     let t = turns * rotation.period.to_f64();
                     let error = plan.functions[0].program.run(t)[0] - direction * turns * 2.0 * PI;
                     assert!(error.abs() <= 1.1e-6, "{text} {turns}: {error}, {}", plan.reduction.describe());

@@ -199,6 +199,25 @@ fn errors_of_scaled_rates() {
     }
 }
 
+/// A launch that isn't on an origin or half-way between two is added with two roundings of half an anchor, however few
+/// digits it has.
+#[test]
+fn roundings_of_launches() {
+    let rate = Context::for_digits(60).decimal("0.7").unwrap();
+    for float in [Float::F64, Float::F32] {
+        let error = |launch: Double| {
+            let clock = Clock { rate: &rate, launch, t_max: Some(100.0), float };
+            let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+            clock.reductions().into_iter().find(one_word).unwrap().error
+        };
+        let half = error(Double::new(0.5));
+        for launch in [Double::new(0.25), Double::new(1e-300), Double { hi: 0.5, lo: 1e-20 }] {
+            let times = (error(launch) - half) / half_ulp(0.5, float);
+            assert!((times - 2.0).abs() < 1e-6, "{launch:?}: {times}");
+        }
+    }
+}
+
 fn cody_waite(
     rate: &str,
     launch: f64,
@@ -273,6 +292,21 @@ fn products_of_words_are_exact() {
                 }
             }
         }
+    }
+}
+
+/// Three words of a rate that has few bits leave nothing but the rounding of the last product, in proportion to the
+/// anchors of the horizon, and of the phase.
+#[test]
+fn errors_of_three_words_for_any_time() {
+    for (rate, anchors) in [("4", 2f64.powi(53)), ("0.25", 2f64.powi(53)), ("4", 2f64.powi(40)), ("4", f64::INFINITY)] {
+        let rate = Context::for_digits(60).decimal(rate).unwrap();
+        let t_max = Some(anchors / rate.to_f64()).filter(|t| t.is_finite());
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F64 };
+        let three = |way: &Reduction| matches!(&way.method, Method::AnyTime { words } if words.len() == 3);
+        let reduction = clock.reductions().into_iter().find(three).unwrap();
+        let part = (anchors / 2f64.powi(54)).min(1.0);
+        assert_eq!(reduction.error, 2f64.powi(-49) * part + 2f64.powi(-53), "{reduction:?}");
     }
 }
 
