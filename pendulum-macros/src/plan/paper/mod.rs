@@ -30,8 +30,8 @@ const SLACK: f64 = 1e-3;
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
     let mut reached = f64::INFINITY;
     let mut terms = None;
-    // The terms are chosen for θ; its derivatives may need some more, as long as these help.
-    for more in 0..MOST_MORE {
+    // The terms are chosen for θ; its derivative may need some more, as long as these help.
+    for more in MORE {
         let sum = Sum::choose(scene, swing, method, more, &mut terms)?;
         if sum.weights.len() >= MOST_CHOSEN && !matches!(scene.goal, Goal::Terms(_)) {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
@@ -53,7 +53,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
 }
 
 /// How many terms more than θ needs are tried.
-const MOST_MORE: usize = 12;
+const MORE: [usize; 8] = [0, 1, 2, 3, 5, 8, 13, 21];
 
 /// The weights that a method gives to the harmonics of the phase.
 struct Sum {
