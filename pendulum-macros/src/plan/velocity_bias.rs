@@ -35,7 +35,7 @@ pub(super) fn bound(weights: &[Double], method: Method, rate: &Real, drift: f64,
     };
     let faster = (rate.to_f64() - exact_rate).abs() * steepest;
     let shifted = (exact_bend * drift).min(2.0 * exact_steepest);
-    ((at_same_phase + shifted) * exact_rate + faster) * (1.0 + 1e-9)
+    ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
 }
 
 /// So near the top that θ has more harmonics the two velocities are as far apart as they are large.
@@ -53,6 +53,8 @@ struct Sines {
     /// ρ = Y − y.
     rest: Cosines,
     theta: Cosines,
+    /// What Y, and so ρ, and its derivative are in doubt by.
+    omitted: [f64; 2],
 }
 
 impl Sines {
@@ -61,20 +63,22 @@ impl Sines {
         let whole = Cosines::new(curve.terms().iter().map(|&(m, a)| (m, a.hi)));
         let ours_of = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
         let rest = curve.terms().iter().enumerate().map(|(index, &(m, a))| (m, (a - ours_of(index)).hi));
-        Self { rest: Cosines::new(rest), ours, whole, theta }
+        Self { rest: Cosines::new(rest), ours, whole, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
     }
 
     /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is
     /// large that cancels.
     fn apart(&self, low: f64, high: f64) -> f64 {
         let [y, whole, rest, theta] = [&self.ours, &self.whole, &self.rest, &self.theta].map(|sum| sum.over(low, high));
-        let (sines, wholes) = (y.range(0), whole.range(0));
+        let within = |(low, high): (f64, f64), order: usize| (low - self.omitted[order], high + self.omitted[order]);
+        let (sines, wholes) = (y.range(0), within(whole.range(0), 0));
         if sines.1.max(wholes.1) >= 1.0 || sines.0.min(wholes.0) <= -1.0 {
             return f64::INFINITY;
         }
         let tangent = |y: f64, whole: f64| (0.5 * (y.asin() + whole.asin())).tan();
         let tangents = (tangent(sines.0, wholes.0), tangent(sines.1, wholes.1));
-        let (second, first) = (product(product(theta.range(1), rest.range(0)), tangents), rest.range(1));
+        let [rest, first] = [0, 1].map(|order| within(rest.range(order), order));
+        let second = product(product(theta.range(1), rest), tangents);
         let most = (2.0 * first.0 + second.0).abs().max((2.0 * first.1 + second.1).abs());
         most / ((1.0 - y.largest(0)) * (1.0 + y.largest(0))).sqrt()
     }

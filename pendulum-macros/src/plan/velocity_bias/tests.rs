@@ -141,7 +141,13 @@ fn near_the_top() {
 fn beside_nothing(weights: &[Double]) -> Sines {
     let nothing = || Cosines::new(std::iter::empty());
     let minus: Vec<Double> = weights.iter().map(|&weight| -weight).collect();
-    Sines { ours: Cosines::odd(weights), whole: nothing(), rest: Cosines::odd(&minus), theta: nothing() }
+    Sines {
+        ours: Cosines::odd(weights),
+        whole: nothing(),
+        rest: Cosines::odd(&minus),
+        theta: nothing(),
+        omitted: [0.0; 2],
+    }
 }
 
 /// In cells, wide ones too; narrow ones are bounded to a thousandth.
@@ -165,8 +171,26 @@ fn arcsines_within_cells() {
 fn cells_that_reach_the_edge() {
     let sum = |weight: f64| Cosines::odd(&[Double::new(weight)]);
     for (ours, whole, bounded) in [(0.5, 1.0, false), (1.0, 0.5, false), (-1.0, 0.5, false), (0.5, 0.9, true)] {
-        let sines = Sines { ours: sum(ours), whole: sum(whole), rest: sum(whole - ours), theta: sum(1.0) };
+        let sines =
+            Sines { ours: sum(ours), whole: sum(whole), rest: sum(whole - ours), theta: sum(1.0), omitted: [0.0; 2] };
         assert_eq!(sines.apart(0.0, 0.01).is_finite(), bounded, "{ours} {whole}");
+    }
+}
+
+/// What sin(θ/2) is in doubt by counts as often as ρ and ρ′ do: with y = Y = θ = ½ cos πs at s = ¼ these are 2/√m, and
+/// |θ′|·tan(arcsin y)/√m.
+#[test]
+fn what_is_in_doubt() {
+    let half = || Cosines::odd(&[Double::new(0.5)]);
+    let nothing = || Cosines::new(std::iter::empty());
+    let y = 0.125f64.sqrt();
+    let margin = (1.0 - y * y).sqrt();
+    for (omitted, expected) in
+        [([1e-6, 0.0], 1e-6 * PI * y * (y / margin) / margin), ([0.0, 1e-6], 2e-6 / margin), ([0.0; 2], 0.0)]
+    {
+        let sines = Sines { ours: half(), whole: half(), rest: nothing(), theta: half(), omitted };
+        let found = sines.apart(0.25, 0.25);
+        assert!((found - expected).abs() < 1e-11, "{omitted:?}: {found:e} {expected:e}");
     }
 }
 
