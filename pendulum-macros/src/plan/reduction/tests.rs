@@ -310,6 +310,31 @@ fn errors_of_three_words_for_any_time() {
     }
 }
 
+/// Phases of rates above 1 are counted in units of a power of two; where powers of these would get out of hand, times are
+/// cut off.
+#[test]
+fn products_stay_finite() {
+    let most = |float: Float| 2f64.powi(if float == Float::F64 { 1000 } else { 120 });
+    for (rate, float, halvings) in [
+        ("0.5", Float::F64, Some(0)),
+        ("3", Float::F64, Some(2)),
+        ("1e5", Float::F64, Some(17)),
+        ("1e6", Float::F64, None),
+        ("1e200", Float::F64, None),
+        ("0.5", Float::F32, Some(0)),
+        ("3", Float::F32, Some(2)),
+        ("20", Float::F32, None),
+    ] {
+        let rate = Context::for_digits(60).decimal(rate).unwrap();
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(10.0 / rate.to_f64()), float };
+        let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+        let reduction = clock.reductions().into_iter().find(one_word).unwrap();
+        let scale = 2f64.powi(-halvings.unwrap_or(0));
+        let cap = halvings.is_none().then(|| float.round(most(float) / rate.to_f64()));
+        assert_eq!((reduction.scale, reduction.unit, reduction.cap), (scale, Double::new(1.0 / scale), cap));
+    }
+}
+
 /// Converted to `f32`, the phase is rounded besides: by half a unit in the last place of half an anchor, or relative to
 /// what is left of it at the lowest point.
 #[test]
