@@ -305,3 +305,12 @@ fn the_paper_and_its_derivative() {
         }
     }
 }
+
+/// Next to the top, where terms are hardly more than rounding, there is a smallest number still: one less overshoots.
+#[test]
+fn the_smallest_number_next_to_the_top() {
+    let asked = |n: usize| planned(&format!("theta0 = π - 1e-8, n = {n}"));
+    let Err(Refusal::Overshoot { smallest: Some(smallest), .. }) = asked(1) else { panic!("no number") };
+    assert_eq!(asked(smallest).unwrap().terms(), smallest);
+    assert!(matches!(asked(smallest - 1), Err(Refusal::Overshoot { .. })), "{smallest}");
+}
