@@ -162,7 +162,7 @@ mod tests {
     /// After so many turns, whole ones and halves, it is 2π times their number, in every way of computing it.
     #[test]
     fn turns_are_counted() {
-        for (text, direction) in [("velocity0 = 2.5", 1.0), ("velocity0 = -2.5", -1.0)] {
+        for (text, direction) in [("velocity0 = 2.5", 1.0), ("velocity0 = -2.5", -1.0), ("velocity0 = -2.01", -1.0)] {
             let scene = scene(&format!("struct Motion; {text}, tol = 1e-6, t_max = 1e4"));
             let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
             let plans = crate::plan::search::every(&scene);

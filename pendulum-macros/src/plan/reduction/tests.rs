@@ -199,6 +199,21 @@ fn errors_of_scaled_rates() {
     }
 }
 
+/// The product with a rate of one bit is rounded by half a unit in the last place of the longest phase, which the
+/// horizon's end may just pass.
+#[test]
+fn roundings_of_one_product() {
+    let rate = Context::for_digits(60).decimal("0.5").unwrap();
+    for (anchors, binade) in [(1000.0, 9), (1023.9, 10), (1024.1, 10), (1500.0, 10), (2047.9, 11), (2048.1, 11)] {
+        for (float, bits) in [(Float::F64, 53), (Float::F32, 24)] {
+            let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(anchors / 0.5), float };
+            let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+            let reduction = clock.reductions().into_iter().find(one_word).unwrap();
+            assert_eq!(reduction.error, 2f64.powi(binade - bits), "{anchors}: {reduction:?}");
+        }
+    }
+}
+
 /// A launch that isn't on an origin or half-way between two is added with two roundings of half an anchor, however few
 /// digits it has.
 #[test]
