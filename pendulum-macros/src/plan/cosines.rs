@@ -125,6 +125,17 @@ mod tests {
         }
     }
 
+    /// About its summit the bound of a cosine is Taylor's series of cosh, of a slope that of sinh.
+    #[test]
+    fn spreads_about_a_summit() {
+        let half = 0.3;
+        let local = Cosines::new([(1, 1.0)].into_iter()).over(-half, half);
+        let x = PI * half;
+        for (order, known) in [(0, x.cosh() - 1.0), (1, PI * x.sinh()), (2, PI * PI * (x.cosh() - 1.0))] {
+            assert!((local.spread(order) / known - 1.0).abs() < 2e-4, "{order}: {} {known}", local.spread(order));
+        }
+    }
+
     #[test]
     fn intervals_hold_samples_and_are_not_wide() {
         let sum = Cosines::new([(1, 0.9), (3, -0.4), (15, 0.01), (31, -1e-3)].into_iter());

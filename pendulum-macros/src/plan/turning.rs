@@ -167,7 +167,10 @@ mod tests {
             let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
             let plans = crate::plan::search::every(&scene);
             assert!(plans.len() > 4);
+            let between = |plan: &Plan| plan.functions[0].program.run(0.2 * rotation.period.to_f64())[0];
+            let first = between(&plans[0]);
             for plan in plans {
+                assert!((between(&plan) - first).abs() <= 2.1e-6, "{text}: {}", plan.reduction.describe());
                 for turns in [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, 3.0, 1000.0, -1000.5] {
                     let t = turns * rotation.period.to_f64();
                     let error = plan.functions[0].program.run(t)[0] - direction * turns * 2.0 * PI;

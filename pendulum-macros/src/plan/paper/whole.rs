@@ -199,6 +199,22 @@ mod tests {
         }
     }
 
+    /// Of a series that is right, few points see nothing but their own error.
+    #[test]
+    fn errors_of_few_points() {
+        let scene = scene("theta0 = 2");
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let sum = Wave::harmonics(&weights(swing, 3));
+        let largest = sum.at(Double::ZERO).hi;
+        let map = Some(Moebius::new(0.25));
+        let series = interpolant(&sum, map, 90).unwrap();
+        let Interpolation { error: own, .. } = enough_points(&sum, map, &series, 1e-6).unwrap();
+        let found = error(&sum, map, &series, 1e-2).unwrap();
+        // The largest sum between points is overestimated.
+        let times = found / (2.0 * own / (1.0 - largest * largest).sqrt());
+        assert!((1.0..1.5).contains(&times), "{found:e}: {times}");
+    }
+
     /// Of a series that is wrong by much the sine of its half may be larger than y, too: by sup |R|, which is ε/2 at
     /// the lowest point, times Λ.
     #[test]

@@ -150,6 +150,24 @@ fn errors_are_those_promised() {
     }
 }
 
+/// What a launch is off an origin by is never lost, nor are few digits taken for none.
+#[test]
+fn launches_hardly_off_an_origin() {
+    let context = Context::for_digits(60);
+    let mut random = Random::new(13);
+    for (launch, float) in ["0.50000000000000000001", "-0.00000000000000000001", "0.25"]
+        .into_iter()
+        .flat_map(|launch| [(launch, Float::F64), (launch, Float::F32)])
+    {
+        let (rate, phase) = (rate(&mut random), context.decimal(launch).unwrap());
+        let clock = Clock { rate: &rate, launch: phase.to_double(), t_max: Some(1e3), float };
+        for reduction in clock.reductions() {
+            let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon: 1e3, worst: 0.0 };
+            trial.run(&mut random, 10);
+        }
+    }
+}
+
 /// Beyond the horizon any phase will do, be it infinite, which is clamped; but it has to be one, however fast the
 /// motion. At infinite times there is none.
 #[test]
@@ -181,7 +199,7 @@ fn every_finite_time_has_a_phase() {
 fn errors_of_scaled_rates() {
     let context = Context::for_digits(60);
     let rate = context.decimal("0.8346268416740731862814297327990468").unwrap();
-    for (anchors, float) in [3.0, 50.0, 1e4].into_iter().flat_map(|n| [(n, Float::F64), (n, Float::F32)]) {
+    for (anchors, float) in [3.0, 50.0, 66.0, 1e4].into_iter().flat_map(|n| [(n, Float::F64), (n, Float::F32)]) {
         let horizon = anchors / rate.to_f64();
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(horizon), float };
         let scaled = |way: &Reduction| matches!(way.method, Method::Scaled { .. });
@@ -194,8 +212,10 @@ fn errors_of_scaled_rates() {
         assert!((0.0..1.1e-3).contains(&excess) && off > 0.0, "{reduction:?}: {excess:e}");
         assert!((1.0..=2.0).contains(&anchor), "{reduction:?}");
         // Any multiple of it within the horizon is exact.
-        let last = (anchors + 1.0).round();
-        assert_eq!(float.round(anchor * last), anchor * last);
+        for number in [2.0, 1.0, 0.0].map(|before| anchors + 1.0 - before) {
+            let (product, lost) = pendulum_runtime::double::two_prod(anchor, number);
+            assert!(lost == 0.0 && float.round(product) == product, "{number}: {reduction:?}");
+        }
     }
 }
 
@@ -204,14 +224,22 @@ fn errors_of_scaled_rates() {
 #[test]
 fn roundings_of_one_product() {
     let rate = Context::for_digits(60).decimal("0.5").unwrap();
+    let mut seen = 0;
     for (anchors, binade) in [(1000.0, 9), (1023.9, 10), (1024.1, 10), (1500.0, 10), (2047.9, 11), (2048.1, 11)] {
         for (float, bits) in [(Float::F64, 53), (Float::F32, 24)] {
             let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(anchors / 0.5), float };
             let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
             let reduction = clock.reductions().into_iter().find(one_word).unwrap();
             assert_eq!(reduction.error, 2f64.powi(binade - bits), "{anchors}: {reduction:?}");
+            // In a unit of which an anchor has one, there is the difference's besides.
+            let scaled = |way: &Reduction| matches!(way.method, Method::Scaled { anchor: 1.0, .. });
+            if let Some(reduction) = clock.reductions().into_iter().find(scaled) {
+                assert_eq!(reduction.error, 2f64.powi(binade - bits) + 2f64.powi(-bits), "{anchors}: {reduction:?}");
+                seen += 1;
+            }
         }
     }
+    assert!(seen >= 4, "{seen}");
 }
 
 /// A launch that isn't on an origin or half-way between two is added with two roundings of half an anchor, however few
