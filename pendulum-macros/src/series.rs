@@ -262,8 +262,7 @@ impl Wave {
     pub(crate) fn bound(&self, height: f64) -> f64 {
         let growth = std::f64::consts::PI * height;
         let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * (growth * f64::from(m)).cosh()).sum();
-        let next = self.terms.last().map_or(1, |&(m, _)| m + self.envelope.step);
-        let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(next, growth) };
+        let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(self.first_omitted(), growth) };
         (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
     }
 
@@ -280,6 +279,17 @@ impl Wave {
     /// What the omitted terms can add for real s.
     pub(crate) fn omitted(&self) -> f64 {
         self.omitted
+    }
+
+    /// What they can add to the derivative.
+    pub(crate) fn omitted_slope(&self) -> f64 {
+        let Envelope { size, power, .. } = self.envelope;
+        let slope = Envelope { size: size * std::f64::consts::PI, power: power + 1, ..self.envelope };
+        if self.omitted == 0.0 { 0.0 } else { slope.tail(self.first_omitted(), 0.0) }
+    }
+
+    fn first_omitted(&self) -> u32 {
+        self.terms.last().map_or(1, |&(m, _)| m + self.envelope.step)
     }
 }
 

@@ -100,6 +100,41 @@ impl Local {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chebyshev::{cos_pi, sin_pi};
+
+    /// At a point there is no spread but that of roundings, which are those of m·π·s in one word.
+    #[test]
+    fn roundings_of_high_harmonics() {
+        for m in [1, 31, 401, 799] {
+            let sum = Cosines::new([(m, 0.75)].into_iter());
+            for s in [0.0, 0.1, 0.3, 0.49, 0.5] {
+                let local = sum.over(s, s);
+                // m·s less the nearest even number, exactly.
+                let phase = Double::new(f64::from(m)) * s;
+                let phase = phase - Double::new(2.0 * (0.5 * phase.hi).round());
+                let mut scale = Double::new(0.75);
+                for order in 0..ORDER {
+                    let wave = if order % 2 == 0 { cos_pi(phase) } else { sin_pi(phase) };
+                    let exact = wave * scale * if matches!(order % 4, 1 | 2) { -1.0 } else { 1.0 };
+                    let error = (exact - Double::new(local.middle(order))).hi.abs();
+                    let most = scale.hi * (1e-14 + 2.4e-16 * PI * f64::from(m));
+                    assert!(error <= local.spread(order) && local.spread(order) <= most, "{m} {s} {order}: {error:e}");
+                    scale = scale * Double::PI * f64::from(m);
+                }
+            }
+        }
+    }
+
+    /// About its summit the bound of a cosine is Taylor's series of cosh, of a slope that of sinh.
+    #[test]
+    fn spreads_about_a_summit() {
+        let half = 0.3;
+        let local = Cosines::new([(1, 1.0)].into_iter()).over(-half, half);
+        let x = PI * half;
+        for (order, known) in [(0, x.cosh() - 1.0), (1, PI * x.sinh()), (2, PI * PI * (x.cosh() - 1.0))] {
+            assert!((local.spread(order) / known - 1.0).abs() < 2e-4, "{order}: {} {known}", local.spread(order));
+        }
+    }
 
     #[test]
     fn intervals_hold_samples_and_are_not_wide() {

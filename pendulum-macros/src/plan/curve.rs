@@ -65,6 +65,11 @@ impl Curve {
         self.wave.omitted()
     }
 
+    /// What they can change of the derivative with respect to the phase.
+    pub(crate) fn omitted_slope(&self) -> f64 {
+        self.wave.omitted_slope()
+    }
+
     /// As if that had been omitted.
     #[cfg(test)]
     pub(crate) fn omitting(self, omitted: f64) -> Self {

@@ -157,3 +157,18 @@ fn sums_of_harmonics() {
     }
     assert!(curve.alternates && curve.omitted() == 0.0);
 }
+
+/// What a series leaves out of the derivative is about what it leaves out times the first m·π left out, and the terms
+/// that follow.
+#[test]
+fn omitted_slopes() {
+    for theta0 in ["1", "7π/8", "0.999π"] {
+        let scene = scene(&format!("theta0 = {theta0}"));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+        let first = f64::from(theta.terms().last().unwrap().0 + 2) * std::f64::consts::PI;
+        let times = theta.omitted_slope() / (theta.omitted() * first);
+        assert!((1.0 - 1e-12..1.1).contains(&times), "{theta0}: {times}");
+        assert_eq!(Curve::sine().omitted_slope(), 0.0);
+    }
+}

@@ -62,6 +62,8 @@ pub(crate) struct Part {
     pub(crate) unit: f64,
     /// The largest magnitude of the exact output.
     pub(crate) largest: f64,
+    /// How much of its limit the error takes, but for turns that are no part of the promise; 0 where there is no limit.
+    pub(crate) taken: f64,
 }
 
 /// A proven bound of the error over the horizon, in the output's unit, and what it is made of.
@@ -150,6 +152,11 @@ impl Plan {
     /// The largest of the outputs' bounds, in units of the tolerance.
     pub(crate) fn worst(&self) -> f64 {
         self.parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max)
+    }
+
+    /// How much of its limit the worst output takes.
+    fn taken(&self) -> f64 {
+        self.parts.iter().map(|part| part.taken).fold(0.0, f64::max)
     }
 
     /// Operations of the first function.

@@ -37,7 +37,7 @@ fn a_tolerance_takes_the_fewest_terms_of_the_paper() {
 /// twice the nome.)
 #[test]
 fn the_error_of_the_series_is_that_of_its_tail() {
-    for (theta0, tol) in [("1", 1e-5), ("7π/8", 1e-4), ("0.999π", 1e-3)] {
+    for (theta0, tol) in [("1", 1e-5), ("7π/8", 1e-4), ("0.999π", 1e-3), ("0.99π", 1e-9)] {
         let text = format!("theta0 = {theta0}, tol = {tol}, method = series");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
@@ -81,10 +81,45 @@ fn the_series_at_full_precision() {
     }
 }
 
+/// The velocity of θ̂ comes as close as θ̂ itself, by as many terms as bring it there: each is smaller by the nome.
+#[test]
+fn velocities_of_the_paper() {
+    for tol in ["1e-3", "1e-6", "1e-9", "1e-12"] {
+        let terms = |output: &str| {
+            let text = format!("struct A; theta0 = 2, tol = {tol}, method = fourier, outputs = [{output}]");
+            planned(&text).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}")).terms()
+        };
+        let (theta, velocity) = (terms("theta"), terms("velocity"));
+        assert!(velocity <= theta + 2, "{tol}: {theta} {velocity}");
+    }
+}
+
+/// That the cheapest phase leaves too little to the sum doesn't speak against finer ones: at every horizon there is one.
+#[test]
+fn sums_that_leave_little_to_the_phase() {
+    let least = truncation(&planned("theta0 = 2, tol = 1e-9, method = series").unwrap());
+    for exponent in 0..45 {
+        let text = format!("theta0 = 2, tol = {:e}, t_max = {:e}, method = series", 1.1 * least, 2f64.powi(exponent));
+        let plan = planned(&text).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+        assert!((truncation(&plan) / least - 1.0).abs() < 1e-6, "{text}: {:e} {least:e}", truncation(&plan));
+    }
+}
+
+/// The velocity takes terms that θ doesn't.
+#[test]
+fn a_derivative_may_need_more_terms() {
+    let terms = |output: &str| {
+        let text = format!("struct A; theta0 = 0.9999π, tol = 1e-6, method = series, outputs = [{output}]");
+        planned(&text).unwrap().terms()
+    };
+    let (theta, velocity) = (terms("theta"), terms("velocity"));
+    assert!(velocity > theta + 4, "{theta} {velocity}");
+}
+
 /// A tolerance out of reach is answered with what can be had: a few units of rounding of θ0.
 #[test]
 fn what_many_terms_reach() {
-    for (theta0, float) in [("1", "f64"), ("1", "f32"), ("7π/8", "f32")] {
+    for (theta0, float) in [("1e-3", "f64"), ("1", "f64"), ("1", "f32"), ("7π/8", "f32")] {
         for method in ["fourier", "series"] {
             let text = format!("theta0 = {theta0}, method = {method}, tol = 1e-20, float = {float}, t_max = 10");
             let Err(Refusal::Unreachable { best }) = planned(&text) else { panic!("{text}") };
@@ -127,12 +162,14 @@ fn the_drift_of_small_angles() {
     }
 }
 
-/// Of all times it is these two amplitudes.
+/// Of all times it is these two amplitudes, however slow the motion.
 #[test]
 fn small_angles_at_any_time() {
-    let plan = planned("theta0 = 0.3, method = small_angle").unwrap();
-    let shape = truncation(&planned("theta0 = 0.3, method = harmonic").unwrap());
-    assert!((truncation(&plan) / (0.6 + shape) - 1.0).abs() < 1e-12, "{:e}", truncation(&plan));
+    for omega in ["1", "1e-20", "1e20"] {
+        let planned = |method: &str| planned(&format!("theta0 = 0.3, omega = {omega}, method = {method}")).unwrap();
+        let (found, shape) = (truncation(&planned("small_angle")), truncation(&planned("harmonic")));
+        assert!((found / (0.6 + shape) - 1.0).abs() < 1e-12, "{omega}: {found:e}");
+    }
 }
 
 /// Its velocity comes to be twice as large as either is, when the phases have drifted half a period apart; before that
@@ -166,6 +203,38 @@ fn the_whole_arcsine_is_off_by_two_errors() {
     }
 }
 
+/// Velocities of motions 2²⁰ times as fast have as many terms, and what can be had of them is the same in their units.
+#[test]
+fn sums_of_other_rates() {
+    for (method, tol) in
+        [("fourier", "0.01"), ("fourier", "1e-10"), ("series", "1e-4"), ("series", "1e-10"), ("harmonic", "0.5")]
+    {
+        let ways = |tol: &str| {
+            ["1", "1048576"].map(|omega| {
+                let goal = format!("method = {method}, tol = {tol}, outputs = [velocity]");
+                planned(&format!("struct A; theta0 = 2, omega = {omega}, {goal}"))
+            })
+        };
+        let [slow, fast] = ways(tol).map(Result::unwrap);
+        assert_eq!(slow.terms(), fast.terms(), "{method} {tol}");
+        assert!((slow.worst() / fast.worst() - 1.0).abs() < 1e-4, "{method} {tol}");
+        let [slow, fast] = ways("1e-20").map(|refused| match refused {
+            Err(Refusal::Unreachable { best }) => best,
+            other => panic!("{other:?}"),
+        });
+        assert!((slow / fast - 1.0).abs() < 0.1, "{method} {tol}: {slow:e} {fast:e}");
+    }
+    // The cheapest phase that will do.
+    for exponent in (0..40).step_by(2) {
+        let reduction = |log_omega: i32| {
+            let (omega, t_max) = (2f64.powi(log_omega), 2f64.powi(exponent - log_omega));
+            let goal = "method = series, tol = 1e-9, outputs = [velocity]";
+            planned(&format!("struct A; theta0 = 2, omega = {omega}, t_max = {t_max:e}, {goal}")).unwrap().reduction
+        };
+        assert_eq!(reduction(0).describe(), reduction(20).describe(), "{exponent}");
+    }
+}
+
 /// Near the top the harmonic motion and the exact one come to be as far apart as the amplitude, and no farther.
 #[test]
 fn the_harmonic_motion_near_the_top() {
@@ -188,7 +257,8 @@ fn what_methods_cannot_do() {
             planned(&format!("struct A; theta0 = 1, tol = 0.1, method = series, outputs = [{output}]")).unwrap_err();
         assert!(matches!(refused, Refusal::Output { .. }), "{output}: {refused:?}");
     }
-    // No more terms than are of use.
+    // As many terms as are asked for; for a tolerance no more than are of use.
+    assert_eq!(planned("theta0 = π - 1e-7, n = 139").unwrap().terms(), 139);
     assert!(planned("theta0 = π - 1e-14, tol = 1e-9, method = fourier").is_err());
 }
 
@@ -234,4 +304,13 @@ fn the_paper_and_its_derivative() {
             assert!(worst <= bound && bound <= most * worst, "{text} {index}: {worst:e} of {bound:e}");
         }
     }
+}
+
+/// Next to the top, where terms are hardly more than rounding, there is a smallest number still: one less overshoots.
+#[test]
+fn the_smallest_number_next_to_the_top() {
+    let asked = |n: usize| planned(&format!("theta0 = π - 1e-8, n = {n}"));
+    let Err(Refusal::Overshoot { smallest: Some(smallest), .. }) = asked(1) else { panic!("no number") };
+    assert_eq!(asked(smallest).unwrap().terms(), smallest);
+    assert!(matches!(asked(smallest - 1), Err(Refusal::Overshoot { .. })), "{smallest}");
 }

@@ -9,7 +9,7 @@ use super::polynomial::{Approximation, Polynomial};
 use super::reduction::{Origin, Reduction};
 use super::supremum::norm;
 use super::turning::Turning;
-use super::{Bound, Part, Plan};
+use super::{Bound, Part};
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
@@ -50,14 +50,6 @@ impl Approximations {
     /// Those of a candidate; outputs without poles have no choice.
     pub(super) fn choose(&self, divided: bool) -> &[Approximation] {
         if divided && !self.divided.is_empty() { &self.divided } else { &self.plain }
-    }
-}
-
-impl Task {
-    /// How much of its limit the worst output takes.
-    pub(super) fn part_of_limits(&self, scene: &Scene, plan: &Plan) -> f64 {
-        let parts = self.aims.iter().zip(&plan.parts);
-        parts.map(|(aim, part)| aim.part_of_limit(scene, part, &plan.reduction)).fold(0.0, f64::max)
     }
 }
 
@@ -205,15 +197,15 @@ impl Aim {
         scene.goal == Goal::Full && self.output == Output::Theta
     }
 
-    /// How much of its limit the part takes.
-    pub(super) fn part_of_limit(&self, scene: &Scene, part: &Part, reduction: &Reduction) -> f64 {
-        let turns = if self.grows(scene) { part.kernel.rounding_of_turns(reduction) } else { 0.0 };
-        (part.bound.total() - turns) / self.limit
-    }
-
     /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns
     /// of an angle that grows without bound cost what they cost: the promise is about the rest.
-    fn accept(&self, scene: &Scene, kernel: Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
+    pub(super) fn accept(
+        &self,
+        scene: &Scene,
+        kernel: Kernel,
+        bound: Bound,
+        reduction: &Reduction,
+    ) -> Result<Part, f64> {
         let turns = kernel.rounding_of_turns(reduction);
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
         let judged = if self.grows(scene) { bound } else { whole };
@@ -221,6 +213,7 @@ impl Aim {
             return Err(judged.total() / self.unit);
         }
         let (output, unit, largest) = (self.output, self.unit, self.largest);
-        Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest })
+        let (description, taken) = (kernel.describe(), judged.total() / self.limit);
+        Ok(Part { output, description, kernel, bound: whole, unit, largest, taken })
     }
 }

@@ -71,11 +71,11 @@ fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     for (index, candidate) in candidates.iter().enumerate() {
         match candidate.plan(scene) {
             Ok(plan) => {
-                let part = candidate.prospect.task.part_of_limits(scene, &plan);
-                if best.as_ref().is_none_or(|(least, ..)| part < *least) {
-                    best = Some((part, index, plan));
+                let taken = plan.taken();
+                if best.as_ref().is_none_or(|(least, ..)| taken < *least) {
+                    best = Some((taken, index, plan));
                 }
-                if part <= comfortable(scene) {
+                if taken <= comfortable(scene) {
                     break;
                 }
             }
@@ -259,7 +259,7 @@ impl Candidate<'_> {
         for (index, (variant, cost)) in variants.iter().enumerate() {
             let found = aim.part(scene, &self.prospect.task, all.choose(variant.divided), self.reduction, variant.form);
             let reached = found.as_ref().map_or_else(|&reached| reached, |part| part.bound.total() / part.unit);
-            if found.as_ref().is_ok_and(|part| aim.part_of_limit(scene, part, self.reduction) <= comfortable(scene)) {
+            if found.as_ref().is_ok_and(|part| part.taken <= comfortable(scene)) {
                 let next = variants.get(index + 1).map(|(next, dearer)| {
                     format!(
                         "{} for `{word}`: it costs about {:.1} operations more",
@@ -284,3 +284,6 @@ impl Candidate<'_> {
         best
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -66,9 +66,17 @@ mod tests {
         assert_eq!(by_halves([0.0, 1.0], 4, 10, |low, _| if low == 0.0 { f64::INFINITY } else { 1.0 }), f64::INFINITY);
     }
 
+    /// A bound is cut short only where it is above the cap.
+    #[test]
+    fn what_is_not_above_the_cap_goes_on() {
+        let largest = |cap: f64| largest([1.0, 0.5, 2.0, 3.0].into_iter(), cap);
+        assert_eq!([0.9, 1.0, 1.5, 2.0, f64::INFINITY].map(largest), [1.0, 2.0, 2.0, 3.0, 3.0]);
+        assert_eq!(super::largest([1.0, f64::NAN].into_iter(), f64::INFINITY), f64::INFINITY);
+    }
+
     #[test]
     fn norms_of_all_sizes() {
-        for scale in [1e-316, 1e-200, 1.0, 1e200, 1e300] {
+        for scale in [1e-316, 1e-200, 1.0, 1e200, 1e300, 2e307] {
             let found = norm([3.0 * scale, 4.0 * scale].into_iter());
             // A subnormal has few digits.
             assert!((found / (5.0 * scale) - 1.0).abs() < 1e-8, "{scale:e}: {found:e}");

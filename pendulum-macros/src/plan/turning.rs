@@ -133,6 +133,7 @@ pub(super) fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::Regime;
     use crate::plan::tests::scene;
     use crate::plan::{Plan, plan};
     use std::f64::consts::PI;
@@ -155,6 +156,27 @@ mod tests {
             let (turning, plan) = rotation(text);
             let turning = Turning { turns: 1000.0, ..turning };
             assert_eq!(turning.own_rounding(&plan.reduction), expected, "{text}");
+        }
+    }
+
+    /// After so many turns, whole ones and halves, it is 2π times their number, in every way of computing it.
+    #[test]
+    fn turns_are_counted() {
+        for (text, direction) in [("velocity0 = 2.5", 1.0), ("velocity0 = -2.5", -1.0), ("velocity0 = -2.01", -1.0)] {
+            let scene = scene(&format!("struct Motion; {text}, tol = 1e-6, t_max = 1e4"));
+            let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
+            let plans = crate::plan::search::every(&scene);
+            assert!(plans.len() > 4);
+            let between = |plan: &Plan| plan.functions[0].program.run(0.2 * rotation.period.to_f64())[0];
+            let first = between(&plans[0]);
+            for plan in plans {
+                assert!((between(&plan) - first).abs() <= 2.1e-6, "{text}: {}", plan.reduction.describe());
+                for turns in [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, 3.0, 1000.0, -1000.5] {
+                    let t = turns * rotation.period.to_f64();
+                    let error = plan.functions[0].program.run(t)[0] - direction * turns * 2.0 * PI;
+                    assert!(error.abs() <= 1.1e-6, "{text} {turns}: {error}, {}", plan.reduction.describe());
+                }
+            }
         }
     }
 

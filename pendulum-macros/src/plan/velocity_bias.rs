@@ -13,26 +13,29 @@ use pendulum_runtime::double::Double;
 /// [`Method::Fourier`]. `drift` bounds the difference of the phases, in anchors.
 pub(super) fn bound(weights: &[Double], method: Method, rate: &Real, drift: f64, scene: &Scene, swing: &Swing) -> f64 {
     let exact_rate = crate::series::swing_rate(swing).to_f64();
-    let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    let curves = SwingCurves::new(swing, &scene.motion.omega);
+    let theta = curves.theta();
     let (ours, terms) = (Cosines::odd(weights), theta.terms());
+    let (steepest, exact) = (ours.magnitude(1), Cosines::new(terms.iter().map(|&(m, a)| (m, a.hi))));
+    let [exact_steepest, exact_bend] = [1, 2].map(|order| exact.magnitude(order));
     if terms.len() > MOST_TERMS {
         let fastest = (&swing.elliptic.modulus * &scene.motion.omega).scale(1).to_f64();
-        let slopes = if method == Method::Fourier { f64::INFINITY } else { ours.magnitude(1) };
+        let slopes = if method == Method::Fourier { f64::INFINITY } else { steepest };
         return (slopes * rate.to_f64() + fastest) * (1.0 + 1e-9);
     }
-    let exact = Cosines::new(terms.iter().map(|&(m, a)| (m, a.hi)));
     // Both at the same phase and rate; then the other rate, and the other phase.
     let at_same_phase = if method == Method::Fourier {
-        by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| of_arcsine(&ours, &exact, low, high))
+        let sines = Sines::new(ours, exact, weights, &curves);
+        by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
     } else {
         // The difference of two sums of cosines is one.
         let ours = |index: usize| weights.get(index).map_or(0.0, |weight| weight.hi);
         let apart = Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, ours(index) - a.hi)));
         by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
     };
-    let faster = (rate.to_f64() - exact_rate).abs() * ours.magnitude(1);
-    let shifted = (exact.magnitude(2) * drift).min(2.0 * exact.magnitude(1));
-    ((at_same_phase + shifted) * exact_rate + faster) * (1.0 + 1e-9)
+    let faster = (rate.to_f64() - exact_rate).abs() * steepest;
+    let shifted = (exact_bend * drift).min(2.0 * exact_steepest);
+    ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
 }
 
 /// So near the top that θ has more harmonics the two velocities are as far apart as they are large.
@@ -43,20 +46,48 @@ const MOST_TERMS: usize = 400;
 const CELLS: u32 = 96;
 const MOST_HALVED: usize = 2000;
 
-/// Bounds |2y′/√m − θ′|, m = 1 − y², between two phases: by the values themselves, or by that in the middle and the
-/// slope, (2y′/√m)′ = 2y″/√m + 2y y′²/m^(3/2).
-fn of_arcsine(ours: &Cosines, exact: &Cosines, low: f64, high: f64) -> f64 {
-    let (y, theta) = (ours.over(low, high), exact.over(low, high));
-    let most = y.largest(0);
-    let least = (1.0 - most) * (1.0 + most);
-    if least <= 0.0 {
-        return f64::INFINITY;
+/// y, of which θ̂ is twice the arcsine, beside Y = sin(θ/2), of which it is the first terms.
+struct Sines {
+    ours: Cosines,
+    whole: Cosines,
+    /// ρ = Y − y.
+    rest: Cosines,
+    theta: Cosines,
+    /// What Y, and so ρ, and its derivative are in doubt by.
+    omitted: [f64; 2],
+}
+
+impl Sines {
+    fn new(ours: Cosines, theta: Cosines, weights: &[Double], curves: &SwingCurves) -> Self {
+        let curve = curves.half_sine();
+        let whole = Cosines::new(curve.terms().iter().map(|&(m, a)| (m, a.hi)));
+        let ours_of = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
+        let rest = curve.terms().iter().enumerate().map(|(index, &(m, a))| (m, (a - ours_of(index)).hi));
+        Self { rest: Cosines::new(rest), ours, whole, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
     }
-    let values = 2.0 * y.largest(1) / least.sqrt() + theta.largest(1);
-    let margin = (1.0 - y.middle(0)) * (1.0 + y.middle(0));
-    let middle = (2.0 * y.middle(1) / margin.sqrt() - theta.middle(1)).abs();
-    let bend = 2.0 * y.largest(2) / least.sqrt() + 2.0 * most * y.largest(1).powi(2) / least.powf(1.5);
-    values.min(middle + 0.5 * (high - low) * (bend + theta.largest(2)))
+
+    /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is
+    /// large that cancels.
+    fn apart(&self, low: f64, high: f64) -> f64 {
+        let [y, whole, rest, theta] = [&self.ours, &self.whole, &self.rest, &self.theta].map(|sum| sum.over(low, high));
+        let within = |(low, high): (f64, f64), order: usize| (low - self.omitted[order], high + self.omitted[order]);
+        let (sines, wholes) = (y.range(0), within(whole.range(0), 0));
+        if sines.1.max(wholes.1) >= 1.0 || sines.0.min(wholes.0) <= -1.0 {
+            return f64::INFINITY;
+        }
+        let tangent = |y: f64, whole: f64| (0.5 * (y.asin() + whole.asin())).tan();
+        let tangents = (tangent(sines.0, wholes.0), tangent(sines.1, wholes.1));
+        let [rest, first] = [0, 1].map(|order| within(rest.range(order), order));
+        let second = product(product(theta.range(1), rest), tangents);
+        let most = (2.0 * first.0 + second.0).abs().max((2.0 * first.1 + second.1).abs());
+        most / ((1.0 - y.largest(0)) * (1.0 + y.largest(0))).sqrt()
+    }
+}
+
+/// The interval of the products of numbers from two intervals.
+fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    let corners = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
+    corners.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
 }
 
 #[cfg(test)]

@@ -146,9 +146,9 @@ impl Block {
             let product = b.mul(value, y);
             b.add(product, c)
         });
-        self.factors.iter().fold(z, |value, (alpha, beta)| {
-            let (alpha, beta) = (b.exact(-alpha.hi, -alpha.lo), b.exact(beta.hi, beta.lo));
-            let factor = b.add(w, alpha);
+        self.factors.iter().fold(z, |value, &(alpha, beta)| {
+            let [minus_alpha, beta] = [-alpha, beta].map(|c| b.exact(c.hi, c.lo));
+            let factor = b.add(w, minus_alpha);
             let product = b.mul(value, factor);
             b.add(product, beta)
         })

@@ -3,7 +3,7 @@
 mod parts;
 mod whole;
 
-use super::curve::SwingCurves;
+use super::curve::{Curve, SwingCurves};
 use super::kernel;
 use super::reduction::{Clock, Reduction};
 use super::{Part, Plan, Refusal};
@@ -30,8 +30,8 @@ const SLACK: f64 = 1e-3;
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
     let mut reached = f64::INFINITY;
     let mut terms = None;
-    // The terms are chosen for θ; its derivatives may need some more, as long as these help.
-    for more in 0..MOST_MORE {
+    // The terms are chosen for θ; its derivative may need some more, as long as these help.
+    for more in MORE {
         let sum = Sum::choose(scene, swing, method, more, &mut terms)?;
         if sum.weights.len() >= MOST_CHOSEN && !matches!(scene.goal, Goal::Terms(_)) {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
@@ -53,7 +53,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
 }
 
 /// How many terms more than θ needs are tried.
-const MOST_MORE: usize = 12;
+const MORE: [usize; 8] = [0, 1, 2, 3, 5, 8, 13, 21];
 
 /// The weights that a method gives to the harmonics of the phase.
 struct Sum {
@@ -134,32 +134,40 @@ impl Sum {
             Goal::Tolerance(tol) => tol * 0.98,
             _ => scene.float.unit() * swing.amplitude.to_f64(),
         };
-        let simple = |kept: usize| terms.iter().skip(kept).map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted();
         let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
         if fewest >= MOST_CHOSEN {
             let weights = terms[..MOST_CHOSEN].iter().map(|&(_, a)| a).collect();
-            let bias = simple(MOST_CHOSEN);
+            let bias = left_out(&theta, MOST_CHOSEN);
             return Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias };
         }
-        let sup =
-            |kept: usize| if kept + 40 < terms.len() { simple(kept) } else { tail(&terms[kept..]) + theta.omitted() };
-        let kept = (fewest..=terms.len()).find(|&kept| sup(kept) <= aim).unwrap_or(terms.len());
+        let kept = (fewest..=terms.len()).find(|&kept| left_out(&theta, kept) <= aim).unwrap_or(terms.len());
         let kept = (kept + more).min(MOST_CHOSEN).min(terms.len());
         let weights = terms[..kept].iter().map(|&(_, a)| a).collect();
-        Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias: sup(kept) }
+        Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias: left_out(&theta, kept) }
+    }
+}
+
+/// More terms than this are bounded by the sum of their magnitudes.
+const MOST_SAMPLED: usize = 40;
+
+/// sup |Σ aₘ cos mφ| over the terms of θ but the first `kept`.
+fn left_out(theta: &Curve, kept: usize) -> f64 {
+    match &theta.terms()[kept..] {
+        many if many.len() > MOST_SAMPLED => many.iter().map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted(),
+        few => tail(few, theta.omitted()),
     }
 }
 
 /// sup |Σ aₘ cos mφ| from 16 samples a wave of the highest harmonic M: at most a factor 1/cos(π/16) above the largest
-/// sample (Ehlich and Zeller 1964).
-fn tail(terms: &[(u32, Double)]) -> f64 {
-    let Some(&(highest, _)) = terms.last() else { return 0.0 };
+/// sample (Ehlich and Zeller 1964); and `omitted`, which bounds terms besides.
+fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
+    let Some(&(highest, _)) = terms.last() else { return omitted };
     let points = 8 * highest;
     let at = |i: u32| {
         let phi = std::f64::consts::PI * f64::from(i) / f64::from(points);
         terms.iter().map(|&(m, a)| a.hi * (f64::from(m) * phi).cos()).sum::<f64>().abs()
     };
-    (0..=points / 2).map(at).fold(0.0, f64::max) / (std::f64::consts::PI / 16.0).cos() * (1.0 + 1e-9)
+    (0..=points / 2).map(at).fold(0.0, f64::max) / (std::f64::consts::PI / 16.0).cos() * (1.0 + 1e-9) + omitted
 }
 
 /// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0
@@ -173,7 +181,7 @@ fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
     if let Some(first) = terms.first_mut() {
         first.1 = first.1 - swing.amplitude.to_double();
     }
-    tail(&terms) + theta.omitted()
+    tail(&terms, theta.omitted())
 }
 
 /// The smallest number of terms without overshoot, `None` if there is none among those that the float can use.
@@ -288,7 +296,10 @@ mod tests {
     /// |cos φ − cos 3φ| is at most 8/(3√3), where it isn't at an end; cos φ + ½ cos 5φ is 3/2 at 0.
     #[test]
     fn suprema_of_tails() {
-        let wave = |terms: &[(u32, f64)]| tail(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>());
+        let besides = |terms: &[(u32, f64)], omitted: f64| {
+            tail(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>(), omitted)
+        };
+        let wave = |terms: &[(u32, f64)]| besides(terms, 0.0);
         for (terms, known) in [([(1, 1.0), (3, -1.0)], 8.0 / 27f64.sqrt()), ([(1, 1.0), (5, 0.5)], 1.5)] {
             let found = wave(&terms);
             assert!(known <= found && found <= 1.02 * known, "{found} for {known}");
@@ -296,7 +307,24 @@ mod tests {
         // A supremum that is a sample is one as any other, and rounded up.
         let excess = wave(&[(1, 1.0), (5, 0.5)]) / (1.5 / (std::f64::consts::PI / 16.0).cos()) - 1.0;
         assert!((1e-10..1e-8).contains(&excess), "{excess:e}");
-        assert_eq!(wave(&[]), 0.0);
+        // What is omitted besides may have any sign.
+        assert_eq!(besides(&[(1, 1.0)], 0.25), wave(&[(1, 1.0)]) + 0.25);
+        assert_eq!((wave(&[]), besides(&[], 0.25)), (0.0, 0.25));
+    }
+
+    /// Of few terms their supremum, of many the sum of their magnitudes; and what the series itself omits.
+    #[test]
+    fn what_is_left_out() {
+        let scene = crate::plan::tests::scene("theta0 = 0.999π");
+        let crate::motion::Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let theta = SwingCurves::new(swing, &scene.motion.omega).theta().omitting(0.125);
+        let all = theta.terms().len();
+        for left in [0, 3, 40, 41, 50] {
+            let terms = &theta.terms()[all - left..];
+            let magnitudes = terms.iter().map(|(_, a)| a.hi.abs()).sum::<f64>();
+            let sum = if left > 40 { magnitudes } else { tail(terms, 0.0) };
+            assert_eq!(left_out(&theta, all - left), sum + 0.125, "{left}");
+        }
     }
 
     /// A velocity's error of more than twice the largest velocity says nothing, if it wasn't asked for.

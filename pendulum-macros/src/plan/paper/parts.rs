@@ -77,7 +77,7 @@ impl Sum {
             (summed, description, *bias, evaluation)
         };
         let bound = Bound { truncation, phase, evaluation };
-        Part { output: *output, kernel, description, bound, unit: curve.unit, largest: curve.largest }
+        Part { output: *output, kernel, description, bound, unit: curve.unit, largest: curve.largest, taken: 0.0 }
     }
 
     fn harmonics(&self, scene: &Scene, output: Output, reduction: &Reduction, direction: f64) -> Harmonics {

@@ -199,6 +199,22 @@ mod tests {
         }
     }
 
+    /// Of a series that is right, few points see nothing but their own error.
+    #[test]
+    fn errors_of_few_points() {
+        let scene = scene("theta0 = 2");
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let sum = Wave::harmonics(&weights(swing, 3));
+        let largest = sum.at(Double::ZERO).hi;
+        let map = Some(Moebius::new(0.25));
+        let series = interpolant(&sum, map, 90).unwrap();
+        let Interpolation { error: own, .. } = enough_points(&sum, map, &series, 1e-6).unwrap();
+        let found = error(&sum, map, &series, 1e-2).unwrap();
+        // The largest sum between points is overestimated.
+        let times = found / (2.0 * own / (1.0 - largest * largest).sqrt());
+        assert!((1.0..1.5).contains(&times), "{found:e}: {times}");
+    }
+
     /// Of a series that is wrong by much the sine of its half may be larger than y, too: by sup |R|, which is ε/2 at
     /// the lowest point, times Λ.
     #[test]
@@ -298,6 +314,25 @@ mod tests {
             }
         }
         assert!(wholes > 12, "{wholes}");
+    }
+
+    /// The map is one of anchors, whatever the unit of the reduced phase.
+    #[test]
+    fn maps_in_other_units() {
+        let mut random = Random::new(8);
+        for text in ["theta0 = 7π/8, n = 4, t_max = 1e4", "theta0 = -7π/8, n = 4, omega = 30"] {
+            let (scene, plan) = (scene(text), plan(&scene(text)).unwrap());
+            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+            let (part, sum) = (&plan.parts[0], Wave::harmonics(&weights(swing, 4)));
+            assert!(plan.reduction.unit != Double::ONE && part.description.contains("replaced"), "{text}: {plan:?}");
+            let most = part.bound.phase + part.bound.evaluation + 1e-15;
+            for _ in 0..40 {
+                let t = 100.0 * random.unit();
+                let exact = exact(&scene, swing, &sum, t).unwrap();
+                let error = (Double::new(plan.functions[0].program.run(t)[0]) - exact).hi.abs();
+                assert!(error <= most, "{text} at {t}: {error:e}");
+            }
+        }
     }
 
     fn exact(scene: &Scene, swing: &Swing, sum: &Wave, t: f64) -> Option<Double> {

@@ -123,6 +123,9 @@ fn errors_are_those_promised() {
             for reduction in clock.reductions() {
                 // Little beyond half an anchor but what the phase is wrong by.
                 assert!(reduction.overshoot <= 4.0 * reduction.error + 0.01, "{reduction:?}");
+                // Which is what a remainder is wrong by, if the launch is added to it before n is rounded.
+                let exact = matches!(launch, "0" | "0.5");
+                assert!(exact || reduction.overshoot >= reduction.error, "{reduction:?}");
                 let widened = reduction.half() * reduction.unit.hi / (0.5 + reduction.overshoot);
                 assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
                 let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
@@ -144,6 +147,24 @@ fn errors_are_those_promised() {
             _ => 0.35,
         };
         assert!(worst > least, "{way:?}: of its error only {worst} was seen");
+    }
+}
+
+/// What a launch is off an origin by is never lost, nor are few digits taken for none.
+#[test]
+fn launches_hardly_off_an_origin() {
+    let context = Context::for_digits(60);
+    let mut random = Random::new(13);
+    for (launch, float) in ["0.50000000000000000001", "-0.00000000000000000001", "0.25"]
+        .into_iter()
+        .flat_map(|launch| [(launch, Float::F64), (launch, Float::F32)])
+    {
+        let (rate, phase) = (rate(&mut random), context.decimal(launch).unwrap());
+        let clock = Clock { rate: &rate, launch: phase.to_double(), t_max: Some(1e3), float };
+        for reduction in clock.reductions() {
+            let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon: 1e3, worst: 0.0 };
+            trial.run(&mut random, 10);
+        }
     }
 }
 
@@ -178,7 +199,7 @@ fn every_finite_time_has_a_phase() {
 fn errors_of_scaled_rates() {
     let context = Context::for_digits(60);
     let rate = context.decimal("0.8346268416740731862814297327990468").unwrap();
-    for (anchors, float) in [3.0, 50.0, 1e4].into_iter().flat_map(|n| [(n, Float::F64), (n, Float::F32)]) {
+    for (anchors, float) in [3.0, 50.0, 66.0, 1e4].into_iter().flat_map(|n| [(n, Float::F64), (n, Float::F32)]) {
         let horizon = anchors / rate.to_f64();
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(horizon), float };
         let scaled = |way: &Reduction| matches!(way.method, Method::Scaled { .. });
@@ -191,8 +212,52 @@ fn errors_of_scaled_rates() {
         assert!((0.0..1.1e-3).contains(&excess) && off > 0.0, "{reduction:?}: {excess:e}");
         assert!((1.0..=2.0).contains(&anchor), "{reduction:?}");
         // Any multiple of it within the horizon is exact.
-        let last = (anchors + 1.0).round();
-        assert_eq!(float.round(anchor * last), anchor * last);
+        for number in [2.0, 1.0, 0.0].map(|before| anchors + 1.0 - before) {
+            let (product, lost) = pendulum_runtime::double::two_prod(anchor, number);
+            assert!(lost == 0.0 && float.round(product) == product, "{number}: {reduction:?}");
+        }
+    }
+}
+
+/// The product with a rate of one bit is rounded by half a unit in the last place of the longest phase, which the
+/// horizon's end may just pass.
+#[test]
+fn roundings_of_one_product() {
+    let rate = Context::for_digits(60).decimal("0.5").unwrap();
+    let mut seen = 0;
+    for (anchors, binade) in [(1000.0, 9), (1023.9, 10), (1024.1, 10), (1500.0, 10), (2047.9, 11), (2048.1, 11)] {
+        for (float, bits) in [(Float::F64, 53), (Float::F32, 24)] {
+            let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(anchors / 0.5), float };
+            let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+            let reduction = clock.reductions().into_iter().find(one_word).unwrap();
+            assert_eq!(reduction.error, 2f64.powi(binade - bits), "{anchors}: {reduction:?}");
+            // In a unit of which an anchor has one, there is the difference's besides.
+            let scaled = |way: &Reduction| matches!(way.method, Method::Scaled { anchor: 1.0, .. });
+            if let Some(reduction) = clock.reductions().into_iter().find(scaled) {
+                assert_eq!(reduction.error, 2f64.powi(binade - bits) + 2f64.powi(-bits), "{anchors}: {reduction:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen >= 4, "{seen}");
+}
+
+/// A launch that isn't on an origin or half-way between two is added with two roundings of half an anchor, however few
+/// digits it has.
+#[test]
+fn roundings_of_launches() {
+    let rate = Context::for_digits(60).decimal("0.7").unwrap();
+    for float in [Float::F64, Float::F32] {
+        let error = |launch: Double| {
+            let clock = Clock { rate: &rate, launch, t_max: Some(100.0), float };
+            let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+            clock.reductions().into_iter().find(one_word).unwrap().error
+        };
+        let half = error(Double::new(0.5));
+        for launch in [Double::new(0.25), Double::new(1e-300), Double { hi: 0.5, lo: 1e-20 }] {
+            let times = (error(launch) - half) / half_ulp(0.5, float);
+            assert!((times - 2.0).abs() < 1e-6, "{launch:?}: {times}");
+        }
     }
 }
 
@@ -273,6 +338,65 @@ fn products_of_words_are_exact() {
     }
 }
 
+/// Three words of a rate that has few bits leave nothing but the rounding of the last product, in proportion to the
+/// anchors of the horizon, and of the phase.
+#[test]
+fn errors_of_three_words_for_any_time() {
+    for (rate, anchors) in [("4", 2f64.powi(53)), ("0.25", 2f64.powi(53)), ("4", 2f64.powi(40)), ("4", f64::INFINITY)] {
+        let rate = Context::for_digits(60).decimal(rate).unwrap();
+        let t_max = Some(anchors / rate.to_f64()).filter(|t| t.is_finite());
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F64 };
+        let three = |way: &Reduction| matches!(&way.method, Method::AnyTime { words } if words.len() == 3);
+        let reduction = clock.reductions().into_iter().find(three).unwrap();
+        let part = (anchors / 2f64.powi(54)).min(1.0);
+        assert_eq!(reduction.error, 2f64.powi(-49) * part + 2f64.powi(-53), "{reduction:?}");
+    }
+}
+
+/// Phases of rates above 1 are counted in units of a power of two; where powers of these would get out of hand, times are
+/// cut off.
+#[test]
+fn products_stay_finite() {
+    let most = |float: Float| 2f64.powi(if float == Float::F64 { 1000 } else { 120 });
+    for (rate, float, halvings) in [
+        ("0.5", Float::F64, Some(0)),
+        ("3", Float::F64, Some(2)),
+        ("1e5", Float::F64, Some(17)),
+        ("1e6", Float::F64, None),
+        ("1e200", Float::F64, None),
+        ("0.5", Float::F32, Some(0)),
+        ("3", Float::F32, Some(2)),
+        ("20", Float::F32, None),
+    ] {
+        let rate = Context::for_digits(60).decimal(rate).unwrap();
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(10.0 / rate.to_f64()), float };
+        let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+        let reduction = clock.reductions().into_iter().find(one_word).unwrap();
+        let scale = 2f64.powi(-halvings.unwrap_or(0));
+        let cap = halvings.is_none().then(|| float.round(most(float) / rate.to_f64()));
+        assert_eq!((reduction.scale, reduction.unit, reduction.cap), (scale, Double::new(1.0 / scale), cap));
+    }
+}
+
+/// Converted to `f32`, the phase is rounded besides: by half a unit in the last place of half an anchor, or relative to
+/// what is left of it at the lowest point.
+#[test]
+fn phases_of_narrow_times() {
+    let rate = Context::for_digits(60).decimal("0.7").unwrap();
+    let (unit, t_max) = (Float::F32.unit(), Some(1e6));
+    let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F32 };
+    let wide = |way: &Reduction| matches!(way.method, Method::Wide { .. } | Method::WideAnyTime { .. });
+    for way in clock.reductions().into_iter().filter(wide) {
+        let (rounded, before) = match way.origin {
+            Origin::Anchor => (0.25 * unit, way.error - 0.25 * unit),
+            Origin::Lowest => (way.relative_error, way.error),
+        };
+        assert!((0.25 * unit..=1.01 * unit).contains(&rounded), "{way:?}");
+        assert!(way.origin == Origin::Anchor || rounded >= unit, "{way:?}");
+        assert!(before > 0.0 && before <= 2f64.powi(-27), "{way:?}");
+    }
+}
+
 /// Of the two ways in three words of `f64` the dearer comes closer, near the lowest point.
 #[test]
 fn words_from_the_largest_on() {
@@ -303,6 +427,9 @@ fn the_separatrix() {
             let horizon = 60.0 / rate.to_f64();
             let mut trial = Trial { reduction, rate, launch, horizon, worst: 0.0 };
             trial.run(&mut random, 60);
+            // Where the product underflows it has no digits left to be relative to.
+            let (program, tiny) = (trial.program(), if float == Float::F64 { 1.5e-323 } else { 1.2345e-44 });
+            trial.at(&program, tiny);
             assert!(trial.worst > 0.25, "{float:?} {}: {}", trial.launch.to_f64(), trial.worst);
         }
     }

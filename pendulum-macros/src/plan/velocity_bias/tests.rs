@@ -92,6 +92,12 @@ fn of_the_same_rate() {
     swing("1", Method::Fourier, 1).expect(1.05);
     swing("0.7π", Method::Fourier, 2).expect(1.3);
     swing("0.95π", Method::Series, 6).expect(1.05);
+    // However small the error is.
+    for (theta0, terms, most) in [("1", 4, 1.01), ("1", 5, 1.01), ("2", 6, 1.01), ("7π/8", 4, 1.02), ("7π/8", 8, 1.02)]
+    {
+        swing(theta0, Method::Fourier, terms).expect(most);
+    }
+    swing("0.95π", Method::Fourier, 5).expect(1.05);
 }
 
 /// |sin x + sin 3x| is at most 8/(3√3), where it isn't at an end, nor its bound sampled there.
@@ -131,14 +137,27 @@ fn near_the_top() {
     assert_eq!(of(Method::Fourier), f64::INFINITY);
 }
 
+/// Of θ = 0, beside which the derivative of the arcsine is all there is.
+fn beside_nothing(weights: &[Double]) -> Sines {
+    let nothing = || Cosines::new(std::iter::empty());
+    let minus: Vec<Double> = weights.iter().map(|&weight| -weight).collect();
+    Sines {
+        ours: Cosines::odd(weights),
+        whole: nothing(),
+        rest: Cosines::odd(&minus),
+        theta: nothing(),
+        omitted: [0.0; 2],
+    }
+}
+
 /// In cells, wide ones too; narrow ones are bounded to a thousandth.
 #[test]
 fn arcsines_within_cells() {
     for (amplitude, width, most) in [(0.5_f64, 0.05, 1.3), (0.9, 0.02, 1.2), (0.99, 0.01, 1.3), (0.9, 1e-5, 1.001)] {
-        let (ours, none) = (Cosines::odd(&[Double::new(amplitude)]), Cosines::new(std::iter::empty()));
+        let sines = beside_nothing(&[Double::new(amplitude)]);
         for cell in 1..=(0.5_f64 / width).min(20.0) as u32 {
             let middle = width * (f64::from(cell) - 0.5);
-            let found = of_arcsine(&ours, &none, middle - 0.5 * width, middle + 0.5 * width);
+            let found = sines.apart(middle - 0.5 * width, middle + 0.5 * width);
             let within = |i: i32| arcsine_slopes(&[(PI, amplitude)], middle + width * f64::from(i) / 40.0).0.abs();
             let seen = (-20..=20).map(within).fold(0.0, f64::max);
             assert!(seen <= found, "{amplitude} {middle}: {seen} exceeds {found}");
@@ -147,15 +166,49 @@ fn arcsines_within_cells() {
     }
 }
 
+/// Where either sine might be 1 there is no bound.
+#[test]
+fn cells_that_reach_the_edge() {
+    let sum = |weight: f64| Cosines::odd(&[Double::new(weight)]);
+    for (ours, whole, bounded) in [(0.5, 1.0, false), (1.0, 0.5, false), (-1.0, 0.5, false), (0.5, 0.9, true)] {
+        let sines =
+            Sines { ours: sum(ours), whole: sum(whole), rest: sum(whole - ours), theta: sum(1.0), omitted: [0.0; 2] };
+        assert_eq!(sines.apart(0.0, 0.01).is_finite(), bounded, "{ours} {whole}");
+    }
+}
+
+/// What sin(θ/2) is in doubt by counts as often as ρ and ρ′ do: with y = Y = θ = ½ cos πs at s = ¼ these are 2/√m, and
+/// |θ′|·tan(arcsin y)/√m.
+#[test]
+fn what_is_in_doubt() {
+    let half = || Cosines::odd(&[Double::new(0.5)]);
+    let nothing = || Cosines::new(std::iter::empty());
+    let y = 0.125f64.sqrt();
+    let margin = (1.0 - y * y).sqrt();
+    for (omitted, expected) in
+        [([1e-6, 0.0], 1e-6 * PI * y * (y / margin) / margin), ([0.0, 1e-6], 2e-6 / margin), ([0.0; 2], 0.0)]
+    {
+        let sines = Sines { ours: half(), whole: half(), rest: nothing(), theta: half(), omitted };
+        let found = sines.apart(0.25, 0.25);
+        assert!((found - expected).abs() < 1e-11, "{omitted:?}: {found:e} {expected:e}");
+    }
+}
+
+#[test]
+fn products_of_intervals() {
+    assert_eq!(product((-1.0, 2.0), (-3.0, 1.0)), (-6.0, 3.0));
+    assert_eq!(product((-2.0, -1.0), (-3.0, 1.0)), (-2.0, 6.0));
+}
+
 /// Where a sum falls steeply next to 1, and doesn't bend itself, the arcsine does.
 #[test]
 fn steep_flanks() {
     let (weights, harmonics) = ([0.6, 0.0, 0.38].map(Double::new), [(PI, 0.6), (5.0 * PI, 0.38)]);
-    let (ours, none) = (Cosines::odd(&weights), Cosines::new(std::iter::empty()));
+    let sines = beside_nothing(&weights);
     for width in [1e-2, 1e-3, 1e-4] {
         for place in 1..60 {
             let middle = f64::from(place) / 400.0;
-            let found = of_arcsine(&ours, &none, middle - 0.5 * width, middle + 0.5 * width);
+            let found = sines.apart(middle - 0.5 * width, middle + 0.5 * width);
             let within = |i: i32| arcsine_slopes(&harmonics, middle + width * f64::from(i) / 40.0).0.abs();
             let seen = (-20..=20).map(within).fold(0.0, f64::max);
             assert!(seen <= found && found <= seen + 1200.0 * width, "{middle} {width}: {found} for {seen}");

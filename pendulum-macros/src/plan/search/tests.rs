@@ -1,0 +1,117 @@
+//! In which order ways are tried, and which is taken.
+
+use super::*;
+use crate::plan::Bound;
+use crate::plan::tests::scene;
+
+fn prospects(text: &str) -> (Scene, Vec<Prospect>) {
+    let scene = scene(&format!("struct Motion; {text}"));
+    let prospects = tasks(&scene).into_iter().map(|task| Prospect::new(&scene, task)).collect();
+    (scene, prospects)
+}
+
+/// Of polynomials the estimates come close to what the plans are, so that the cheapest is tried first.
+#[test]
+fn estimated_costs() {
+    for text in [
+        "theta0 = 7π/8, tol = 1e-9, t_max = 1e4",
+        "theta0 = 1, tol = 1e-9, t_max = 1",
+        "theta0 = 1, tol = 1e-9, t_max = 1, float = f32",
+        "theta0 = 3.1, tol = 1e-9, t_max = 1e4, outputs = [velocity]",
+        "theta0 = π - 1e-4, tol = 1e-2",
+        "velocity0 = 2.1, outputs = [velocity]",
+        "velocity0 = 2.001, tol = 1e-5, outputs = [position]",
+    ] {
+        let (scene, prospects) = prospects(text);
+        let mut before = 0.0;
+        for candidate in candidates(&scene, &prospects) {
+            assert!(candidate.cost >= before, "{text}: {}", candidate.describe());
+            before = candidate.cost;
+            let Ok(plan) = candidate.plan(&scene) else { continue };
+            let ratio = candidate.cost / plan.functions[0].program.cost();
+            let known = candidate.way == Way::Passage || (0.9..1.15).contains(&ratio);
+            assert!(known, "{text}: {ratio} times the cost, {}", candidate.describe());
+        }
+    }
+}
+
+/// At full precision the first plan that is comfortable, and of each way the first form that is; where none is, the one
+/// that takes least of its limit.
+#[test]
+fn comfortable_plans() {
+    let best = |taken: &[f64]| {
+        let least = taken.iter().copied().fold(f64::INFINITY, f64::min);
+        taken.iter().copied().find(|&taken| taken <= COMFORTABLE).unwrap_or(least)
+    };
+    let mut uncomfortable = 0;
+    for text in [
+        "theta0 = 2, outputs = [acceleration]",
+        "theta0 = 0.97π",
+        "theta0 = 0.97π, outputs = [velocity]",
+        "theta0 = 0.97π, outputs = [acceleration], float = f32",
+        "theta0 = 0.9999π, outputs = [velocity]",
+        "velocity0 = 2.1, outputs = [acceleration]",
+        "velocity0 = 2.01",
+    ] {
+        let (scene, prospects) = prospects(text);
+        let mut taken = Vec::new();
+        for candidate in candidates(&scene, &prospects) {
+            let Prospect { task, approximations, .. } = candidate.prospect;
+            let Ok(plan) = candidate.plan(&scene) else { continue };
+            taken.push(plan.taken());
+            if candidate.way == Way::Passage {
+                continue;
+            }
+            let (aim, all, reduction) = (&task.aims[0], &approximations[0], candidate.reduction);
+            let form = |(variant, _): &(Variant, f64)| {
+                aim.part(&scene, task, all.choose(variant.divided), reduction, variant.form).ok()
+            };
+            let forms: Vec<f64> = aim.variants(all, reduction).iter().filter_map(form).map(|part| part.taken).collect();
+            assert_eq!(plan.taken(), best(&forms), "{text}: {forms:?}, {}", candidate.describe());
+        }
+        assert_eq!(plan(&scene).unwrap().taken(), best(&taken), "{text}: {taken:?}");
+        uncomfortable += usize::from(taken[0] > COMFORTABLE);
+    }
+    assert!(uncomfortable > 4, "{uncomfortable}");
+}
+
+/// What a part takes of its limit: everything, but for the turns of an angle that grows at full precision.
+#[test]
+fn what_is_taken_of_limits() {
+    for (text, grows) in [
+        ("velocity0 = 3", true),
+        ("velocity0 = 3, t_max = 1e6", true),
+        ("velocity0 = 3, t_max = 1e6, tol = 1e-6", false),
+        ("velocity0 = 3, outputs = [wrapped]", false),
+        ("theta0 = 3", false),
+    ] {
+        let (scene, prospects) = prospects(text);
+        let Prospect { task, reductions, .. } = prospects.last().unwrap();
+        let (part, reduction) = (plan(&scene).unwrap().parts.remove(0), &reductions[0]);
+        let limit = task.aims[0].limit;
+        let turns = part.kernel.rounding_of_turns(reduction);
+        assert_eq!(turns > 0.0, text.starts_with('v'), "{text}");
+        let bound = Bound { truncation: 0.125 * limit, phase: 0.25 * limit, evaluation: 0.125 * limit };
+        let accepted = task.aims[0].accept(&scene, part.kernel, bound, reduction).unwrap();
+        let expected = 0.5 + if grows { 0.0 } else { turns / limit };
+        assert!((accepted.taken / expected - 1.0).abs() < 2e-12, "{text}: {} {expected}", accepted.taken);
+        assert_eq!(accepted.bound, Bound { evaluation: 0.125 * limit + turns, ..bound }, "{text}");
+    }
+}
+
+/// Where the angle of a rotation is small it has all its digits at full precision, for which the phase is that from the
+/// lowest point; nothing else of it is worth that.
+#[test]
+fn small_angles_of_rotations() {
+    for (text, origin) in [
+        ("velocity0 = 3", Origin::Lowest),
+        ("velocity0 = -2.1, float = f32", Origin::Lowest),
+        ("velocity0 = 3, outputs = [velocity, wrapped]", Origin::Lowest),
+        ("velocity0 = 3, outputs = [velocity]", Origin::Anchor),
+        ("velocity0 = 3, tol = 1e-6, t_max = 100", Origin::Anchor),
+        ("theta0 = 1", Origin::Anchor),
+    ] {
+        let plan = plan(&prospects(text).0).unwrap();
+        assert_eq!(plan.reduction.origin, origin, "{text}");
+    }
+}
