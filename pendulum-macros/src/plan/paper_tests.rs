@@ -94,7 +94,8 @@ fn velocities_of_the_paper() {
     }
 }
 
-/// That the cheapest phase leaves too little to the sum doesn't speak against finer ones: at every horizon there is one.
+/// That the cheapest phase leaves too little to the sum doesn't speak against finer ones: at every horizon there is
+/// one.
 #[test]
 fn sums_that_leave_little_to_the_phase() {
     let least = truncation(&planned("theta0 = 2, tol = 1e-9, method = series").unwrap());

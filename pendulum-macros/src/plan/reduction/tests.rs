@@ -353,8 +353,8 @@ fn errors_of_three_words_for_any_time() {
     }
 }
 
-/// Phases of rates above 1 are counted in units of a power of two; where powers of these would get out of hand, times are
-/// cut off.
+/// Phases of rates above 1 are counted in units of a power of two; where powers of these would get out of hand, times
+/// are cut off.
 #[test]
 fn products_stay_finite() {
     let most = |float: Float| 2f64.powi(if float == Float::F64 { 1000 } else { 120 });

@@ -50,6 +50,9 @@ fn derivatives_of_operations() {
     assert_eq!(passed(Op::Mul(0, 1), (0.0, 0.0), &[infinite, a]), Some(vec![(0.0, 0.0); 2]));
     // The same operand twice gets both.
     assert_eq!(passed(Op::Mul(0, 0), (1.0, 1.0), &[a]), Some(vec![(2.0, 8.0)]));
+    // Of 1/4 to 4, by whose ends a root's slope is divided.
+    let wide = Known::within(0.5, 3.75, 0.25);
+    assert_eq!(passed(Op::Root(0), (1.0, 2.0), &[wide]), Some(vec![(0.25, 2.0)]));
     // Of a positive slope the minimum passes none or all.
     assert_eq!(passed(Op::Min { limit: 0, x: 1 }, (1.0, 2.0), &[a, b]), Some(vec![(0.0, 2.0); 2]));
 }
