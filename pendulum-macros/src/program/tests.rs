@@ -37,6 +37,8 @@ fn operations_as_rust_has_them() {
             if x < limit { limit } else { x }
         );
     }
+    // No number is below itself.
+    assert_eq!(of_two(1.0, 2.0, |a, b| Op::Select { a, b: a, then: a, otherwise: b }), 2.0);
     // NaN passes, and is below nothing.
     assert!(of_two(f64::NAN, 1.0, |x, limit| Op::Min { limit, x }).is_nan());
     assert!(of_two(f64::NAN, 1.0, |x, limit| Op::Max { limit, x }).is_nan());

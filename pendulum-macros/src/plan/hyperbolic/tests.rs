@@ -222,3 +222,22 @@ fn arctangents() {
         assert!((arctangent_ratio(Double::new(v)) - series).hi.abs() < 1e-24, "{v}");
     }
 }
+
+/// Whatever the unit of the phase, half of a passage is as long.
+#[test]
+fn passages_in_other_units() {
+    let scene = scene("struct Motion; theta0 = π - 1e-4, tol = 1e-6, t_max = 100");
+    let task = Task::new(&scene);
+    let passage = task.passage.as_ref().unwrap();
+    let mut units = 0;
+    for reduction in task.reductions(&scene).iter().filter(|reduction| reduction.origin == Origin::Lowest) {
+        let part = task.aims[0].passage_part(&scene, &task, reduction, passage).unwrap();
+        let Kernel::Hyperbolic(kernel) = part.kernel else { panic!("another kernel") };
+        let Passage { rate, half, .. } = kernel.passage;
+        assert!((rate / (passage.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");
+        let length = rate.hi * half / (passage.rate.hi * (0.5 + reduction.overshoot));
+        assert!((1.0..1.0 + 1e-14).contains(&length), "{reduction:?}: {length}");
+        units += usize::from(reduction.unit != Double::ONE);
+    }
+    assert!(units > 0);
+}

@@ -36,7 +36,7 @@ fn estimated_costs() {
 }
 
 /// At full precision the first plan that is comfortable, and of each way the first form that is; where none is, the one
-/// that takes least of its limit.
+/// that takes least of its limit, of equal ones the cheapest.
 #[test]
 fn comfortable_plans() {
     let best = |taken: &[f64]| {
@@ -54,11 +54,12 @@ fn comfortable_plans() {
         "velocity0 = 2.01",
     ] {
         let (scene, prospects) = prospects(text);
-        let mut taken = Vec::new();
+        let (mut taken, mut costs) = (Vec::new(), Vec::new());
         for candidate in candidates(&scene, &prospects) {
             let Prospect { task, approximations, .. } = candidate.prospect;
             let Ok(plan) = candidate.plan(&scene) else { continue };
             taken.push(plan.taken());
+            costs.push(plan.functions[0].program.cost());
             if candidate.way == Way::Passage {
                 continue;
             }
@@ -69,7 +70,10 @@ fn comfortable_plans() {
             let forms: Vec<f64> = aim.variants(all, reduction).iter().filter_map(form).map(|part| part.taken).collect();
             assert_eq!(plan.taken(), best(&forms), "{text}: {forms:?}, {}", candidate.describe());
         }
-        assert_eq!(plan(&scene).unwrap().taken(), best(&taken), "{text}: {taken:?}");
+        let chosen = plan(&scene).unwrap();
+        assert_eq!(chosen.taken(), best(&taken), "{text}: {taken:?}");
+        let first = taken.iter().position(|&taken| taken == chosen.taken()).unwrap();
+        assert_eq!(chosen.functions[0].program.cost(), costs[first], "{text}: {taken:?} {costs:?}");
         uncomfortable += usize::from(taken[0] > COMFORTABLE);
     }
     assert!(uncomfortable > 4, "{uncomfortable}");
