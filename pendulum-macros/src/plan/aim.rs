@@ -13,7 +13,6 @@ use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
 /// The motion in the planner's terms: its outputs as functions of one phase.
-#[derive(Clone)]
 pub(super) struct Task {
     pub(super) aims: Vec<Aim>,
     /// Anchors per unit of time, and at t = 0.

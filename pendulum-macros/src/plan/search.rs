@@ -43,14 +43,12 @@ enum Way {
 
 /// The cheapest plan.
 pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
-    let mut tasks = tasks(scene);
-    let prospects: Vec<Prospect> = tasks.iter().map(|task| Prospect::new(scene, task.clone())).collect();
+    let prospects: Vec<Prospect> = tasks(scene).into_iter().map(|task| Prospect::new(scene, task)).collect();
     match (cheapest(scene, &prospects), scene.goal) {
         // The best that can be promised is what full precision promises.
         (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) => {
-            let aims = tasks.iter_mut().flat_map(|task| &mut task.aims);
-            aims.for_each(|aim| aim.at_full_precision(scene.float));
-            let reached = tasks.iter().map(|task| most_accurate(scene, task));
+            let finest = prospects.into_iter().map(|prospect| prospect.at_full_precision(scene));
+            let reached = finest.map(|prospect| most_accurate(scene, &prospect));
             Err(Refusal::Unreachable { best: reached.fold(best, f64::min) })
         }
         (result, _) => result,
@@ -102,21 +100,20 @@ fn comfortable(scene: &Scene) -> f64 {
 }
 
 /// The least that can be promised of the worst output.
-fn most_accurate(scene: &Scene, task: &Task) -> f64 {
+fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
+    let Prospect { task, approximations, reductions } = prospect;
     let worst_output = |reduction: &Reduction| {
-        let least = |aim: &Aim| {
-            let all = Approximations::new(aim);
+        let least = |(aim, all): (&Aim, &Approximations)| {
             let polynomial =
                 |variant: Variant| aim.part(scene, task, all.choose(variant.divided), reduction, variant.form).ok();
-            let parts = aim.variants(&all, reduction).into_iter().filter_map(|(variant, _)| polynomial(variant));
+            let parts = aim.variants(all, reduction).into_iter().filter_map(|(variant, _)| polynomial(variant));
             let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
             let passage = passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage).ok());
             parts.chain(passage).map(|part| part.bound.total() / part.unit).fold(f64::INFINITY, f64::min)
         };
-        task.aims.iter().map(least).fold(0.0, f64::max)
+        task.aims.iter().zip(approximations).map(least).fold(0.0, f64::max)
     };
     // The most accurate reduction from either origin is among the best.
-    let reductions = task.reductions(scene);
     let of = |origin: Origin| {
         let from_there = reductions.iter().filter(move |reduction| reduction.origin == origin);
         from_there.min_by(|a, b| (a.error + a.relative_error).total_cmp(&(b.error + b.relative_error)))
@@ -128,8 +125,8 @@ fn most_accurate(scene: &Scene, task: &Task) -> f64 {
 #[cfg(test)]
 pub(super) fn every(scene: &Scene) -> Vec<Plan> {
     let every = |task: Task| {
-        let (aim, all) = (&task.aims[0], &Approximations::new(&task.aims[0]));
-        let reductions = task.reductions(scene);
+        let Prospect { task, approximations, reductions } = Prospect::new(scene, task);
+        let (aim, all) = (&task.aims[0], &approximations[0]);
         let plans = reductions.iter().flat_map(|reduction| {
             let polynomial = |(variant, _): (Variant, f64)| {
                 let part = aim.part(scene, &task, all.choose(variant.divided), reduction, variant.form).ok()?;
@@ -164,6 +161,13 @@ impl Prospect {
     fn new(scene: &Scene, task: Task) -> Self {
         let approximations = task.aims.iter().map(Approximations::new).collect();
         let reductions = task.reductions(scene);
+        Self { task, approximations, reductions }
+    }
+
+    fn at_full_precision(self, scene: &Scene) -> Self {
+        let Self { mut task, reductions, .. } = self;
+        task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
+        let approximations = task.aims.iter().map(Approximations::new).collect();
         Self { task, approximations, reductions }
     }
 
