@@ -253,7 +253,7 @@ impl Aim {
             if direction < 0.0 && index == 0 { curve.negated() } else { curve }
         };
         let curves = self.curves.iter().enumerate().map(over).collect();
-        Self { curves, power: 0, slope: 0.0, moment: 0.0, ..self.clone() }
+        Self { curves, power: 0, ..self.clone() }
     }
 
     /// One unit of rounding of the largest value.

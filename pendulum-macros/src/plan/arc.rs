@@ -46,3 +46,23 @@ impl Arc {
         (halves.lo == 0.0 && halves.hi.fract() == 0.0).then_some(halves.hi as i64)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_are_half_a_stretch_from_the_centre() {
+        let arc = Arc { centre: Double::new(0.25), stretch: Double::new(0.5) };
+        assert_eq!(arc.ends(), [0.0, 0.5]);
+        assert_eq!(Arc::WHOLE.ends(), [-0.5, 0.5]);
+    }
+
+    /// What is near a centre of symmetry, by a second word or a hundredth, is none.
+    #[test]
+    fn centres_of_symmetries() {
+        let halves = |hi: f64, lo: f64| Arc { centre: Double { hi, lo }, stretch: Double::new(0.5) }.halves();
+        assert_eq!([halves(0.0, 0.0), halves(-0.5, 0.0), halves(1.0, 0.0)], [Some(0), Some(-1), Some(2)]);
+        assert_eq!([halves(0.5, 1e-20), halves(0.51, 0.0), halves(0.51, 1e-20)], [None; 3]);
+    }
+}

@@ -45,9 +45,9 @@ impl Curve {
         self.wave.strip() / self.arc.stretch.hi
     }
 
-    /// What of it is met in the arc, for a phase that is never reduced: exact, hence without slopes.
+    /// What of it is met in the arc, for a phase that is never reduced.
     pub(crate) fn over(self, arc: Arc) -> Self {
-        Self { arc, alternates: false, slope: 0.0, moment: 0.0, ..self }
+        Self { arc, alternates: false, ..self }
     }
 
     /// Whether it is met in part.
