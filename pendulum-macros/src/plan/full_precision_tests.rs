@@ -130,3 +130,33 @@ fn the_first_passages_keep_their_digits() {
         }
     }
 }
+
+/// Less than a quarter of a period, or half a turn, either way: before t = 0 as well as after it.
+#[test]
+fn moments_keep_their_digits() {
+    let mut random = Random::new(3);
+    for index in 0..20 {
+        let start = match index % 4 {
+            0 => "theta0 = 1.638165, velocity0 = 1.281984".to_owned(),
+            1 => format!("theta0 = {:.6}", 3.1 * random.unit()),
+            2 => format!("velocity0 = {:.6}", 2.1 + 3.0 * random.unit()),
+            _ => format!("theta0 = {:.6}, velocity0 = {:.6}", 3.1 * random.unit(), 3.0 * random.unit() - 1.5),
+        };
+        let t_max = if index == 0 { 1.311 } else { 0.2 + 1.3 * random.unit() };
+        let float = random.choose(&["f64", "f64", "f32"]);
+        for output in ["velocity", "acceleration", "position", "theta"] {
+            let text = format!("struct Motion; {start}, t_max = {t_max:.4}, float = {float}, outputs = [{output}]");
+            let scene = scene(&text);
+            let plan = plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+            let mut probe = Probe::new(&scene, &plan);
+            for _ in 0..24 {
+                probe.at(t_max * (2.0 * random.unit() - 1.0));
+            }
+            [1.0, 0.986_497_0, 0.98, 0.94].into_iter().flat_map(|part| [part, -part]).for_each(|part| {
+                probe.at(t_max * part);
+            });
+            let ((t, error), bound) = (probe.worst, plan.parts[0].bound.total());
+            assert!(error <= bound, "{text}: {error:e} at {t:e}, bound {bound:e}, {}", plan.parts[0].description);
+        }
+    }
+}

@@ -101,7 +101,7 @@ impl Kernel {
             return hyperbolic.rounding(&program, cap);
         }
         let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
-        let half = reduction.half();
+        let [least, most] = reduction.range();
         let of_polynomial =
             |polynomial: &Polynomial| Self::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
         let harmonics = if let Self::Harmonics(harmonics) = self { Some(harmonics) } else { None };
@@ -115,9 +115,9 @@ impl Kernel {
             norm(program.rounding(&known).iter().map(|known| known.error))
         };
         if harmonics.is_some_and(|harmonics| harmonics.peaks()) {
-            return by_halves([0.0, half], SLICES, MOST_HALVED, between);
+            return by_halves([least, most], SLICES, MOST_HALVED, between);
         }
-        let at = |index: u32| half * f64::from(index) / f64::from(SLICES);
+        let at = |index: u32| least + (most - least) * f64::from(index) / f64::from(SLICES);
         // The motion is fastest, and the rounding worst, at the lowest point.
         let from_lowest = |index: u32| if reduction.origin == Origin::Anchor { SLICES - 1 - index } else { index };
         largest((0..SLICES).map(from_lowest).map(|index| between(at(index), at(index + 1))), cap)

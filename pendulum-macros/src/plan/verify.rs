@@ -11,16 +11,16 @@ use crate::program::rounding::UNDERFLOW;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
-/// Times at which every plan is checked, in half anchors after t = 0, so that they meet anchors and lowest points of
-/// swings released from rest, and places between.
-const PROBES: [f64; 5] = [0.0, 0.37, 1.0, 1.62, 2.9];
+/// Times at which a plan is checked, in half anchors from t = 0, so that they meet anchors and lowest points of swings
+/// released from rest, and places between; of an arc both ends.
+const PROBES: [f64; 7] = [0.0, 0.37, 1.0, 1.62, 2.9, -0.93, -1.0];
 
 /// The first output seen outside its bound.
 pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> {
     let context = task.rate.context();
     let horizon = scene.t_max.as_ref().map_or(f64::INFINITY, Real::to_f64);
     let probe = |probe: f64| -> Option<Output> {
-        let t = scene.float.round((probe / (2.0 * task.rate.to_f64())).min(horizon));
+        let t = scene.float.round((probe / (2.0 * task.rate.to_f64())).clamp(-horizon, horizon));
         let phase = &task.rate * &context.float(t)? + &task.launch;
         let number = phase.round();
         let odd = !(number.scale(-1) - number.scale(-1).round()).is_zero();

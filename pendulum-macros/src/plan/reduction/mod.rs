@@ -117,6 +117,12 @@ impl Reduction {
         self.method == Method::Time { lopsided: true }
     }
 
+    /// The phases to be analysed, in units of the reduced variable: both sides of 0 where the motion over an arc has no
+    /// symmetry, one elsewhere.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        [if self.is_lopsided() { -self.half() } else { 0.0 }, self.half()]
+    }
+
     /// Whether the phase is known at all at the end of the horizon.
     fn is_useful(&self) -> bool {
         self.error < 0.5 && self.half().is_finite()
