@@ -42,12 +42,12 @@ impl CosineTable {
 /// with foci ±1 and parameter ρ, and bounded there: 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and
 /// Approximation Practice*, theorem 8.2).
 pub(crate) fn interpolation_error(bound: f64, rho: f64, points: usize) -> f64 {
-    4.0 * bound * rho.powf(1.0 - points as f64) / (rho - 1.0)
+    4.0 * bound * libm::pow(rho, 1.0 - points as f64) / (rho - 1.0)
 }
 
 /// The fewest points for which [`interpolation_error`] is at most `limit`; infinite or NaN where none are.
 pub(crate) fn points_for(bound: f64, rho: f64, limit: f64) -> f64 {
-    let degree = ((4.0 * bound / (rho - 1.0) / limit).ln() / rho.ln()).ceil();
+    let degree = (libm::log(4.0 * bound / (rho - 1.0) / limit) / libm::log(rho)).ceil();
     if degree < 1.0 { 2.0 } else { degree + 1.0 }
 }
 
@@ -81,7 +81,7 @@ impl Interpolation {
 
 /// Bounds what interpolation at so many Chebyshev points multiplies values with, Lebesgue's constant (Rivlin 1974).
 pub(crate) fn lebesgue(points: usize) -> f64 {
-    2.0 / std::f64::consts::PI * (points as f64).ln() + 1.0
+    2.0 / std::f64::consts::PI * libm::log(points as f64) + 1.0
 }
 
 /// Σ aⱼ Tⱼ(x), by Clenshaw's recurrence.

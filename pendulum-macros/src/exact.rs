@@ -137,7 +137,7 @@ impl Real {
     pub(crate) fn atan2(&self, x: &Self) -> Self {
         let context = self.context();
         let shift = -self.exponent().max(x.exponent());
-        let start = self.scale(shift).to_f64().atan2(x.scale(shift).to_f64());
+        let start = libm::atan2(self.scale(shift).to_f64(), x.scale(shift).to_f64());
         // Tiny angles are their own tangents: the series alone serves them, and no subnormal start loses digits.
         let Some(start) = context.float(start).filter(|_| start.abs() > 1e-9) else {
             return (self / x).small_atan();

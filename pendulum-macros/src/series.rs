@@ -246,8 +246,8 @@ impl Wave {
     pub(crate) fn roughly(&self, s: f64) -> f64 {
         let angle = std::f64::consts::PI * s;
         let ((sine, cosine), (turn_sine, turn)) = (
-            (f64::from(self.terms.first().map_or(1, |term| term.0)) * angle).sin_cos(),
-            (f64::from(self.envelope.step) * angle).sin_cos(),
+            libm::sincos(f64::from(self.terms.first().map_or(1, |term| term.0)) * angle),
+            libm::sincos(f64::from(self.envelope.step) * angle),
         );
         let (mut cosine, mut sine) = (cosine, sine);
         let mut sum = self.constant.hi + self.linear.hi * s;
@@ -261,7 +261,7 @@ impl Wave {
     /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 4; infinite beyond the strip of convergence.
     pub(crate) fn bound(&self, height: f64) -> f64 {
         let growth = std::f64::consts::PI * height;
-        let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * (growth * f64::from(m)).cosh()).sum();
+        let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * libm::cosh(growth * f64::from(m))).sum();
         let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(self.first_omitted(), growth) };
         (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
     }
@@ -308,11 +308,11 @@ impl Envelope {
         let step = f64::from(self.step);
         let m = f64::from(first);
         // mᵖ grows by at most (1 + step/m)ᵖ a step.
-        let ratio = (-rate * step).exp() * (1.0 + step / m).powi(self.power.max(0));
+        let ratio = libm::exp(-rate * step) * (1.0 + step / m).powi(self.power.max(0));
         if ratio >= 1.0 {
             return f64::INFINITY;
         }
-        self.size * m.powi(self.power) * (-rate * m).exp() / (1.0 - ratio)
+        self.size * m.powi(self.power) * libm::exp(-rate * m) / (1.0 - ratio)
     }
 }
 

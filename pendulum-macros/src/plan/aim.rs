@@ -279,7 +279,7 @@ impl Aim {
     pub(super) fn passage_error(&self, reduction: &Reduction, passage: &Passage) -> f64 {
         let span = passage.rate.hi * std::f64::consts::LN_2;
         // w times the derivative of 2 gd w, of 2 sech w and of sin(2 gd w), and what images add to a rotation.
-        let images = if passage.sigma < 0.0 { 2.0 * span * (-0.5 * span).exp() } else { 0.0 };
+        let images = if passage.sigma < 0.0 { 2.0 * span * libm::exp(-0.5 * span) } else { 0.0 };
         let largest = match self.output {
             Output::Theta | Output::Wrapped | Output::Position => 1.326,
             Output::Velocity => 1.16,

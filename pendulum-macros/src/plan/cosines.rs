@@ -51,7 +51,7 @@ impl Cosines {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low).abs());
         let mut derivatives = [0.0; ORDER];
         for &(m, a) in &self.terms {
-            let (sine, cosine) = (m * middle).sin_cos();
+            let (sine, cosine) = libm::sincos(m * middle);
             let (sine, cosine) = (a * sine, a * cosine);
             let (m2, m3, m4) = (m * m, m * m * m, m * m * m * m);
             // Written out, since unoptimised this loop is most of the planner's work near the top.

@@ -137,7 +137,7 @@ impl<'a> SwingCurves<'a> {
     /// sup |sin θ|.
     fn largest_sine(&self) -> f64 {
         let amplitude = self.swing.amplitude.to_f64();
-        if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { amplitude.sin() }
+        if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { libm::sin(amplitude) }
     }
 
     fn wave(&self, order: i32, scale: Double, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {

@@ -39,7 +39,7 @@ impl Moebius {
     /// −Re p and |Im p|, and 2(Im √p)² = |p| − Re p.
     pub(crate) fn height(map: Option<Self>, rho: f64) -> Option<f64> {
         const SLICES: u32 = 24;
-        let Some(map) = map else { return Some(0.5 * (0.5 * rho.ln()).sinh()) };
+        let Some(map) = map else { return Some(0.5 * libm::sinh(0.5 * libm::log(rho))) };
         let (along, across) = ((rho + 1.0 / rho) / 16.0, (rho - 1.0 / rho) / 16.0);
         let cosine = |slice: u32| 2.0 * f64::from(slice) / f64::from(SLICES) - 1.0;
         let square = |slice: u32| {
@@ -48,7 +48,7 @@ impl Moebius {
             let widest = across * (1.0 - ends[0].abs().min(ends[1].abs()).powi(2)).sqrt();
             let left = map.place - map.scale() * most / (most * most + widest * widest);
             let aside = map.scale() * widest / (least * least);
-            (least > widest).then(|| 0.5 * (left.hypot(aside) + left))
+            (least > widest).then(|| 0.5 * (libm::hypot(left, aside) + left))
         };
         let squares: Option<Vec<f64>> = (0..SLICES).map(square).collect();
         Some(squares?.into_iter().fold(0.0, f64::max).sqrt() * (1.0 + 1e-12))

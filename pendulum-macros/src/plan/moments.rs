@@ -27,7 +27,7 @@ impl Moments {
     pub(super) fn new(slope: &Wave, rate: f64, fastest: f64) -> Self {
         // Where the motion is fast, all of it happens in the first thousandths.
         let first = (0.3 * rate / fastest).min(0.02);
-        let ratio = (0.5 / first).powf(1.0 / f64::from(SLICES - 1));
+        let ratio = libm::pow(0.5 / first, 1.0 / f64::from(SLICES - 1));
         let end = |slice: i32| if slice == 0 { 0.0 } else { first * ratio.powi(slice - 1) };
         let speed = |z: f64| slope.roughly(0.5 - z).abs() * rate;
         let mut moments = Self { angle: 0.0, velocity: 0.0, acceleration: 0.0 };

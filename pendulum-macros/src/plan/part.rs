@@ -93,7 +93,7 @@ impl Aim {
 
     /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them.
     pub(super) fn passage_estimate(&self) -> f64 {
-        let bits = -(self.limit / self.unit.max(self.largest)).log2().min(-4.0);
+        let bits = -libm::log2(self.limit / self.unit.max(self.largest)).min(-4.0);
         30.0 + 2.0 * (3.0 + bits / 5.0) + if self.output.is_angle() { bits / 1.3 } else { 16.0 }
     }
 

@@ -1,7 +1,7 @@
 //! Why a scene can't be planned, and what its author is told.
 
 use crate::motion::Regime;
-use crate::parse::{Float, Method, Output};
+use crate::parse::{Float, Method, Output, source};
 use crate::scene::{Goal, Scene};
 
 /// Why there is no plan.
@@ -55,7 +55,7 @@ impl Refusal {
 fn unreachable(best: f64, scene: &Scene) -> String {
     let (asked, offer) = match scene.goal {
         Goal::Terms(n) => return unbounded(n, scene),
-        Goal::Tolerance(_) => (format!("`tol = {}`", scene.blame.goal), "ask for that".to_owned()),
+        Goal::Tolerance(_) => (format!("`tol = {}`", source::value(&scene.blame.goal)), "ask for that".to_owned()),
         Goal::Full => (format!("the full precision of `{}`", scene.float.word()), format!("state `tol = {best:.2e}`")),
     };
     let promise = scene

@@ -75,7 +75,7 @@ impl Sines {
         if sines.1.max(wholes.1) >= 1.0 || sines.0.min(wholes.0) <= -1.0 {
             return f64::INFINITY;
         }
-        let tangent = |y: f64, whole: f64| (0.5 * (y.asin() + whole.asin())).tan();
+        let tangent = |y: f64, whole: f64| libm::tan(0.5 * (libm::asin(y) + libm::asin(whole)));
         let tangents = (tangent(sines.0, wholes.0), tangent(sines.1, wholes.1));
         let [rest, first] = [0, 1].map(|order| within(rest.range(order), order));
         let second = product(product(theta.range(1), rest), tangents);

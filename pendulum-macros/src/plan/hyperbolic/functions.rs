@@ -24,7 +24,7 @@ pub(super) fn arctangent_ratio(v: Double) -> Double {
         return Double::ONE - v / Double::new(3.0);
     }
     let x = v.sqrt();
-    let start = x.hi.atan();
+    let start = libm::atan(x.hi);
     let angle = Double::new(start) / Double::PI;
     let (sine, cosine) = (crate::chebyshev::sin_pi(angle), crate::chebyshev::cos_pi(angle));
     let step = (x * cosine - sine) / (cosine + x * sine);

@@ -97,7 +97,7 @@ impl Hyperbolic {
         let q = passage.q();
         let half_ln = 0.5 * LN_2;
         // |f² ln²2| < 1 on the ellipse that reaches as far left as 4·¼.
-        let domain = Domain::reaching(0.25, -2.0, half_ln.cosh() * 2.0);
+        let domain = Domain::reaching(0.25, -2.0, libm::cosh(half_ln) * 2.0);
         let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));

@@ -84,7 +84,7 @@ impl Sum {
             Method::SmallAngle => {
                 let small = &scene.motion.omega / scene.motion.omega.context().pi();
                 let drift = (&small - &rate).abs().to_f64() * std::f64::consts::PI * horizon(scene, &rate);
-                let apart = swing.amplitude.to_f64() * (0.5 * drift).min(std::f64::consts::FRAC_PI_2).sin() * 2.0;
+                let apart = swing.amplitude.to_f64() * libm::sin((0.5 * drift).min(std::f64::consts::FRAC_PI_2)) * 2.0;
                 let bias = harmonic_bias(scene, swing) + apart;
                 Ok(Self { method, rate: small, weights: amplitude(), coefficients: Vec::new(), bias })
             }
@@ -165,9 +165,9 @@ fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
     let points = 8 * highest;
     let at = |i: u32| {
         let phi = std::f64::consts::PI * f64::from(i) / f64::from(points);
-        terms.iter().map(|&(m, a)| a.hi * (f64::from(m) * phi).cos()).sum::<f64>().abs()
+        terms.iter().map(|&(m, a)| a.hi * libm::cos(f64::from(m) * phi)).sum::<f64>().abs()
     };
-    (0..=points / 2).map(at).fold(0.0, f64::max) / (std::f64::consts::PI / 16.0).cos() * (1.0 + 1e-9) + omitted
+    (0..=points / 2).map(at).fold(0.0, f64::max) / libm::cos(std::f64::consts::PI / 16.0) * (1.0 + 1e-9) + omitted
 }
 
 /// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0

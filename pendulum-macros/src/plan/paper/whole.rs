@@ -39,8 +39,8 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     // A limit far above the motion itself asks for no less.
     let negligible = limit.min(weights.iter().map(|w| w.hi.abs()).sum()) / 512.0;
     // Coefficients fall off geometrically.
-    let rate = ROUGH.ln() / rough as f64;
-    let terms = (negligible / 4.0).ln() / rate;
+    let rate = libm::log(ROUGH) / rough as f64;
+    let terms = libm::log(negligible / 4.0) / rate;
     let sum = Wave::harmonics(weights);
     (1..=3).find_map(|more| {
         let points = (terms * (1.0 + 0.15 * f64::from(more))).ceil() as usize + 4;
@@ -60,13 +60,13 @@ fn phase(map: Option<Moebius>, u: Double) -> Double {
 fn rough_terms(weights: &[Double], map: Option<Moebius>) -> Option<usize> {
     let angle = |j: usize| PI * (2 * j + 1) as f64 / (2 * LOOK) as f64;
     let at = |j: usize| {
-        let s = phase(map, Double::new(angle(j).cos())).hi;
-        let y: f64 = weights.iter().enumerate().map(|(n, w)| w.hi * ((2 * n + 1) as f64 * PI * s).cos()).sum();
-        y.asin()
+        let s = phase(map, Double::new(libm::cos(angle(j)))).hi;
+        let y: f64 = weights.iter().enumerate().map(|(n, w)| w.hi * libm::cos((2 * n + 1) as f64 * PI * s)).sum();
+        libm::asin(y)
     };
     let values: Vec<f64> = (0..LOOK).map(at).collect();
     let coefficient = |i: usize| {
-        let sum: f64 = values.iter().enumerate().map(|(j, value)| value * (i as f64 * angle(j)).cos()).sum();
+        let sum: f64 = values.iter().enumerate().map(|(j, value)| value * libm::cos(i as f64 * angle(j))).sum();
         2.0 * sum / LOOK as f64
     };
     let largest = coefficient(0).abs();
@@ -87,7 +87,7 @@ fn interpolant(sum: &Wave, map: Option<Moebius>, points: usize) -> Option<Vec<Do
 
 /// 2 arcsin y, by Newton's method on sin πx = y; `None` if |y| ≥ 1.
 fn twice_arcsine(y: Double) -> Option<Double> {
-    let mut x = Double::new(y.hi.asin() / PI);
+    let mut x = Double::new(libm::asin(y.hi) / PI);
     for _ in 0..2 {
         x = x + (y - sin_pi(x)) / (Double::PI * cos_pi(x));
     }
@@ -134,8 +134,8 @@ fn largest(points: &[Point], bend: f64) -> f64 {
 /// Bounds the residual on the ellipse with parameter ρ; `None` where that reaches infinite phases.
 fn bound(sum: &Wave, map: Option<Moebius>, series: &[Double], rho: f64) -> Option<f64> {
     let height = Moebius::height(map, rho)?;
-    let angle: f64 = series.iter().enumerate().map(|(j, c)| c.hi.abs() * (j as f64 * rho.ln()).cosh()).sum();
-    Some(sum.bound(height) + (0.5 * angle).sinh())
+    let angle: f64 = series.iter().enumerate().map(|(j, c)| c.hi.abs() * libm::cosh(j as f64 * libm::log(rho))).sum();
+    Some(sum.bound(height) + libm::sinh(0.5 * angle))
 }
 
 /// As many points as make the residual's interpolation error negligible.

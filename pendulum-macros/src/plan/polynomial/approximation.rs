@@ -83,7 +83,7 @@ impl Approximation {
             series,
             remainder,
             points,
-            log_rho: rho.ln(),
+            log_rho: libm::log(rho),
             choices: RefCell::default(),
         }
     }
@@ -102,7 +102,7 @@ impl Approximation {
     /// What dropping these terms changes.
     fn without(&self, dropped: Range<usize>, overshoot: f64) -> f64 {
         let growth = growth(overshoot);
-        let sum: f64 = dropped.map(|j| self.series[j].hi.abs() * (j as f64 * growth).cosh()).sum();
+        let sum: f64 = dropped.map(|j| self.series[j].hi.abs() * libm::cosh(j as f64 * growth)).sum();
         sum * self.outer_weight(overshoot)
     }
 
@@ -113,8 +113,8 @@ impl Approximation {
         if growth >= 0.9 * self.log_rho {
             return f64::INFINITY;
         }
-        let tail = (1.0 - (-self.log_rho).exp()) / (1.0 - (growth - self.log_rho).exp());
-        self.remainder * tail * (self.points as f64 * growth).cosh() * self.outer_weight(overshoot)
+        let tail = (1.0 - libm::exp(-self.log_rho)) / (1.0 - libm::exp(growth - self.log_rho));
+        self.remainder * tail * libm::cosh(self.points as f64 * growth) * self.outer_weight(overshoot)
     }
 
     fn outer_weight(&self, overshoot: f64) -> f64 {
@@ -251,15 +251,15 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
     let heights = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * strip).min(1.5));
     let ellipse = |height: f64| {
         // s = ½ cos φ with |Im φ| = ½ ln ρ, or ln ρ where the polynomial is one in s itself.
-        let angle = (2.0 * height).asinh();
+        let angle = libm::asinh(2.0 * height);
         let log_rho = if curve.parity() == Parity::Neither { angle } else { 2.0 * angle };
-        let radius = 0.5 * angle.cosh();
+        let radius = 0.5 * libm::cosh(angle);
         let mut bound = curve.bound(height) * pole.map_or(1.0, |pole| pole.most(radius));
         if curve.parity() == Parity::Odd {
             // |s| ≥ height on the ellipse's image.
             bound /= height;
         }
-        (bound, log_rho.exp())
+        (bound, libm::exp(log_rho))
     };
     Interpolation::fewest(heights.into_iter().map(ellipse), negligible, 4, MOST_POINTS)
 }

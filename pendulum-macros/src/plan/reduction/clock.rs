@@ -115,13 +115,13 @@ impl Clock<'_> {
     fn scaled(&self) -> Option<Reduction> {
         const TRIED: u32 = 64;
         let anchors = self.horizon() * self.rate.to_f64();
-        let bits = self.float.bits() - (anchors + 2.0).log2().ceil() as i32;
+        let bits = self.float.bits() - libm::log2(anchors + 2.0).ceil() as i32;
         if self.launch != Double::ZERO || bits < 8 {
             return None;
         }
         // The last product is to stay below a power of two.
         let least = 2f64.powi(1 - bits);
-        let top = 0.998 * 2f64.powi(anchors.log2().ceil() as i32) / anchors;
+        let top = 0.998 * 2f64.powi(libm::log2(anchors).ceil() as i32) / anchors;
         let top = (top.clamp(1.0, 2.0) / least).floor();
         let rate = self.rate.to_double();
         let off = |anchor: f64| {
@@ -140,7 +140,7 @@ impl Clock<'_> {
     /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
     fn cody_waite(&self, count: usize, origin: Origin) -> Option<Reduction> {
         let anchors = (self.horizon() * self.rate.to_f64() + 1.0).max(2.0);
-        let k = anchors.log2().floor() as i32 + 2;
+        let k = libm::log2(anchors).floor() as i32 + 2;
         let p = self.float.bits();
         if k > 2 * p / 3 {
             return None;
