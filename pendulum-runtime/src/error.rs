@@ -73,7 +73,7 @@ impl fmt::Display for Error {
             ),
             Self::Overshoot { terms, overshoot, smallest } => write!(
                 f,
-                "with N = {terms} the argument of the arcsine exceeds 1 by {overshoot:e} at this amplitude; \
+                "with N = {terms} the argument of the arcsine exceeds 1 by {overshoot:.2e} at this amplitude; \
                  the smallest N that works is {smallest}"
             ),
             Self::NoTerms => write!(f, "N = 0 leaves no term of the Fourier series; use N of at least 1"),

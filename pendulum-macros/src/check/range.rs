@@ -31,12 +31,12 @@ impl Checker<'_> {
             Float::F64 => (SMALLEST_AMPLITUDE, "1e-300"),
             Float::F32 => (SMALLEST_AMPLITUDE_F32, "1e-35"),
         };
-        let request = self.request;
+        let (request, wider) = (self.request, self.wider());
         match request.theta0.as_ref().or(request.velocity0.as_ref()) {
             Some(given) if swing.amplitude.to_f64() < least => {
                 let message = format!(
-                    "`{} = {}` makes an amplitude below {shown}, where `{}` loses digits: choose a larger one, or a unit in \
-                     which it is larger, since so small a motion is θ0·cos ωt",
+                    "`{} = {}` makes an amplitude below {shown}, where `{}` loses digits: {wider}choose \
+                     a larger one; so small a motion is θ0·cos ωt to the last digit",
                     given.name,
                     source::value(&given.tokens),
                     self.float().word()
@@ -139,9 +139,16 @@ impl Checker<'_> {
         } else {
             format!("`{} = {shown}` puts {what}", given.name)
         };
-        let wider = if self.float() == Float::F32 { "use `float = f64`, or " } else { "" };
-        let remedy =
-            if what == "theta0" { "choose a larger angle" } else { "choose a unit of time that brings it nearer to 1" };
-        Err(self.refuse(blame, format!("{subject} {side} the {limit}: {wider}{remedy}")))
+        let remedy = match (what, small) {
+            ("theta0", true) => "choose a larger angle",
+            ("theta0", false) => "choose an angle within ±π",
+            _ => "choose a unit of time that brings it nearer to 1",
+        };
+        Err(self.refuse(blame, format!("{subject} {side} the {limit}: {}{remedy}", self.wider())))
+    }
+
+    /// The other remedy, if there is one.
+    fn wider(&self) -> &'static str {
+        if self.float() == Float::F32 { "use `float = f64`, or " } else { "" }
     }
 }

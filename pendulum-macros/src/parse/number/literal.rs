@@ -57,7 +57,7 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
 fn length(name: &Ident, digits: &str) -> Option<String> {
     let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
     let exponent = exponent.trim_start_matches(['+', '-']).parse::<u64>().unwrap_or(u64::MAX);
-    if mantissa.len() > MOST_DIGITS {
+    if mantissa.bytes().filter(u8::is_ascii_digit).count() > MOST_DIGITS {
         return Some(format!("`{name}` has a literal of more than {MOST_DIGITS} digits: no float needs so many"));
     }
     (exponent > LARGEST_EXPONENT)
