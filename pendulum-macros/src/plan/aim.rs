@@ -147,7 +147,7 @@ impl Task {
     /// The same over no more than the horizon meets, where that is less than from one anchor to the next.
     pub(super) fn over_arc(&self, scene: &Scene) -> Option<Self> {
         let reach = Arc::reach(scene)?;
-        let arc = Arc::new(reach, &self.rate, &self.launch)?;
+        let mut arc = Arc::new(reach, &self.rate, &self.launch)?;
         let mut aims = self.aims.clone();
         match &scene.motion.regime {
             Regime::Swing(_) => {}
@@ -155,6 +155,10 @@ impl Task {
                 // Beyond the top another turn is to be taken from a wrapped angle.
                 if arc.ends().iter().any(|end| !(0.0..1.0).contains(end)) && scene.outputs.contains(&Output::Wrapped) {
                     return None;
+                }
+                // The angle from the lowest point is odd about that, not about the top.
+                if arc.halves().is_some_and(|halves| halves % 2 == 0) && scene.outputs.contains(&Output::Theta) {
+                    arc = arc.lopsided();
                 }
                 let angle = RotationCurves::new(rotation, &scene.motion.omega).whole_angle();
                 let angles = aims.iter_mut().filter(|aim| aim.output.is_angle());

@@ -13,11 +13,13 @@ use pendulum_runtime::double::Double;
 pub(crate) struct Arc {
     pub(super) centre: Double,
     pub(super) stretch: Double,
+    /// Whether a symmetry about the centre, if there is one, is made use of.
+    symmetric: bool,
 }
 
 impl Arc {
     /// From half an anchor before an anchor to half an anchor after it.
-    pub(crate) const WHOLE: Self = Self { centre: Double::ZERO, stretch: Double::ONE };
+    pub(crate) const WHOLE: Self = Self { centre: Double::ZERO, stretch: Double::ONE, symmetric: true };
 
     /// The greatest |t| of a scene's horizon. Rounded to the type of times it is still part of it.
     pub(super) fn reach(scene: &Scene) -> Option<f64> {
@@ -27,7 +29,12 @@ impl Arc {
     /// Of the times up to ±`reach`, if that is less than from one anchor to the next.
     pub(super) fn new(reach: f64, rate: &Real, launch: &Real) -> Option<Self> {
         let stretch = (rate * rate.context().float(reach)?.scale(1)).to_double();
-        (0.0 < stretch.hi && stretch.hi < 1.0).then(|| Self { centre: launch.to_double(), stretch })
+        (0.0 < stretch.hi && stretch.hi < 1.0).then(|| Self { centre: launch.to_double(), stretch, symmetric: true })
+    }
+
+    /// The same, whatever symmetry there may be.
+    pub(super) fn lopsided(self) -> Self {
+        Self { symmetric: false, ..self }
     }
 
     /// The phase from the anchor.
@@ -43,7 +50,7 @@ impl Arc {
     /// The number of halves of an anchor in its centre, if it is that of a symmetry.
     pub(super) fn halves(self) -> Option<i64> {
         let halves = self.centre * 2.0;
-        (halves.lo == 0.0 && halves.hi.fract() == 0.0).then_some(halves.hi as i64)
+        (self.symmetric && halves.lo == 0.0 && halves.hi.fract() == 0.0).then_some(halves.hi as i64)
     }
 }
 
@@ -53,7 +60,7 @@ mod tests {
 
     #[test]
     fn ends_are_half_a_stretch_from_the_centre() {
-        let arc = Arc { centre: Double::new(0.25), stretch: Double::new(0.5) };
+        let arc = Arc { centre: Double::new(0.25), stretch: Double::new(0.5), symmetric: true };
         assert_eq!(arc.ends(), [0.0, 0.5]);
         assert_eq!(Arc::WHOLE.ends(), [-0.5, 0.5]);
     }
@@ -61,8 +68,10 @@ mod tests {
     /// What is near a centre of symmetry, by a second word or a hundredth, is none.
     #[test]
     fn centres_of_symmetries() {
-        let halves = |hi: f64, lo: f64| Arc { centre: Double { hi, lo }, stretch: Double::new(0.5) }.halves();
+        let arc = |hi: f64, lo: f64| Arc { centre: Double { hi, lo }, stretch: Double::new(0.5), symmetric: true };
+        let halves = |hi: f64, lo: f64| arc(hi, lo).halves();
         assert_eq!([halves(0.0, 0.0), halves(-0.5, 0.0), halves(1.0, 0.0)], [Some(0), Some(-1), Some(2)]);
         assert_eq!([halves(0.5, 1e-20), halves(0.51, 0.0), halves(0.51, 1e-20)], [None; 3]);
+        assert_eq!(arc(0.0, 0.0).lopsided().halves(), None);
     }
 }

@@ -122,9 +122,12 @@ impl Harmonics {
 
     /// The errors of the cosine and the sine, given the rounding of a polynomial.
     pub(super) fn errors(&self, reduction: &Reduction, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
-        let error =
-            |polynomial: &Polynomial| rounding(polynomial) + polynomial.truncation + 2.0 * reduction.float.unit();
-        [error(self.folded.as_ref().unwrap_or(&self.cosine)), self.sine.as_ref().map_or(0.0, error)]
+        let error = |polynomial: &Polynomial, largest: f64| {
+            rounding(polynomial) + polynomial.truncation + 2.0 * largest * reduction.float.unit()
+        };
+        let folded = self.folded.as_ref().map(|folded| error(folded, total(&self.cosines, 0).min(1.0)));
+        let cosine = folded.unwrap_or_else(|| error(&self.cosine, 1.0));
+        [cosine, self.sine.as_ref().map_or(0.0, |sine| error(sine, 1.0))]
     }
 
     /// The sums that the program computes, given the errors of the cosine and the sine.
@@ -132,7 +135,8 @@ impl Harmonics {
         let float = reduction.float;
         let sum = |name, curve, order, weights: &[Double], factor: f64| {
             let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0);
-            let error = if self.folded.is_some() { cosine } else { recurrence() + half_ulp(1.0, float) };
+            let error =
+                if self.folded.is_some() { cosine } else { recurrence() + half_ulp(total(weights, 0).min(1.0), float) };
             Sum { name, curve, order, error }
         };
         let mut all = vec![];

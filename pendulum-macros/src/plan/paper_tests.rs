@@ -315,3 +315,21 @@ fn the_smallest_number_next_to_the_top() {
     assert_eq!(asked(smallest).unwrap().terms(), smallest);
     assert!(matches!(asked(smallest - 1), Err(Refusal::Overshoot { .. })), "{smallest}");
 }
+
+/// However small θ0 is, rounding takes no more than 11 units in its last place of θ̂, and 16 of its velocity, by a longer
+/// formula; beside that one term leaves θ0³/64, and of the velocity three times as much and more.
+#[test]
+fn small_amplitudes_keep_their_digits() {
+    for (float, unit) in [("f64", 2f64.powi(-53)), ("f32", 2f64.powi(-24))] {
+        for theta0 in [1e-2, 1e-4, 1e-5, 5e-7, 1e-9, 1e-15, 1e-30] {
+            for (output, units, part) in [("theta", 22.0, 64.0), ("velocity", 32.0, 12.0)] {
+                let text = format!("struct A; theta0 = {theta0:e}, n = 1, float = {float}, outputs = [{output}]");
+                let bound = planned(&text).unwrap().parts[0].bound;
+                let rounding = bound.phase + bound.evaluation;
+                assert!(rounding <= units * unit * theta0, "{text}: {rounding:e}");
+                let left = theta0.powi(3) * (1.0 + theta0 * theta0) / part;
+                assert!(bound.truncation <= left + units * unit * theta0, "{text}: {:e}", bound.truncation);
+            }
+        }
+    }
+}

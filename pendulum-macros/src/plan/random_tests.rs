@@ -23,7 +23,8 @@ fn random_scene(random: &mut Random) -> String {
         4 => format!("velocity0 = {}", digits(random, 2.0)),
         5 => format!("velocity0 = 2 {} 1e-{}", random.choose(&["+", "-"]), random.between(1, 12)),
         6 => format!("theta0 = {}, velocity0 = -{}", digits(random, 3.0), 2.0 + 20.0 * random.unit()),
-        7 => random.choose(&["velocity0 = -2", "theta0 = π/2, velocity0 = sqrt(2)"]).to_owned(),
+        7 if random.one_in(2) => random.choose(&["velocity0 = -2", "theta0 = π/2, velocity0 = sqrt(2)"]).to_owned(),
+        7 => format!("theta0 = {}π, velocity0 = {:.3e}", random.choose(&["", "-"]), random.unit()),
         _ => format!("theta0 = {}", digits(random, 3.1)),
     };
     let single = random.one_in(3);

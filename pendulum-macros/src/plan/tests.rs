@@ -74,6 +74,7 @@ fn short_horizons_need_no_reduction() {
         ("theta0 = 1, velocity0 = 3, omega = 1e200, tol = 1e-6, t_max = 1e-201", 10),
         ("velocity0 = 3, tol = 1e-6, t_max = 0.3", 13),
         ("theta0 = -3, velocity0 = -3, tol = 1e-6, t_max = 0.3", 16),
+        ("theta0 = π, velocity0 = 1e-3, tol = 1e-6, t_max = 0.1", 7),
         ("theta0 = 1, float = f32, omega = 1e-6, tol = 1e-4, t_max = 1e5", 11),
     ] {
         let plan = planned(text);

@@ -104,14 +104,14 @@ impl Sum {
 
     /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
     fn folded(&self, scene: &Scene, reduction: &Reduction) -> Option<Polynomial> {
-        let precision = scene.float.unit() / 2.0;
+        let size = self.size();
+        let precision = size * scene.float.unit() / 2.0;
         let approximation = Approximation::entire(&Curve::harmonics(&self.weights), precision / 16.0);
         let terms = approximation.terms_for(precision, reduction.overshoot)?;
-        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
         Form::ALL.into_iter().find_map(|form| {
             // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
-            let most = if let Form::Adapted { .. } = form { 6.0 * sum.min(1.0) } else { 12.0 };
-            let cap = most * scene.float.unit();
+            let most = if let Form::Adapted { .. } = form { 6.0 } else { 12.0 };
+            let cap = most * size * scene.float.unit();
             let polynomial = approximation.polynomial(terms, form, reduction, true, cap)?;
             (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
         })
@@ -125,8 +125,12 @@ impl Sum {
 
     /// For arguments up to the largest that occurs.
     fn arcsine(&self, scene: &Scene) -> Arcsine {
-        let sum: f64 = self.weights.iter().map(|w| w.hi.abs()).sum();
-        Arcsine::new(sum.min(1.0), scene.float.unit() / 2.0)
+        Arcsine::new(self.size(), scene.float.unit() / 2.0)
+    }
+
+    /// Bounds the argument of the arcsine.
+    fn size(&self) -> f64 {
+        self.weights.iter().map(|w| w.hi.abs()).sum::<f64>().min(1.0)
     }
 
     /// sup |θ̂′ − θ̇|.
