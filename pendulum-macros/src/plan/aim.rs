@@ -185,9 +185,10 @@ impl Task {
         }
         let t_max = scene.t_max.as_ref().map(Real::to_f64);
         let clock = Clock { rate: &self.rate, launch: self.launch.to_double(), t_max, float: scene.float };
-        match scene.motion.regime {
+        match &scene.motion.regime {
+            Regime::Swing(swing) => clock.of_swing(swing),
+            Regime::Rotation(_) => clock.reductions(),
             Regime::Separatrix(_) => vec![clock.linear()],
-            _ => clock.reductions(),
         }
     }
 

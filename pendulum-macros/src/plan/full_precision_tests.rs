@@ -160,3 +160,30 @@ fn moments_keep_their_digits() {
         }
     }
 }
+
+/// A release from rest is even about t = 0, to the bit: at turning points too, where a phase is half an anchor from
+/// either lowest point.
+#[test]
+fn releases_are_even() {
+    let mut random = Random::new(5);
+    for theta0 in ["3", "-3", "2.9", "0.99π", "7π/8", "π - 1e-7", "1"] {
+        for (float, unit) in [(Float::F64, 2f64.powi(-53)), (Float::F32, 2f64.powi(-24))] {
+            for output in ["theta", "velocity", "acceleration", "position"] {
+                let text = format!("struct Motion; theta0 = {theta0}, float = {}, outputs = [{output}]", float.word());
+                let scene = scene(&text);
+                let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+                let plan = plan(&scene).unwrap();
+                let run = |t: f64| plan.functions[0].program.run(t);
+                let sign = if output == "velocity" { -1.0 } else { 1.0 };
+                let half = swing.period.to_f64() / 2.0;
+                for index in 0..200 {
+                    let turn = half * f64::from(index % 20);
+                    let off = unit * 8.0 * (random.unit() - 0.5) * (turn + 1.0);
+                    let t = float.round(if index < 100 { turn + off } else { 1e3 * random.unit() });
+                    let mirrored: Vec<f64> = run(-t).iter().map(|value| sign * value).collect();
+                    assert_eq!(run(t), mirrored, "{text} at {t:e}");
+                }
+            }
+        }
+    }
+}

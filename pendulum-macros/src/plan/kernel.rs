@@ -10,7 +10,7 @@ use super::variables::Variables;
 use super::{Function, Part};
 use crate::parse::Output;
 use crate::program::rounding::{Known, half_ulp};
-use crate::program::{Builder, Id, Program};
+use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
 use std::f64::consts::PI;
 
@@ -55,6 +55,14 @@ impl Kernel {
             Self::Harmonics(harmonics) => harmonics.is_odd(),
             Self::Hyperbolic(_) => false,
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.is_odd(),
+        }
+    }
+
+    /// Whether it changes its sign with the time's, of a release from rest.
+    fn is_odd_in_time(&self) -> bool {
+        match self {
+            Self::Hyperbolic(hyperbolic) => hyperbolic.output == Output::Velocity,
+            _ => self.is_odd(),
         }
     }
 
@@ -157,8 +165,21 @@ pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
     let variables = Variables::lower(&mut b, phase, reduction, odd);
     let names = if kernels.len() == 1 { ["result"; 2] } else { NAMES };
-    let results = kernels.iter().zip(names).flat_map(|(kernel, name)| kernel.lower(&mut b, &variables, name)).collect();
+    let mut results = Vec::new();
+    for (kernel, name) in kernels.iter().zip(names) {
+        let of_magnitude = kernel.lower(&mut b, &variables, name);
+        let turned = reduction.folded && kernel.is_odd_in_time();
+        results
+            .extend(of_magnitude.into_iter().map(|value| if turned { with_sign_of(&mut b, t, value) } else { value }));
+    }
     b.finish(results)
+}
+
+/// `value`, or its negative where `t` is negative.
+fn with_sign_of(b: &mut Builder, t: Id, value: Id) -> Id {
+    let minus = b.constant(-1.0);
+    let opposite = b.mul(t, minus);
+    b.push(Op::Against { x: value, sign: opposite })
 }
 
 /// A function per output, and `state` for θ and velocity together.

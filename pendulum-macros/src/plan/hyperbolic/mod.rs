@@ -55,7 +55,7 @@ pub(crate) struct Passage {
 /// The kernel of one output.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Hyperbolic {
-    output: Output,
+    pub(crate) output: Output,
     passage: Passage,
     images: Images,
     /// Whether Q/P is formed with as little rounding as can be, at the price of a division.

@@ -244,7 +244,7 @@ impl Sum {
             t_max: scene.t_max.as_ref().map(Real::to_f64),
             float: scene.float,
         };
-        let mut reductions = clock.reductions();
+        let mut reductions = clock.of_swing(swing);
         reductions.sort_by_key(Reduction::operations);
         let wanted = self.wanted(scene, swing);
         // If nothing is promised, the phase's error is to be beside the rounding.

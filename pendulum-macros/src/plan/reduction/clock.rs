@@ -3,6 +3,7 @@
 use super::words::{exponent, split_down, split_near};
 use super::{LINEAR_HALF, Method, Origin, Reduction};
 use crate::exact::Real;
+use crate::motion::Swing;
 use crate::parse::Float;
 use crate::program::rounding::half_ulp;
 use pendulum_runtime::double::Double;
@@ -42,6 +43,13 @@ impl Clock<'_> {
         unsure.chain(last).filter(Reduction::is_useful).collect()
     }
 
+    /// The same, of a swing.
+    pub(crate) fn of_swing(&self, swing: &Swing) -> Vec<Reduction> {
+        let reductions = self.reductions();
+        let released = swing.launch.is_zero();
+        reductions.into_iter().map(|reduction| if released { reduction.released() } else { reduction }).collect()
+    }
+
     fn reduction(
         &self,
         method: Method,
@@ -75,6 +83,7 @@ impl Clock<'_> {
             unit,
             scale,
             cap,
+            folded: false,
         }
     }
 
@@ -224,6 +233,7 @@ impl Clock<'_> {
             unit: Double::ONE,
             scale: 1.0,
             cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
+            folded: false,
         }
     }
 

@@ -8,6 +8,7 @@ use pendulum_runtime::double::Double;
 impl Reduction {
     /// Emits the reduction.
     pub(crate) fn lower(&self, b: &mut Builder, t: Id) -> Phase {
+        let t = if self.folded { b.push(Op::Abs(t)) } else { t };
         let t = self.capped(b, t);
         let phase = match &self.method {
             Method::OneWord { rate } => self.direct(b, t, *rate),

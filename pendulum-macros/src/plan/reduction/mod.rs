@@ -42,6 +42,8 @@ pub(crate) struct Reduction {
     pub(crate) scale: f64,
     /// Times beyond ±this are replaced by it.
     pub(crate) cap: Option<f64>,
+    /// Whether it is of |t|.
+    pub(crate) folded: bool,
 }
 
 /// The zero of the reduced phase.
@@ -109,7 +111,15 @@ impl Reduction {
             unit: Double::new(0.5 / scale) / Double::new(reach),
             scale,
             cap: None,
+            folded: false,
         })
+    }
+
+    /// For a release from rest, which is even about t = 0: θ(−t) = θ(t) to the bit. From an anchor a phase and its
+    /// negative are reduced alike; from a lowest point, half an anchor away, sums just inside of ½ and just outside of
+    /// it are not rounded alike, and the magnitude of the time is reduced instead.
+    pub(crate) fn released(self) -> Self {
+        Self { folded: self.origin == Origin::Lowest, ..self }
     }
 
     /// Whether it is that of an arc without symmetry.
