@@ -47,6 +47,9 @@ pub(super) struct Aim {
     unit_of_rounding: f64,
 }
 
+/// What full precision may be wrong by, in units of rounding of the largest value.
+pub(super) const FULL: f64 = 16.0;
+
 /// Above this complementary nome the images of a passage are too many for [`Hyperbolic`].
 const LARGEST_IMAGE: f64 = 0.05;
 
@@ -269,7 +272,7 @@ impl Aim {
     /// Sixteen units of rounding of the largest value, of which truncation takes one.
     pub(super) fn at_full_precision(&mut self, float: Float) {
         // Of a position, whose coordinates are products, rounding takes more.
-        let units = if self.output == Output::Position { 48.0 } else { 16.0 };
+        let units = if self.output == Output::Position { 3.0 * FULL } else { FULL };
         self.unit_of_rounding = float.unit();
         self.limit = units * self.floor();
         self.truncation = self.floor();

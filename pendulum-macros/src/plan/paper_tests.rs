@@ -81,6 +81,17 @@ fn the_series_at_full_precision() {
     }
 }
 
+/// Where its rounding takes more than full precision may, as near the top or of a velocity, the series is refused, and
+/// what is offered instead is kept.
+#[test]
+fn the_series_is_no_worse_than_full_precision() {
+    for start in ["theta0 = 0.99π", "theta0 = 0.9π, outputs = [velocity]"] {
+        let text = |goal: &str| format!("struct A; {start}, method = series{goal}");
+        let Err(Refusal::Unreachable { best }) = planned(&text("")) else { panic!("{start} was planned") };
+        assert!(best > 2f64.powi(-49) && planned(&text(&format!(", tol = {best:.3e}"))).is_ok(), "{start}: {best:e}");
+    }
+}
+
 /// The velocity of θ̂ comes as close as θ̂ itself, by as many terms as bring it there: each is smaller by the nome.
 #[test]
 fn velocities_of_the_paper() {

@@ -3,10 +3,11 @@
 mod parts;
 mod whole;
 
+use super::aim::FULL;
 use super::curve::{Curve, SwingCurves};
 use super::kernel;
 use super::reduction::{Clock, Reduction};
-use super::{Part, Plan, Refusal};
+use super::{Bound, Part, Plan, Refusal};
 use crate::check::most_useful_terms;
 use crate::exact::Real;
 use crate::motion::Swing;
@@ -254,26 +255,28 @@ impl Sum {
         if !matches!(scene.goal, Goal::Tolerance(_)) {
             reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
         }
-        let promise = if let Goal::Tolerance(tol) = scene.goal { tol } else { f64::INFINITY };
         // Where the sum itself is too far from the motion no reduction helps.
-        let bias = wanted.iter().map(|wanted| wanted.bias / wanted.curve.unit).fold(0.0, f64::max);
-        if bias > promise {
-            return Err(Refusal::Unreachable { best: bias });
+        if wanted.iter().any(|wanted| wanted.bias > self.promise(scene, &wanted.curve)) {
+            let best = wanted.iter().map(|wanted| wanted.bias / wanted.curve.unit).fold(0.0, f64::max);
+            return Err(Refusal::Unreachable { best });
         }
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
         for reduction in &reductions {
             // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
-            let phase = |wanted: &Wanted| wanted.curve.phase_error(reduction) / wanted.curve.unit;
-            if wanted.iter().any(|wanted| phase(wanted) > promise) || hopeless.contains(&reduction.origin) {
+            let lost = |wanted: &Wanted| wanted.curve.phase_error(reduction) > self.promise(scene, &wanted.curve);
+            if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
                 continue;
             }
             let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(scene, swing, wanted, reduction)).collect();
-            let worst = parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max);
-            if parts.iter().any(|part| (part.bound.truncation + part.bound.evaluation) / part.unit > promise) {
+            let kept = |error: fn(Bound) -> f64| {
+                let promises = wanted.iter().map(|wanted| self.promise(scene, &wanted.curve));
+                parts.iter().zip(promises).all(|(part, promise)| error(part.bound) <= promise)
+            };
+            if !kept(|bound| bound.truncation + bound.evaluation) {
                 hopeless.push(reduction.origin);
             }
-            if worst <= promise && parts.iter().all(|part| is_useful(part, scene)) {
+            if kept(Bound::total) && parts.iter().all(|part| is_useful(part, scene)) {
                 return Ok(Plan {
                     method: self.method.word(),
                     reduction: reduction.clone(),
@@ -283,9 +286,19 @@ impl Sum {
                     rejected: Vec::new(),
                 });
             }
-            closest = closest.min(worst);
+            closest = closest.min(parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max));
         }
         Err(Refusal::Unreachable { best: closest })
+    }
+
+    /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to
+    /// be as good as full precision; the others are what they are.
+    fn promise(&self, scene: &Scene, curve: &Curve) -> f64 {
+        match scene.goal {
+            Goal::Tolerance(tol) => tol * curve.unit,
+            Goal::Full if self.method == Method::Series => FULL * scene.float.unit() * curve.largest,
+            Goal::Full | Goal::Terms(_) => f64::INFINITY,
+        }
     }
 }
 
@@ -337,7 +350,7 @@ mod tests {
             let parts = crate::plan::plan(scene).unwrap().parts;
             for (part, is_vague) in parts.iter().zip([false, is_vague]) {
                 let useful = |evaluation: f64| {
-                    let bound = crate::plan::Bound { evaluation, ..part.bound };
+                    let bound = Bound { evaluation, ..part.bound };
                     is_useful(&Part { bound, ..part.clone() }, scene)
                 };
                 let found = [1.5 * part.largest, 2.5 * part.largest, f64::INFINITY].map(useful);
