@@ -15,7 +15,7 @@ pub(crate) struct Wave {
     terms: Vec<(u32, Double)>,
     /// Bounds what the omitted terms can add, for real s.
     omitted: f64,
-    /// |aₘ| ≤ growth·mʲ·decayᵐ for all m, with this j: the bound of the omitted terms.
+    /// Of all terms, hence of the omitted ones.
     envelope: Envelope,
 }
 
@@ -180,6 +180,8 @@ impl Wave {
 
     /// scale·cos(πs).
     pub(crate) fn cosine(scale: Double) -> Self {
+        // Nothing is omitted, so any envelope above the term serves; this one, 10³⁰⁰e⁻⁶⁹⁰ = 2.2, is finite in any strip
+        // that is looked at.
         let envelope = Envelope { size: scale.hi.abs() * 1e300, power: 0, rate: 690.0, step: 2 };
         Self {
             parity: Parity::Even,
@@ -266,7 +268,7 @@ impl Wave {
         (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
     }
 
-    /// Half the height of the strip in which the series converges, infinite for a finite one.
+    /// Half the height of the strip in which the series converges, wider than any in use for a finite one.
     pub(crate) fn strip(&self) -> f64 {
         self.envelope.rate / std::f64::consts::PI
     }

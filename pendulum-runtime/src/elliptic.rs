@@ -11,7 +11,8 @@
 //! | am | 6 · 2⁻⁵³ max(1, \|am\|); also 8 · 2⁻⁵³ \|am\| near u = 0 |
 //!
 //! ```
-//! use pendulum_runtime::elliptic::{self, complementary};
+//! # use pendulum_runtime as pendula;
+//! use pendula::elliptic::{self, complementary};
 //! let k = 0.8;
 //! let u = elliptic::quarter_period(k) / 3.0;
 //! let (sn, cn) = (elliptic::sn(u, k), elliptic::cn(u, k));

@@ -3,7 +3,7 @@
 //! Theta quotients (DLMF 20, and the half-nome pair S, C of the crate documentation) with everything written in terms
 //! of one sine or one exponential. With w = 2πz, z the phase in turns since the angle last passed zero,
 //!
-//! * direct, √q ≤ ½: tan(θ/4) = √q-series: sin w · N(η)/D(η), η = 4 sin² w;
+//! * direct, √q ≤ ½: tan(θ/4) = sin w · N(η)/D(η), in powers of √q, η = 4 sin² w;
 //! * dual, nearer to the top: tan(θ/4) = tanh X · N(η)/D(η), η = −4 sinh² X, X = πKz/K′.
 //!
 //! N and D have at most four coefficients for 2⁻⁵³, because the weights fall as q^(n²).

@@ -4,7 +4,7 @@ use crate::parse::Float;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The shortest decimal that is this number of type `float`, without suffix; NaN and infinities by their path.
+/// The shortest decimal that is this number of type `float`, without suffix; what isn't finite as ∞.
 pub(super) fn float(x: f64, float: Float) -> TokenStream {
     if !x.is_finite() {
         return match float {

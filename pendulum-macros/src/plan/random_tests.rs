@@ -150,7 +150,7 @@ impl<'a> Probe<'a> {
     }
 }
 
-/// Bound over largest error found, of a plan with a tolerance that the issue covers.
+/// Bound over largest error found, of a plan with a tolerance well above rounding.
 fn tightness(text: &str, random: &mut Random, density: usize) -> Option<f64> {
     let (scene, plan) = planned(text)?;
     let mut probe = Probe::new(&scene, &plan);

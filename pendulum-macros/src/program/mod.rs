@@ -197,7 +197,7 @@ impl Builder {
         id
     }
 
-    /// Appends `op`; an operation that is there already (with the same name or none) is shared.
+    /// Appends `op`; an operation that is there already is shared.
     pub(crate) fn push(&mut self, op: Op) -> Id {
         if let Some(id) = self.nodes.iter().position(|node| node.op == op && node.float == self.float) {
             return id;

@@ -207,6 +207,7 @@ fn moments(all: &mut Vec<Class>) {
     plan!(all: "a moment", [(7π/8) 0 1] within 3; theta velocity position);
     plan!(all: "tol 1e-9, a moment", [0 (-1.9) 1] tol 1e-9 within 1; theta acceleration);
     plan!(all: "a moment", [1 (-1) 1] within 1; theta velocity acceleration);
+    plan!(all: "a moment", [(1.638165) (1.680681) (1.311)] within 1; theta velocity acceleration);
     plan!(all: "rotation, a moment", [0 (2.5) 1] within 1; velocity position);
 }
 

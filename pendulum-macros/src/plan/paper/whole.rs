@@ -3,7 +3,7 @@
 //!
 //! θ̂ is an even function of the phase, analytic in p = s² but where y = ±1. Sums of few terms take these values near
 //! the turning point, off the real axis: at 7π/8 with N = 4 where p = −0.008 ± 0.022i. A [`Moebius`] map moves them
-//! away and leaves 37 terms of 63.
+//! away and leaves 34 terms of 63.
 //!
 //! **Error.** That θ̂ is analytic in some ellipse is awkward to prove. Instead the interpolant Q is tested afterwards:
 //! the residual R = y − sin(Q/2) is analytic wherever p is finite, and |y| and |sin(Q/2)| ≤ sinh(|Q|/2) are bounded on

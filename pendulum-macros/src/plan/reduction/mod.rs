@@ -122,6 +122,11 @@ impl Reduction {
         Self { folded: self.origin == Origin::Lowest, ..self }
     }
 
+    /// Whether there is nothing to reduce.
+    pub(crate) fn is_time(&self) -> bool {
+        matches!(self.method, Method::Time { .. })
+    }
+
     /// Whether it is that of an arc without symmetry.
     pub(crate) fn is_lopsided(&self) -> bool {
         self.method == Method::Time { lopsided: true }
