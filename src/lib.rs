@@ -205,6 +205,10 @@ struct Readme;
 /// # Greek letters
 /// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a
 /// lone `π`, in a crate that has no other Greek. `theta0`, `PI` and suffixes (`7π/8`, `1π`) don't trigger it.
+///
+/// # Constants in lower case
+/// A pattern finds constants that are in scope, whatever macro it is in: beside a `const t` the generated `theta(t)` is
+/// an error, *refutable pattern in function argument* (E0005). The compiler warns of such names by itself.
 #[macro_export]
 macro_rules! pendulum {
     ($($input:tt)*) => { $crate::__private::pendulum! { [$crate] $($input)* } };

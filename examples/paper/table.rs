@@ -44,6 +44,6 @@ pub(crate) fn print() -> Result<(), Error> {
             approximation.terms,
         );
     }
-    println!("\n  All of the paper's figures hold to the digits that it prints.\n");
+    println!("\n  No error exceeds the paper's figure for it by more than the rounding of its last digit.\n");
     Ok(())
 }
