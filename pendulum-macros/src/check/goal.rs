@@ -5,6 +5,7 @@ use crate::exact::Real;
 use crate::motion::{Motion, Regime, Swing};
 use crate::parse::{Float, Given, Method, Output, source};
 use crate::scene::Goal;
+use pendulum_runtime::fourier_analysis::FourierAnalysis;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -67,9 +68,16 @@ impl Checker<'_> {
         if n <= most {
             return Ok(n);
         }
+        let analysis =
+            FourierAnalysis::new(swing.elliptic.modulus.to_double(), swing.elliptic.complementary.to_double());
+        let remedy = if analysis.overshoot(most).is_none() {
+            format!("; use `n = {most}` or fewer")
+        } else {
+            ", and with so few it may exceed 1: state the error as `tol` instead".to_owned()
+        };
         let message = format!(
             "`n = {n}` is beyond what `{}` can use at this amplitude: the terms after the first {most} are together less \
-             than half a unit in the last place of the sum; use `n = {most}` or fewer",
+             than half a unit in the last place of the sum{remedy}",
             float.word()
         );
         Err(self.refuse(&given.tokens, message))
