@@ -70,10 +70,10 @@ impl Checker<'_> {
         }
         let analysis =
             FourierAnalysis::new(swing.elliptic.modulus.to_double(), swing.elliptic.complementary.to_double());
-        let remedy = if analysis.overshoot(most).is_none() {
-            format!("; use `n = {most}` or fewer")
-        } else {
+        let remedy = if too_near_the_top(swing, float) || analysis.overshoot(most).is_some() {
             ", and with so few it may exceed 1: state the error as `tol` instead".to_owned()
+        } else {
+            format!("; use `n = {most}` or fewer")
         };
         let message = format!(
             "`n = {n}` is beyond what `{}` can use at this amplitude: the terms after the first {most} are together less \
@@ -203,6 +203,13 @@ pub(crate) fn most_useful_terms(swing: &Swing, float: Float) -> usize {
             return n;
         }
     }
+}
+
+/// Whether any number of terms that the float can use overshoots: it leaves a tail that swings by a tenth of half a unit
+/// in the last place of 1, at least, and near the turning point 1 − x² is k′² and twice the tail. Where k′² is far less
+/// no number needs to be tried, and all would take long.
+pub(crate) fn too_near_the_top(swing: &Swing, float: Float) -> bool {
+    swing.elliptic.complementary.square().to_f64() < float.unit() / 128.0
 }
 
 /// The token of one word in a list, for its span.

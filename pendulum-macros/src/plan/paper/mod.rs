@@ -8,7 +8,7 @@ use super::curve::{Curve, SwingCurves};
 use super::kernel;
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal};
-use crate::check::most_useful_terms;
+use crate::check::{most_useful_terms, too_near_the_top};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
@@ -186,12 +186,8 @@ fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
 }
 
 /// The smallest number of terms without overshoot, `None` if there is none among those that the float can use.
-///
-/// Those leave a tail that swings by a tenth of half a unit in the last place of 1, at least, and near the turning
-/// point 1 − x² is k′² and twice the tail: where k′² is far less no number needs to be tried (and all would take long).
 fn smallest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing) -> Option<usize> {
-    let margin = swing.elliptic.complementary.square().to_f64();
-    if margin < scene.float.unit() / 128.0 {
+    if too_near_the_top(swing, scene.float) {
         return None;
     }
     let smallest = analysis.smallest_working();
