@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
+use pendula_stress::random::Random;
 use pendula_stress::truth::Truth;
 
 use crate::amplitude::Amplitude;
 use crate::contestant::{Contestant, Family, Kind};
-use crate::random::Random;
 use crate::real::Real;
 use crate::truth::{Truths, largest};
 

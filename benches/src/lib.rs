@@ -15,7 +15,6 @@ pub mod ours;
 pub mod peers;
 pub mod promises;
 pub mod race;
-pub mod random;
 pub mod real;
 pub mod report;
 pub mod session;

@@ -2,10 +2,11 @@
 
 use std::hint::black_box;
 
+use pendula_stress::random::Random;
+
 use crate::amplitude::Amplitude;
 use crate::contestant::{AnyTime, COUNT, Contestant, Family, HORIZON, Kind, STEPPED, State, Stepping};
 use crate::race::{Effort, Job, Spread, race};
-use crate::random::Random;
 use crate::real::Real;
 use crate::truth::{Given, Truths, largest, motion};
 
