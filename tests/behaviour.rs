@@ -4,7 +4,7 @@ mod truth;
 
 use core::f64::consts::PI;
 use pendula::pendulum;
-use truth::times::Random;
+use pendula_stress::random::Random;
 
 /// Motions released from rest, each with its mirror image.
 macro_rules! mirrored {
@@ -21,7 +21,7 @@ macro_rules! mirrored {
         let mut random = Random::new(7);
         for i in 0..2000 {
             // The first periods, and 2⁻¹⁰⁰ … 1 of the horizon.
-            let t = if i % 2 == 0 { 40.0 * random.signed() } else { $periods * (-100.0 * random.next()).exp2() };
+            let t = if i % 2 == 0 { 40.0 * random.signed() } else { $periods * (-100.0 * random.unit()).exp2() };
             let t = t as $float * Right::PERIOD;
             assert_eq!(Right::theta(-t).to_bits(), Right::theta(t).to_bits(), "{asked}: θ(−t) = θ(t) at {t:e}");
             assert_eq!(Left::theta(t).to_bits(), (-Right::theta(t)).to_bits(), "{asked}: θ0 → −θ0 at {t:e}");

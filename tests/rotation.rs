@@ -4,7 +4,7 @@ mod truth;
 
 use core::f64::consts::PI;
 use pendula::{Pendulum, pendulum};
-use truth::times::Random;
+use pendula_stress::random::Random;
 
 /// The angle less full turns, in [−π, π).
 fn less_turns(theta: f64) -> f64 {

@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 
+use pendula_stress::random::Random;
+use pendula_stress::truth::Truth;
+
 use crate::amplitude::Amplitude;
 use crate::contestant::{Contestant, Family, Kind};
-use crate::random::Random;
 use crate::real::Real;
-use crate::truth::Truth;
+use crate::truth::{Truths, largest};
 
 /// Points per decade of elapsed time.
 const PER_DECADE: i32 = 2;
@@ -31,23 +33,25 @@ pub struct Drift {
 /// The errors of all but the yardstick; steppers stop after `steps` steps.
 pub fn measure<R: Real>(amplitude: Amplitude, contestants: &[Contestant<R>], steps: usize) -> Vec<Drift> {
     let competing = contestants.iter().filter(|one| one.family != Family::Yardstick);
+    let mut truths = Truths::new(amplitude);
     let drift = |one: &Contestant<R>| {
-        let mut truth = Truth::new(amplitude, one.given);
+        let truth = truths.of(one.given);
+        let period = truth.motion().period().to_f64();
         let points = match &one.kind {
             Kind::AnyTime(function) => elapsed()
                 .map(|periods| {
-                    let times = times_after(periods, truth.period());
+                    let times = times_after(periods, period);
                     let mut angles = vec![R::zero(); SAMPLES];
                     function.fill(&times, &mut angles);
                     let pairs = times.iter().map(|t| t.wide()).zip(angles.iter().map(|angle| angle.wide()));
-                    (periods, largest(&mut truth, pairs))
+                    (periods, largest(truth, pairs))
                 })
                 .collect(),
             Kind::Stepping(method) => {
                 let interval = method.interval();
                 let mut angles = vec![R::zero(); steps];
                 method.follow(&mut angles);
-                stepped(&angles, interval, &mut truth)
+                stepped(&angles, interval, period, truth)
             }
         };
         Drift { family: one.family, name: one.name.clone(), setting: one.setting.clone(), points }
@@ -67,8 +71,7 @@ fn times_after<R: Real>(periods: f64, period: f64) -> Vec<R> {
 }
 
 /// The points of a trajectory, as far as it goes.
-fn stepped<R: Real>(angles: &[R], interval: f64, truth: &mut Truth) -> Vec<(f64, f64)> {
-    let period = truth.period();
+fn stepped<R: Real>(angles: &[R], interval: f64, period: f64, truth: &Truth) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for periods in elapsed() {
         let (first, last) = ((periods * period / interval) as usize, ((periods + 1.0) * period / interval) as usize);
@@ -79,12 +82,6 @@ fn stepped<R: Real>(angles: &[R], interval: f64, truth: &mut Truth) -> Vec<(f64,
         points.push((periods, largest(truth, pairs.step_by(stride))));
     }
     points
-}
-
-/// The largest error of pairs of time and angle; NaN if any angle is.
-fn largest(truth: &mut Truth, pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let errors = pairs.map(|(t, angle)| truth.theta(t).distance(angle));
-    errors.fold(0.0, |seen: f64, error| if error.is_nan() { error } else { seen.max(error) })
 }
 
 /// One line per point.

@@ -2,9 +2,9 @@
 //!
 //! `cargo bench --bench pareto` runs it. A [`Contestant`](contestant::Contestant) is anything that gives θ of a
 //! pendulum released at rest with ω = 1; [`ours`] and [`peers`] list them. A [`session`] times all of them in one
-//! process, in interleaved rounds, and measures their errors against multiple precision ([`truth`]); [`drift`] follows
-//! the errors to 10¹² periods. [`report`] and [`figures`] show what came out, [`promises`] whether it is what was
-//! promised.
+//! process, in interleaved rounds, and measures their errors against the truth of the stress suites ([`truth`]);
+//! [`drift`] follows the errors to 10¹² periods. [`report`] and [`figures`] show what came out, [`promises`] whether it
+//! is what was promised.
 
 pub mod amplitude;
 pub mod contestant;
@@ -15,7 +15,6 @@ pub mod ours;
 pub mod peers;
 pub mod promises;
 pub mod race;
-pub mod random;
 pub mod real;
 pub mod report;
 pub mod session;

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::random::Random;
+use pendula_stress::random::Random;
 
 /// How long to measure.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ pub fn race(jobs: &mut [Job<'_>], effort: Effort, mut progress: impl FnMut(usize
     let mut random = Random::new(5);
     let mut order: Vec<usize> = (0..jobs.len()).collect();
     for round in 0..effort.rounds {
-        random.shuffle(&mut order);
+        order.sort_by_cached_key(|_| random.bits());
         for &index in &order {
             jobs[index].sample(&mut litter);
         }

@@ -1,14 +1,14 @@
 //! One run: the field of contestants per amplitude and precision, their errors, and their times.
 
-use std::collections::HashMap;
 use std::hint::black_box;
+
+use pendula_stress::random::Random;
 
 use crate::amplitude::Amplitude;
 use crate::contestant::{AnyTime, COUNT, Contestant, Family, HORIZON, Kind, STEPPED, State, Stepping};
 use crate::race::{Effort, Job, Spread, race};
-use crate::random::Random;
 use crate::real::Real;
-use crate::truth::{Exact, Given, Truth};
+use crate::truth::{Given, Truths, largest, motion};
 
 /// An array at the start of a cache line, so that vector loads do not depend on where the allocator puts it.
 #[repr(align(64))]
@@ -74,7 +74,7 @@ fn follow<R: Real>(method: &dyn Stepping<R>) -> impl FnMut() {
 impl<R: Real> Field<R> {
     /// Random times over the horizon of the plans; the same in every run.
     pub fn new(amplitude: Amplitude, contestants: Vec<Contestant<R>>) -> Self {
-        let period = Truth::new(amplitude, Given::Exact).period();
+        let period = motion(amplitude, Given::Exact).period().to_f64();
         let mut random = Random::new(0x5EED);
         let mut times = Box::new(Block([R::zero(); COUNT]));
         for time in &mut times.0 {
@@ -90,7 +90,7 @@ impl<R: Real> Field<R> {
 
     /// The largest error of each contestant.
     pub fn errors(&self) -> Vec<f64> {
-        let mut truths = Truths { amplitude: self.amplitude, motions: HashMap::new(), values: HashMap::new() };
+        let mut truths = Truths::new(self.amplitude);
         self.contestants.iter().map(|contestant| self.error(contestant, &mut truths)).collect()
     }
 
@@ -102,16 +102,16 @@ impl<R: Real> Field<R> {
             Kind::AnyTime(function) => {
                 let mut angles = vec![R::zero(); COUNT];
                 function.fill(&self.times.0, &mut angles);
-                let truth = truths.get(contestant.given, 0, || self.times.0.iter().map(|t| t.wide()).collect());
-                largest(&angles, truth)
+                let pairs = self.times.0.iter().zip(&angles).map(|(t, angle)| (t.wide(), angle.wide()));
+                largest(truths.of(contestant.given), pairs)
             }
             Kind::Stepping(method) => {
                 let interval = method.interval();
                 let count = (STEPPED * self.period / interval).round() as usize;
                 let mut angles = vec![R::zero(); count];
                 method.follow(&mut angles);
-                let times = || (1..=count).map(|step| step as f64 * interval).collect();
-                largest(&angles, truths.get(contestant.given, interval.to_bits(), times))
+                let pairs = (1..=count).zip(&angles).map(|(step, angle)| (step as f64 * interval, angle.wide()));
+                largest(truths.of(contestant.given), pairs)
             }
         }
     }
@@ -207,31 +207,6 @@ pub struct Timed {
     pub single: Vec<f64>,
     /// In the array loop with cold caches.
     pub cold: Vec<f64>,
-}
-
-/// Exact values, computed once per release angle and set of times.
-struct Truths {
-    amplitude: Amplitude,
-    motions: HashMap<u8, Truth>,
-    values: HashMap<(u8, u64), Vec<Exact>>,
-}
-
-impl Truths {
-    /// The values at `times`, which `key` stands for.
-    fn get(&mut self, given: Given, key: u64, times: impl FnOnce() -> Vec<f64>) -> &[Exact] {
-        let Self { amplitude, motions, values } = self;
-        values.entry((given as u8, key)).or_insert_with(|| {
-            let motion = motions.entry(given as u8).or_insert_with(|| Truth::new(*amplitude, given));
-            times().into_iter().map(|t| motion.theta(t)).collect()
-        })
-    }
-}
-
-/// NaN if any angle is NaN.
-fn largest<R: Real>(angles: &[R], truth: &[Exact]) -> f64 {
-    let errors = angles.iter().zip(truth).map(|(angle, exact)| exact.distance(angle.wide()));
-    errors
-        .fold(0.0, |largest: f64, error| if error.is_nan() || largest.is_nan() { f64::NAN } else { largest.max(error) })
 }
 
 impl Session {

@@ -10,8 +10,6 @@ const DESCRIBED: usize = 8;
 pub struct Finding {
     /// Inputs tried.
     pub tried: u64,
-    /// How many of them were compared with multiple precision directly.
-    pub direct: u64,
     /// The largest error, where the promise holds.
     pub worst: f64,
     /// The input that has it.
@@ -50,7 +48,6 @@ impl Finding {
 impl Merge for Finding {
     fn merge(&mut self, other: Self) {
         self.tried += other.tried;
-        self.direct += other.direct;
         self.observe(other.worst, other.at);
         self.broken += other.broken;
         self.faults.extend(other.faults);

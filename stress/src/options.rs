@@ -6,7 +6,7 @@ use std::thread;
 /// How to call it.
 pub const USAGE: &str = "usage: pendula-stress exhaustive|times|amplitudes|coefficients [OPTIONS]
   --threads N         threads to use (default: all)
-  --inputs N          inputs per row of the table (default: that of docs/ACCURACY.md; all for exhaustive)
+  --inputs N          inputs per row of the table (default: that of docs/ACCURACY.md); exhaustive tries all
   --only TEXT         of `times` only the classes with TEXT in their name, or with that output
   --record DATE PATH  writes the table, under this date, into PATH (docs/ACCURACY.md)";
 
@@ -76,6 +76,9 @@ impl Options {
             let mut value = || arguments.next().ok_or_else(|| format!("{option} needs a value"));
             match option.as_str() {
                 "--threads" => options.threads = number(&value()?)?,
+                "--inputs" if suite == Suite::Exhaustive => {
+                    return Err("`exhaustive` tries every input: leave `--inputs` out".into());
+                }
                 "--inputs" => options.inputs = number(&value()?)?,
                 "--only" => options.only = Some(value()?),
                 "--record" => options.record = Some((value()?, value()?.into())),
@@ -103,4 +106,28 @@ impl Options {
 
 fn number<T: std::str::FromStr>(text: &str) -> Result<T, String> {
     text.parse().map_err(|_| format!("`{text}` is not a number"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Options;
+
+    fn parse(line: &str) -> Result<Options, String> {
+        Options::parse(line.split(' ').map(String::from))
+    }
+
+    #[test]
+    fn every_input_is_every_input() {
+        let refused = parse("exhaustive --threads 2 --inputs 7").expect_err("all are tried");
+        assert_eq!(refused, "`exhaustive` tries every input: leave `--inputs` out");
+        assert!(parse("exhaustive --threads 2").is_ok());
+    }
+
+    #[test]
+    fn the_command_does_the_same() {
+        for line in ["exhaustive", "times --inputs 7 --only 'rotation'", "amplitudes --inputs 5", "coefficients"] {
+            let options = parse(&line.replace('\'', "")).expect("a command line");
+            assert_eq!(options.command(), format!("cargo run --release -p pendula-stress -- {line}"));
+        }
+    }
 }

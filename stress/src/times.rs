@@ -130,7 +130,6 @@ impl<'a> Looker<'a> {
         (self.class.evaluate)(times, &mut values);
         for (&t, &value) in times.iter().zip(&values) {
             found.tried += 1;
-            found.direct += 1;
             let error = self.truth.direct(t, value);
             self.judge(t, value, error, found);
         }
@@ -152,7 +151,6 @@ impl<'a> Looker<'a> {
         let (fast, direct) = (self.truth.error(t, value), self.truth.direct(t, value));
         // What is promised is relative to this too.
         let scale = self.class.ceiling.min(value[0].abs().max(std::f64::consts::PI));
-        found.direct += 1;
         if (fast - direct).abs() > AGREEMENT * scale || direct.is_nan() {
             found.fault(|| format!("truth at {t:e} is off: {fast:e}, {direct:e}"));
         }
@@ -193,7 +191,6 @@ impl<'a> Looker<'a> {
             let Some((exact, steep)) = series.paper(coefficients, &self.truth.motion().phase(t)) else { continue };
             if steep <= steepest {
                 found.tried += 1;
-                found.direct += 1;
                 found.observe((&values[0][0].into() - &exact).to_f64().abs(), t);
             }
         }

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Writes elliptic.csv: elliptic integrals and functions by modulus and by complement (needs mpmath only).
+"""Writes elliptic.csv beside itself: elliptic integrals and functions by modulus and by complement (needs mpmath only).
 
-usage: elliptic.py > elliptic.csv
+usage: elliptic.py
 
 Columns: `k` or `kc`, then the modulus (complement), u and the angle phi of F as the bits of f64s taken as exact, then
 K, K', q, sn, cn, dn, am and F(phi) as the bits of the nearest f64s.
 """
 import random
 import struct
-from mpmath import mp, mpf, pi, sin, cos, sqrt, nint, ellipf, exp, log, quad
+from pathlib import Path
+from mpmath import mp, mpf, pi, sin, cos, sqrt, nint, ellipf, exp, log
 from reference import jacobi
 
 
@@ -28,19 +29,25 @@ def row(name, value, u):
     angle = mpf(float(min(0.9 * u, 1.5)))
     incomplete = ellipf(angle, k * k)
     values = quarter, quarter1, exp(-pi * quarter1 / quarter), sin(am), cos(am), dn, am, incomplete
-    print(f"{name},{bits(value)},{bits(u)},{bits(angle)}," + ",".join(map(bits, values)))
+    return f"{name},{bits(value)},{bits(u)},{bits(angle)}," + ",".join(map(bits, values))
 
 
-def main():
+def rows():
     rng = random.Random(7)
-    print("# Elliptic functions; written by elliptic.py, which explains the columns.")
     for value in [1e-30, 1e-5, 0.1, 0.3, 0.5, 0.6, 0.8, 0.87, 0.9, 0.95, 0.99, 0.999, 0.9999999]:
         for name in ("k", "kc"):
             for u in (1e-6, rng.uniform(0, 1.5), rng.uniform(1.5, 4), rng.uniform(4, 30), rng.uniform(1e3, 1e6)):
-                row(name, value, u)
+                yield row(name, value, u)
     for value in (1e-8, 1e-12, 1e-100):
         for u in (1e-6, 0.7, 1.9, 14.0, 3e2):
-            row("kc", value, u)
+            yield row("kc", value, u)
+
+
+def main():
+    with Path(__file__).with_suffix(".csv").open("w", encoding="utf-8") as out:
+        print("# Elliptic functions; written by elliptic.py, which explains the columns.", file=out)
+        for text in rows():
+            print(text, file=out)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ the runtime uses theta quotients, so the two have no formula in common.
 """
 import struct
 import sys
-from mpmath import mp, mpf, pi, sin, cos, sqrt, atan, tanh, cosh, asin, nint, floor, log, sinh
+from mpmath import mp, mpf, pi, sin, cos, sqrt, atan, tanh, cosh, asin, nint, log
 
 
 def number(bits):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes states.csv: motions from arbitrary states, by other formulas than the runtime's (needs mpmath only).
+"""Writes states.csv beside itself: motions from arbitrary states, by other formulas than the runtime's (mpmath only).
 
-usage: states.py > states.csv      (seconds; the same rows every time)
+usage: states.py      (seconds; the same rows every time)
 
 Columns: θ(0), θ̇(0), ω and t as the bits of f64s taken as exact, then θ(t) and θ̇(t), each as the nearest f64 and the
 rest. The phase of the initial state is Legendre's F by mpmath's `ellipf`, continued by descending Landen
@@ -9,8 +9,11 @@ transformations (`jacobi` of reference.py).
 """
 import random
 import struct
+from pathlib import Path
 from mpmath import mp, mpf, pi, sin, cos, sqrt, asin, ellipf, nint, log
 from reference import jacobi, words
+
+HEADER = "# Motions of theta'' + omega^2 sin(theta) = 0 from arbitrary states; states.py writes and explains it."
 
 
 def motion(theta, velocity, omega, t):
@@ -57,12 +60,13 @@ def states(rng):
 
 def main():
     rng = random.Random(20191)
-    print("# Motions of theta'' + omega^2 sin(theta) = 0 from arbitrary states; states.py writes and explains it.")
-    for theta, velocity, omega in states(rng):
-        for decade in (0, 2, 6, 12):
-            t = rng.uniform(-8, 8) * 10**decade / max(omega, abs(velocity))
-            angle, speed = motion(theta, velocity, omega, t)
-            print(",".join(map(bits, (theta, velocity, omega, t))) + f",{words(angle)},{words(speed)}")
+    with Path(__file__).with_suffix(".csv").open("w", encoding="utf-8") as out:
+        print(HEADER, file=out)
+        for theta, velocity, omega in states(rng):
+            for decade in (0, 2, 6, 12):
+                t = rng.uniform(-8, 8) * 10**decade / max(omega, abs(velocity))
+                angle, speed = motion(theta, velocity, omega, t)
+                print(*map(bits, (theta, velocity, omega, t)), words(angle), words(speed), sep=",", file=out)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes exact.csv: releases and launches from exact parameters, at the times of tests/data/reference.csv, by mpmath.
+"""Writes exact.csv beside itself: releases and launches from exact parameters, at the times of
+tests/data/reference.csv, by mpmath.
 
     python3 exact.py
 
@@ -11,7 +12,7 @@ every third time is taken, and all above 10¹² and the zero crossings.
 import os
 import struct
 import sys
-from mpmath import mp, mpf, pi, log
+from mpmath import mp, mpf, log
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(here, "..", "data"))

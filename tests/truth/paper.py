@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes paper.csv: the paper's theta-hat (Eq. 22) and its derivative, by mpmath.
+"""Writes paper.csv beside itself: the paper's theta-hat (Eq. 22) and its derivative, by mpmath.
 
     python3 paper.py
 
@@ -9,6 +9,7 @@ arcsine magnifies every rounding; a third of the times are in the first period, 
 """
 import random
 import struct
+from pathlib import Path
 from mpmath import mp, mpf, pi, sin, cos, sqrt, exp, agm, asin, floor
 from swings import value
 
@@ -37,7 +38,7 @@ def words(x):
 
 if __name__ == "__main__":
     dice = random.Random(2019)
-    with open(__file__.replace("paper.py", "paper.csv"), "w", encoding="utf-8") as out:
+    with Path(__file__).with_suffix(".csv").open("w", encoding="utf-8") as out:
         print("# Written by paper.py, which explains the columns.", file=out)
         for case in CASES:
             text, n = case.split(";")

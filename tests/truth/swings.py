@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes swings.csv: what tests/truth/mod.rs needs of each swing, by mpmath.
+"""Writes swings.csv beside itself: what tests/truth/mod.rs needs of each swing, by mpmath.
 
     python3 swings.py
 
@@ -15,6 +15,7 @@ A swing starts from (theta0, velocity0) with the rate omega, all of them exact r
 """
 import re
 import struct
+from pathlib import Path
 from mpmath import mp, mpf, pi, sin, cos, sqrt, exp, agm, asin, ellipf, fabs
 
 mp.dps = 120
@@ -65,7 +66,7 @@ def row(start):
 
 
 if __name__ == "__main__":
-    with open(__file__.replace("swings.py", "swings.csv"), "w", encoding="utf-8") as out:
+    with Path(__file__).with_suffix(".csv").open("w", encoding="utf-8") as out:
         print("# Written by swings.py, which explains the columns.", file=out)
         for start in STARTS:
             print(row(start), file=out)

@@ -1,27 +1,8 @@
 //! Times at which to look: everywhere in the phase, at the ends of the horizon, and where something switches.
 
+use pendula_stress::random::Random;
+
 use super::Swing;
-
-/// Pseudo-random numbers in [0, 1); xorshift64.
-pub struct Random(u64);
-
-impl Random {
-    pub fn new(seed: u64) -> Self {
-        Self(seed ^ 0x9e37_79b9_7f4a_7c15)
-    }
-
-    pub fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// In [−1, 1).
-    pub fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
-}
 
 /// About 3·`density` times within ±`horizon`.
 pub fn within(swing: &Swing, horizon: f64, density: u32) -> Vec<f64> {
@@ -33,9 +14,9 @@ pub fn within(swing: &Swing, horizon: f64, density: u32) -> Vec<f64> {
         // and by magnitude; its end, where the phase has drifted most.
         times.push(swing.time_of(f64::from(i) / f64::from(density) * 2.0 - 1.0));
         times.push(
-            horizon * if i % 2 == 0 { random.signed() } else { random.signed().signum() * random.next().powi(16) },
+            horizon * if i % 2 == 0 { random.signed() } else { random.signed().signum() * random.unit().powi(16) },
         );
-        times.push((horizon - period * random.next()) * random.signed().signum());
+        times.push((horizon - period * random.unit()) * random.signed().signum());
     }
     // Turning points, zero crossings and the eighths between, with their neighbours.
     for eighth in -16..=16 {

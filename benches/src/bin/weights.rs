@@ -11,8 +11,8 @@ use pendula::__private::support::{root, rootf};
 use pendula_benches::contestant::COUNT;
 use pendula_benches::machine;
 use pendula_benches::race::{Effort, Job, Spread, race};
-use pendula_benches::random::Random;
 use pendula_benches::real::Real;
+use pendula_stress::random::Random;
 
 /// Independent chains of operations, as evaluation by Estrin's scheme has them.
 const REPEATS: usize = 4;

@@ -9,7 +9,7 @@ mod table;
 use crate::amplitude::Amplitude;
 use crate::contestant::{Contestant, Family};
 use crate::real::Real;
-use crate::truth::{Given, Truth};
+use crate::truth::{self, Given};
 
 pub use paper::AS_WRITTEN;
 
@@ -32,21 +32,21 @@ struct Motion {
     complement: f64,
     /// T
     period: f64,
-    truth: Truth,
+    exact: pendula_stress::motion::Motion,
 }
 
 /// The number that is compared with, and all peers in one precision. The peers get the amplitude as an `f64`, or in
 /// single precision as an `f32`, take it as exact, and are compared with the motion of that amplitude.
 pub fn peers<R: Precision>(amplitude: Amplitude) -> Vec<Contestant<R>> {
     let given = if R::NAME == "f32" { Given::F32 } else { Given::F64 };
-    let truth = Truth::new(amplitude, given);
+    let exact = truth::motion(amplitude, given);
     let theta0 = R::of(amplitude.theta0()).wide();
     let (modulus, complement) = (theta0 / 2.0).sin_cos();
-    let mut motion = Motion { theta0, modulus, complement, period: truth.period(), truth };
+    let motion = Motion { theta0, modulus, complement, period: exact.period().to_f64(), exact };
     let mut all = vec![Contestant::function(Family::Yardstick, &format!("{}::sin", R::NAME), "", |t: R| t.sin())];
     all.extend(paper::contestants(&motion));
     all.extend(R::libraries(&motion));
-    all.extend(table::contestants(&mut motion));
+    all.extend(table::contestants(&motion));
     all.extend(stepper::contestants(&motion));
     all.extend(adaptive::contestants(&motion));
     all

@@ -1,11 +1,13 @@
 //! A table of one period with cubic Hermite interpolation.
 
+use pendula_stress::motion::State;
+
 use super::Motion;
 use crate::contestant::{Contestant, Family};
 use crate::real::Real;
 
 /// Tables of 256 and of 4096 points, filled with the exact values.
-pub(super) fn contestants<R: Real>(motion: &mut Motion) -> Vec<Contestant<R>> {
+pub(super) fn contestants<R: Real>(motion: &Motion) -> Vec<Contestant<R>> {
     vec![table::<R, 256>(motion), table::<R, 4096>(motion)]
 }
 
@@ -28,14 +30,14 @@ fn hermite<R: Real>((value, slope): (R, R), (end, end_slope): (R, R)) -> Interva
 /// `POINTS`, a power of two, of them over one period. Written for speed: the four coefficients of each interval are
 /// stored ready, the index cannot be out of bounds, and there is no branch and no conversion that would keep the loop
 /// scalar.
-fn table<R: Real, const POINTS: usize>(motion: &mut Motion) -> Contestant<R> {
-    let step = motion.period / POINTS as f64;
-    let mut node = |index: usize| {
-        let t = step * index as f64;
-        (R::of(motion.truth.theta(t).high), R::of(motion.truth.velocity(t).high * step))
+fn table<R: Real, const POINTS: usize>(motion: &Motion) -> Contestant<R> {
+    let node = |index: usize| {
+        let State { theta, slope } = motion.exact.at_phase(&(index as f64 / POINTS as f64).into());
+        (R::of(theta.to_f64()), R::of(slope.to_f64() / POINTS as f64))
     };
+    let nodes: Vec<(R, R)> = (0..POINTS).map(node).collect();
     let intervals: Vec<Interval<R>> =
-        (0..POINTS).map(|index| hermite(node(index), node((index + 1) % POINTS))).collect();
+        (0..POINTS).map(|index| hermite(nodes[index], nodes[(index + 1) % POINTS])).collect();
     let Ok(intervals) = <Box<[Interval<R>; POINTS]>>::try_from(intervals.into_boxed_slice()) else {
         unreachable!("as many as there are points")
     };

@@ -1,6 +1,7 @@
 use super::*;
 use crate::check::check;
 use crate::exact::Context;
+use crate::fuzz::random::Random;
 use crate::parse::parse;
 use crate::report::Report;
 use std::time::{Duration, Instant};
@@ -134,20 +135,9 @@ fn carlson(mut x: Real, mut y: Real, mut z: Real) -> Real {
     series / mean.sqrt()
 }
 
-/// Uniform in [0, 1), by Knuth's linear congruential generator.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Of either sign, its magnitude log-uniform in [10^`least`, 10^`most`).
-    fn signed(&mut self, least: f64, most: f64) -> f64 {
-        let sign = if self.next() < 0.5 { -1.0 } else { 1.0 };
-        sign * 10.0_f64.powf(least + (most - least) * self.next())
-    }
+/// Of either sign, its magnitude log-uniform in [10^`least`, 10^`most`).
+fn signed(random: &mut Random, least: f64, most: f64) -> f64 {
+    random.choose(&[-1.0, 1.0]) * 10.0_f64.powf(least + (most - least) * random.unit())
 }
 
 /// F(φ, k) from the lowest point with sin φ = s/k (swing) or φ = θ0/2 (rotation), by Legendre's form of `R_F`; the
@@ -155,16 +145,16 @@ impl Random {
 #[test]
 fn launch_phases_agree_with_carlson_duplication() {
     let context = Context::for_digits(20);
-    let mut random = Random(2019);
+    let mut random = Random::new(2019);
     let tolerance = context.decimal("1e-57").unwrap();
     let (mut swings, mut rotations) = (0, 0);
     for round in 0..200 {
-        let theta0 = random.signed(-6.0, 0.497);
+        let theta0 = signed(&mut random, -6.0, 0.497);
         // Half of them close to the separatrix, where v0 = 2ω cos(θ0/2).
         let velocity0 = if round % 2 == 0 {
-            random.signed(-6.0, 1.5)
+            signed(&mut random, -6.0, 1.5)
         } else {
-            2.0 * (theta0 / 2.0).cos() * (1.0 + random.signed(-12.0, -1.0))
+            2.0 * (theta0 / 2.0).cos() * (1.0 + signed(&mut random, -12.0, -1.0))
         };
         let [theta0, velocity0] = [theta0, velocity0].map(|x| context.float(x).unwrap());
         let one = context.integer(1);
@@ -198,10 +188,10 @@ fn launch_phases_agree_with_carlson_duplication() {
 #[test]
 fn symmetries_hold_to_the_bit() {
     let context = Context::for_digits(20);
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     for _ in 0..50 {
-        let theta0 = context.float(random.signed(-3.0, 0.497)).unwrap();
-        let velocity0 = context.float(random.signed(-3.0, 1.0)).unwrap();
+        let theta0 = context.float(signed(&mut random, -3.0, 0.497)).unwrap();
+        let velocity0 = context.float(signed(&mut random, -3.0, 1.0)).unwrap();
         let described = |theta0: &Real, velocity0: &Real| match Motion::solve(theta0, velocity0, &context.integer(1))
             .unwrap()
             .regime

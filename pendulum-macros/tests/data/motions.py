@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes amplitudes.csv and launches.csv: elliptic constants and launch phases to 60 digits, by mpmath.
+"""Writes amplitudes.csv and launches.csv beside itself: elliptic constants and launch phases to 60 digits, by mpmath.
 
     python3 motions.py
 
@@ -7,6 +7,7 @@ The working precision of 1000 digits outlasts the cancellation in 1 - k^2 at pi 
 (parameter m = k^2, incomplete integrals by quadrature-free ellipf) serve as truth, unlike those under test.
 """
 import re
+from pathlib import Path
 from mpmath import mp, mpf, pi, sin, sqrt, exp, asin, ellipk, ellipf, nstr, atanh, fabs, sign
 
 mp.dps = 1000
@@ -67,7 +68,7 @@ def launch(theta0, velocity0, omega):
 
 HEADER = "# mpmath %s, %d digits, written by motions.py\n" % (__import__("mpmath").__version__, DIGITS)
 
-with open("amplitudes.csv", "w") as out:
+with Path(__file__).with_name("amplitudes.csv").open("w", encoding="utf-8") as out:
     out.write(HEADER + "theta0,k,K,K',q,T,b1,b3,b5,b7,b15\n")
     for text in AMPLITUDES:
         k = sin(value(text) / 2)
@@ -77,7 +78,7 @@ with open("amplitudes.csv", "w") as out:
         row = [k, quarter, complementary, q, 4 * quarter] + terms
         out.write(",".join([text] + [digits(x) for x in row]) + "\n")
 
-with open("launches.csv", "w") as out:
+with Path(__file__).with_name("launches.csv").open("w", encoding="utf-8") as out:
     out.write(HEADER + "theta0,velocity0,omega,regime,mirrored,launch,amplitude or fastest,period\n")
     for text in LAUNCHES.replace("\n", ";").split(";"):
         if text := text.split():
