@@ -1,7 +1,7 @@
 //! Run time against error, and error against time elapsed; see `docs/BENCHMARKS.md`.
 //!
 //! `cargo bench --bench pareto` measures for some minutes and writes to `target/benchmarks/`; `-- --quick` takes less
-//! than one; `-- --bless` writes to `docs/benchmarks/` and renews the tables of the frontier and of the promises in
+//! than one; `-- --bless` writes to `docs/benchmarks/` and renews the tables of the frontier and of the targets in
 //! `docs/BENCHMARKS.md`.
 
 use std::error::Error;
@@ -18,7 +18,7 @@ use pendula_benches::ours::{Planned, ours};
 use pendula_benches::peers::{self, Precision, peers};
 use pendula_benches::race::Effort;
 use pendula_benches::session::{Field, Outcome, Session};
-use pendula_benches::{figures, machine, promises, report};
+use pendula_benches::{figures, machine, report, targets};
 use pendula_plot::Figure;
 
 /// Steps of the time stepping in the picture of the drift: 10⁵ periods at T/100.
@@ -94,10 +94,10 @@ fn measure(options: &Options) -> Result<(), Box<dyn Error>> {
     write(&options.directory, &outcomes, &drifts)?;
     if let Some(document) = &options.document {
         renew(document, "frontier", &report::summary(&outcomes))?;
-        renew(document, "promises", &promises::table(&outcomes))?;
+        renew(document, "targets", &targets::table(&outcomes))?;
     }
     print!("{}", report::markdown(&outcomes, &peers::missing(), &peers::versions()));
-    println!("## Promises about cost, at 7π/8\n\n{}", promises::table(&outcomes));
+    println!("## Targets of cost, at 7π/8\n\n{}", targets::table(&outcomes));
     println!("written to {} after {:.0} s", options.directory.display(), start.elapsed().as_secs_f64());
     Ok(())
 }

@@ -189,7 +189,7 @@ impl Planned for f32 {
         match amplitude.slug {
             "pi_3" => methods!(f32, (PI/3), 675, [2 4], series [1e-3], fourier [1e-3]),
             "7pi_8" => {
-                // Four times the tolerance of the promise, where one product with the rate is exact enough.
+                // Four times the tolerance of the target, where one product with the rate is exact enough.
                 let mut all = methods!(f32, (7π/8), 1217, [4 8], series [1e-3], fourier [1e-3], polynomial [4e-4]);
                 all.extend(states!(f32, (7π / 8), 1217, [1e-4]));
                 all

@@ -1,4 +1,4 @@
-//! What the project promises about cost, beside what was reached.
+//! What plans are to cost at most, beside what was reached.
 
 use std::fmt::Write as _;
 
@@ -17,22 +17,22 @@ enum Call {
 }
 
 /// The most that the cost of an entry may be, as a multiple of another's, at 7π/8 in the same run.
-struct Promise {
+struct Target {
     precision: &'static str,
     entry: (&'static str, &'static str),
     unit: (&'static str, &'static str),
     call: Call,
     /// On the baseline of x86-64, and with AVX2.
-    targets: [f64; 2],
+    limits: [f64; 2],
 }
 
-const fn promise(
+const fn target(
     entry: (&'static str, &'static str),
     unit: (&'static str, &'static str),
     call: Call,
-    targets: [f64; 2],
-) -> Promise {
-    Promise { precision: "f64", entry, unit, call, targets }
+    limits: [f64; 2],
+) -> Target {
+    Target { precision: "f64", entry, unit, call, limits }
 }
 
 const SINE: (&str, &str) = ("f64::sin", "");
@@ -45,36 +45,36 @@ const BOTH: [f64; 2] = [1.5; 2];
 /// The paper's θ̂ with four terms, in units of the formula as written.
 const GENERATED: [f64; 2] = [0.35; 2];
 
-const PROMISES: [Promise; 17] = [
-    promise((PLANNED, MICRO), SINE, Call::Array, [0.30, 0.17]),
-    promise((PLANNED, NANO), SINE, Call::Array, [0.42, 0.22]),
-    promise((PLANNED, PICO), SINE, Call::Array, [0.55, 0.30]),
-    promise((ANY_TIME, FULL), SINE, Call::Array, [1.1, 0.56]),
-    Promise {
+const TARGETS: [Target; 17] = [
+    target((PLANNED, MICRO), SINE, Call::Array, [0.30, 0.17]),
+    target((PLANNED, NANO), SINE, Call::Array, [0.42, 0.22]),
+    target((PLANNED, PICO), SINE, Call::Array, [0.55, 0.30]),
+    target((ANY_TIME, FULL), SINE, Call::Array, [1.1, 0.56]),
+    Target {
         precision: "f32",
         entry: (PLANNED, "tol 1e-4"),
         unit: ("f32::sin", ""),
         call: Call::Array,
-        targets: [0.20, 0.08],
+        limits: [0.20, 0.08],
     },
-    promise((PLANNED, MICRO), SINE, Call::Single, [0.8; 2]),
-    promise((PAPER, "n = 4"), (AS_WRITTEN, "N = 4"), Call::Array, GENERATED),
-    promise((PAPER, "n = 4"), (AS_WRITTEN, "N = 4"), Call::Single, GENERATED),
-    promise((STATE, MICRO), (PLANNED, MICRO), Call::Array, BOTH),
-    promise((STATE, MICRO), (PLANNED, MICRO), Call::Single, BOTH),
-    promise((STATE, NANO), (PLANNED, NANO), Call::Array, BOTH),
-    promise((STATE, NANO), (PLANNED, NANO), Call::Single, BOTH),
-    promise((STATE, PICO), (PLANNED, PICO), Call::Array, BOTH),
-    promise((STATE, PICO), (PLANNED, PICO), Call::Single, BOTH),
-    promise((STATE, FULL), (ANY_TIME, FULL), Call::Array, BOTH),
-    promise((STATE, FULL), (ANY_TIME, FULL), Call::Single, BOTH),
-    promise((RUNTIME, ""), ("GSL", ""), Call::Single, [0.7; 2]),
+    target((PLANNED, MICRO), SINE, Call::Single, [0.8; 2]),
+    target((PAPER, "n = 4"), (AS_WRITTEN, "N = 4"), Call::Array, GENERATED),
+    target((PAPER, "n = 4"), (AS_WRITTEN, "N = 4"), Call::Single, GENERATED),
+    target((STATE, MICRO), (PLANNED, MICRO), Call::Array, BOTH),
+    target((STATE, MICRO), (PLANNED, MICRO), Call::Single, BOTH),
+    target((STATE, NANO), (PLANNED, NANO), Call::Array, BOTH),
+    target((STATE, NANO), (PLANNED, NANO), Call::Single, BOTH),
+    target((STATE, PICO), (PLANNED, PICO), Call::Array, BOTH),
+    target((STATE, PICO), (PLANNED, PICO), Call::Single, BOTH),
+    target((STATE, FULL), (ANY_TIME, FULL), Call::Array, BOTH),
+    target((STATE, FULL), (ANY_TIME, FULL), Call::Single, BOTH),
+    target((RUNTIME, ""), ("GSL", ""), Call::Single, [0.7; 2]),
 ];
 
-impl Promise {
-    /// `None` where nothing is promised.
-    fn target(&self, machine: &str) -> Option<f64> {
-        let [baseline, avx2] = self.targets;
+impl Target {
+    /// `None` where there is no target.
+    fn limit(&self, machine: &str) -> Option<f64> {
+        let [baseline, avx2] = self.limits;
         match machine {
             "x86-64" => Some(baseline),
             "x86-64-v3" | "x86-64-v4" => Some(avx2),
@@ -100,30 +100,30 @@ impl Promise {
     }
 }
 
-/// A line per promise about this machine: its target, and the median and the quartiles over the rounds of what was reached.
+/// A line per target of this machine: its limit, and the median and the quartiles over the rounds of what was reached.
 pub fn table(outcomes: &[Outcome]) -> String {
     let mut text = String::from("| | in units of | called | at most | reached | |\n|---|---|---|--:|--:|---|\n");
-    for promise in &PROMISES {
-        let Some(target) = promise.target(machine::target()) else { continue };
-        let Some(reached) = promise.reached(outcomes) else { continue };
+    for target in &TARGETS {
+        let Some(limit) = target.limit(machine::target()) else { continue };
+        let Some(reached) = target.reached(outcomes) else { continue };
         let label = |(name, setting): (&str, &str)| {
             if setting.is_empty() { name.to_owned() } else { format!("{name}, {setting}") }
         };
-        let call = match promise.call {
+        let call = match target.call {
             Call::Array => "array",
             Call::Single => "single",
         };
         let _ = writeln!(
             text,
             "| {}{} | {} | {call} | {} | {:.3} ({:.3} to {:.3}) | {} |",
-            label(promise.entry),
-            if promise.precision == "f32" { ", f32" } else { "" },
-            label(promise.unit),
-            target,
+            label(target.entry),
+            if target.precision == "f32" { ", f32" } else { "" },
+            label(target.unit),
+            limit,
             reached.median,
             reached.lower,
             reached.upper,
-            if reached.median <= target { "kept" } else { "**missed**" },
+            if reached.median <= limit { "kept" } else { "**missed**" },
         );
     }
     text
@@ -131,32 +131,32 @@ pub fn table(outcomes: &[Outcome]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::PROMISES;
+    use super::TARGETS;
     use crate::amplitude::Amplitude;
     use crate::contestant::Contestant;
     use crate::ours::ours;
     use crate::peers::{missing, peers};
 
     #[test]
-    fn nothing_is_promised_of_other_machines() {
-        let [promise, ..] = &PROMISES;
-        let [baseline, avx2] = promise.targets.map(Some);
-        let targets = ["x86-64", "x86-64-v3", "x86-64-v4", "aarch64"].map(|machine| promise.target(machine));
-        assert_eq!(targets, [baseline, avx2, avx2, None]);
+    fn other_machines_have_no_targets() {
+        let [target, ..] = &TARGETS;
+        let [baseline, avx2] = target.limits.map(Some);
+        let limits = ["x86-64", "x86-64-v3", "x86-64-v4", "aarch64"].map(|machine| target.limit(machine));
+        assert_eq!(limits, [baseline, avx2, avx2, None]);
     }
 
-    /// Whatever a promise names is an entry, so that no line is left out of the table unnoticed.
+    /// Whatever a target names is an entry, so that no line is left out of the table unnoticed.
     #[test]
-    fn promises_are_about_entries() {
+    fn targets_are_about_entries() {
         let pair = |one: &Contestant<f64>| (one.name.clone(), one.setting.clone());
         let single = |one: &Contestant<f32>| (one.name.clone(), one.setting.clone());
         let mut doubles: Vec<_> = ours::<f64>(Amplitude::LARGE).iter().map(pair).collect();
         doubles.extend(peers::<f64>(Amplitude::LARGE).iter().map(pair));
         let mut singles: Vec<_> = ours::<f32>(Amplitude::LARGE).iter().map(single).collect();
         singles.extend(peers::<f32>(Amplitude::LARGE).iter().map(single));
-        for promise in &PROMISES {
-            let entries = if promise.precision == "f32" { &singles } else { &doubles };
-            for (name, setting) in [promise.entry, promise.unit] {
+        for target in &TARGETS {
+            let entries = if target.precision == "f32" { &singles } else { &doubles };
+            for (name, setting) in [target.entry, target.unit] {
                 let there = entries.iter().filter(|entry| (entry.0.as_str(), entry.1.as_str()) == (name, setting));
                 let absent = missing().iter().any(|peer| peer.name == name);
                 assert_eq!(there.count(), usize::from(!absent), "{name}, {setting}");
