@@ -80,6 +80,9 @@ impl Options {
                     return Err("`exhaustive` tries every input: leave `--inputs` out".into());
                 }
                 "--inputs" => options.inputs = number(&value()?)?,
+                "--only" if suite != Suite::Times => {
+                    return Err(format!("`--only` chooses classes of `times`: `{name}` has none"));
+                }
                 "--only" => options.only = Some(value()?),
                 "--record" => options.record = Some((value()?, value()?.into())),
                 _ => return Err(format!("unknown option `{option}`")),

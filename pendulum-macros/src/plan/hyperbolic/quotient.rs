@@ -37,9 +37,18 @@ impl Quotient {
     }
 }
 
+/// E = 2⁻ʷ, and what it is made of.
+#[derive(Clone, Copy)]
+struct Exponential {
+    direct: Id,
+    j: Id,
+    even: Id,
+    odd: Id,
+}
+
 impl Hyperbolic {
-    /// The parts of the outputs.
-    pub(super) fn quotient(&self, b: &mut Builder, magnitude: Id) -> Quotient {
+    /// The exponential by powers of 2, 2⁻ʷ = 2⁻ʲ(1 + even − odd).
+    fn exponential(&self, b: &mut Builder, magnitude: Id) -> Exponential {
         let rate = b.exact(self.passage.rate.hi, self.passage.rate.lo);
         let w = b.mul(magnitude, rate);
         let furthest = b.constant(FURTHEST);
@@ -67,25 +76,38 @@ impl Hyperbolic {
         let falling = b.sub(even, odd);
         let falling = b.add(one, falling);
         let direct = b.mul(power, falling);
-        b.name(direct, "direct");
-        if self.images == Images::Nothing {
-            return Quotient { numerator: direct, counterpart: direct, squares: None, denominator: None };
-        }
+        Exponential { direct: b.name(direct, "direct"), j, even, odd }
+    }
+
+    /// G = q′·2ʷ, of the same parts.
+    fn image(&self, b: &mut Builder, Exponential { j, even, odd, .. }: Exponential) -> Id {
         // 2^(j + image_exponent), below which there is nothing to add.
         let shift = b.constant(f64::from(self.passage.image_exponent));
         let exponent = b.add(j, shift);
         let least = b.constant(-1022.0);
         let exponent = b.push(Op::Max { limit: least, x: exponent });
+        let constant = b.constant(Float::F64.magic());
         let exponent = b.add(exponent, constant);
         b.name(exponent, "image_exponent");
         let power = b.push(Op::PowerOfTwo { magic: exponent });
         b.name(power, "image_power");
         let mantissa = b.exact(self.passage.image.hi, self.passage.image.lo);
         let rising = b.add(even, odd);
+        let one = b.constant(1.0);
         let rising = b.add(one, rising);
         let scaled = b.mul(mantissa, rising);
         let image = b.mul(power, scaled);
-        b.name(image, "image");
+        b.name(image, "image")
+    }
+
+    /// The parts of the outputs.
+    pub(super) fn quotient(&self, b: &mut Builder, magnitude: Id) -> Quotient {
+        let exponential = self.exponential(b, magnitude);
+        let direct = exponential.direct;
+        if self.images == Images::Nothing {
+            return Quotient { numerator: direct, counterpart: direct, squares: None, denominator: None };
+        }
+        let image = self.image(b, exponential);
         let (sum, difference) = (b.add(direct, image), b.sub(direct, image));
         let (numerator, counterpart) = if self.passage.sigma > 0.0 { (sum, difference) } else { (difference, sum) };
         if self.images == Images::Sum {
