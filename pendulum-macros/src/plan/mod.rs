@@ -5,6 +5,7 @@ mod aim;
 mod alternatives;
 mod arc;
 mod arcsine;
+mod bias;
 mod cosines;
 pub(crate) mod curve;
 mod estrin;
@@ -24,7 +25,6 @@ mod search;
 mod supremum;
 mod turning;
 pub(crate) mod variables;
-mod velocity_bias;
 mod verify;
 
 use crate::exact::Real;

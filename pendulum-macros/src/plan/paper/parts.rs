@@ -10,7 +10,7 @@ use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::polynomial::{Approximation, Polynomial};
 use crate::plan::reduction::Reduction;
-use crate::plan::{Bound, Part, velocity_bias};
+use crate::plan::{Bound, Part, bias};
 use crate::program::rounding::half_ulp;
 use crate::scene::{Goal, Scene};
 use crate::series::swing_rate;
@@ -36,21 +36,25 @@ struct Whole {
 impl Sum {
     pub(super) fn wanted(&self, scene: &Scene, swing: &Swing) -> Vec<Wanted> {
         let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let one = |&output: &Output| match output {
-            Output::Velocity => {
-                Wanted { output, curve: curves.velocity(), bias: self.velocity_bias(scene, swing), whole: None }
+        let drift = self.drift(scene, swing);
+        let one = |&output: &Output| {
+            if output == Output::Velocity {
+                let bias = bias::of_velocity(&self.weights, self.method, &self.rate, drift, scene, swing);
+                return Wanted { output, curve: curves.velocity(), bias, whole: None };
             }
-            _ => Wanted { output, curve: curves.theta(), bias: self.bias, whole: self.whole(scene, swing) },
+            let met = bias::of_angle(&self.weights, self.method, &self.rate, drift, scene, swing);
+            let bias = met.map_or(self.bias, |met| met.min(self.bias));
+            Wanted { output, curve: curves.theta(), bias, whole: self.whole(scene, swing, bias) }
         };
         scene.outputs.iter().map(one).collect()
     }
 
     /// `None` where it takes too many terms. It may be off by what a tolerance leaves, or by 8 units in the last place
     /// of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
-    fn whole(&self, scene: &Scene, swing: &Swing) -> Option<Whole> {
+    fn whole(&self, scene: &Scene, swing: &Swing, bias: f64) -> Option<Whole> {
         let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
         let allowed = match scene.goal {
-            Goal::Tolerance(tol) => [tol - self.bias; 2],
+            Goal::Tolerance(tol) => [tol - bias; 2],
             _ => [8.0, 11.0].map(units),
         };
         if self.coefficients.is_empty() {
@@ -133,11 +137,10 @@ impl Sum {
         self.weights.iter().map(|w| w.hi.abs()).sum::<f64>().min(1.0)
     }
 
-    /// sup |θ̂′ − θ̇|.
-    fn velocity_bias(&self, scene: &Scene, swing: &Swing) -> f64 {
+    /// By how many anchors the phase comes to differ from the exact one.
+    fn drift(&self, scene: &Scene, swing: &Swing) -> f64 {
         let exact = swing_rate(swing);
-        let drift = (&self.rate - &exact).abs().to_f64() * horizon(scene, &exact);
-        velocity_bias::bound(&self.weights, self.method, &self.rate, drift, scene, swing)
+        (&self.rate - &exact).abs().to_f64() * horizon(scene, &exact)
     }
 }
 

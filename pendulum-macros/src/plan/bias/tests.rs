@@ -57,7 +57,7 @@ impl Case {
         };
         let exact = crate::series::swing_rate(swing);
         let rate = &exact * &exact.context().float(self.faster).unwrap();
-        let found = bound(&weights, self.method, &rate, self.drift, &self.scene, swing);
+        let found = of_velocity(&weights, self.method, &rate, self.drift, &self.scene, swing);
         let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
         let theta = curves.theta();
         let terms = theta.terms();
@@ -132,7 +132,7 @@ fn near_the_top() {
     let Regime::Swing(swinging) = &motion.scene.motion.regime else { panic!("a swing") };
     let expected = PI * PI * crate::series::swing_rate(swinging).to_f64() + 6.0;
     let rate = crate::series::swing_rate(swinging);
-    let of = |method| bound(&[Double::PI], method, &rate, 1.0, &motion.scene, swinging);
+    let of = |method| of_velocity(&[Double::PI], method, &rate, 1.0, &motion.scene, swinging);
     assert!((1.0..1.0 + 1e-8).contains(&(of(Method::Harmonic) / expected)));
     assert_eq!(of(Method::Fourier), f64::INFINITY);
 }
