@@ -155,12 +155,10 @@ impl Task {
         match &scene.motion.regime {
             Regime::Swing(_) => {}
             Regime::Rotation(rotation) => {
-                // Beyond the top another turn is to be taken from a wrapped angle.
-                if arc.ends().iter().any(|end| !(0.0..1.0).contains(end)) && scene.outputs.contains(&Output::Wrapped) {
-                    return None;
-                }
                 // The angle from the lowest point is odd about that, not about the top.
-                if arc.halves().is_some_and(|halves| halves % 2 == 0) && scene.outputs.contains(&Output::Theta) {
+                if arc.halves().is_some_and(|halves| halves % 2 == 0)
+                    && scene.outputs.iter().any(|output| output.is_angle())
+                {
                     arc = arc.lopsided();
                 }
                 let angle = RotationCurves::new(rotation, &scene.motion.omega).whole_angle();

@@ -42,11 +42,6 @@ impl Arc {
         self.centre + sigma * self.stretch
     }
 
-    /// Its first and last phase.
-    pub(super) fn ends(self) -> [f64; 2] {
-        [-0.5, 0.5].map(|end| self.phase(Double::new(end)).hi)
-    }
-
     /// The number of halves of an anchor in its centre, if it is that of a symmetry.
     pub(super) fn halves(self) -> Option<i64> {
         let halves = self.centre * 2.0;
@@ -57,13 +52,6 @@ impl Arc {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ends_are_half_a_stretch_from_the_centre() {
-        let arc = Arc { centre: Double::new(0.25), stretch: Double::new(0.5), symmetric: true };
-        assert_eq!(arc.ends(), [0.0, 0.5]);
-        assert_eq!(Arc::WHOLE.ends(), [-0.5, 0.5]);
-    }
 
     /// What is near a centre of symmetry, by a second word or a hundredth, is none.
     #[test]

@@ -187,3 +187,29 @@ fn releases_are_even() {
         }
     }
 }
+
+/// Over the top within a moment, either way round.
+#[test]
+fn moments_at_the_top_are_wrapped() {
+    for start in [
+        "theta0 = π, velocity0 = 1e-3, t_max = 0.1",
+        "theta0 = -π, velocity0 = -2, t_max = 0.7",
+        "theta0 = 3, velocity0 = 1, t_max = 0.5",
+        "theta0 = -3, velocity0 = -3, t_max = 0.3",
+        "theta0 = 1, velocity0 = 9, t_max = 0.34",
+    ] {
+        for goal in ["", ", tol = 1e-3", ", tol = 1e-10", ", float = f32"] {
+            let scene = scene(&format!("struct Motion; {start}{goal}, outputs = [wrapped]"));
+            let plan = plan(&scene).unwrap();
+            assert!(!goal.contains("tol = 1e-3") || plan.reduction.is_time(), "{start}{goal}");
+            let mut probe = Probe::new(&scene, &plan);
+            let t_max = scene.t_max.as_ref().unwrap().to_f64();
+            (-60..=60).for_each(|i| {
+                probe.at(t_max * f64::from(i) / 60.0);
+            });
+            let ((t, error), bound) = (probe.worst, plan.parts[0].bound.total());
+            assert!(error <= bound, "{start}{goal}: {error:e} at {t:e}, bound {bound:e}");
+            assert!(!goal.contains("tol = 1e-3") || bound < 4.0 * error, "{start}{goal}: {error:e}, bound {bound:e}");
+        }
+    }
+}

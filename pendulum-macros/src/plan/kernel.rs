@@ -5,7 +5,7 @@ use super::hyperbolic::Hyperbolic;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::supremum::{by_halves, largest, norm};
-use super::turning::{Turning, within_half_turn};
+use super::turning::{Turning, modulo_turn, within_half_turn};
 use super::variables::Variables;
 use super::{Function, Part};
 use crate::parse::Output;
@@ -29,6 +29,8 @@ pub(crate) enum Kernel {
     Turning(Turning),
     /// An angle kept within [−π, π), near the top.
     Within(Box<Self>),
+    /// One that may be up to a turn beyond that, wrapped.
+    Wrapped(Box<Self>),
 }
 
 impl Kernel {
@@ -44,6 +46,10 @@ impl Kernel {
                 let value = angle.lower(b, variables, name)[0];
                 vec![within_half_turn(b, value)]
             }
+            Self::Wrapped(angle) => {
+                let value = angle.lower(b, variables, name)[0];
+                vec![modulo_turn(b, value)]
+            }
         }
     }
 
@@ -54,7 +60,7 @@ impl Kernel {
             Self::Circle { sine, cosine } => [sine, cosine].iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
             Self::Hyperbolic(_) => false,
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.is_odd(),
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_odd(),
         }
     }
 
@@ -75,7 +81,7 @@ impl Kernel {
             }
             Self::Harmonics(harmonics) => harmonics.describe(),
             Self::Hyperbolic(hyperbolic) => hyperbolic.describe(),
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.describe(),
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.describe(),
         }
     }
 
@@ -85,7 +91,7 @@ impl Kernel {
             Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.coefficients.len(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Hyperbolic(hyperbolic) => hyperbolic.terms(),
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) => angle.terms(),
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms(),
         }
     }
 
@@ -103,6 +109,10 @@ impl Kernel {
         if let Self::Within(angle) = self {
             // Between the largest number below π and π itself is less than a unit of π.
             return angle.rounding(reduction, cap) + 2.0 * half_ulp(PI, reduction.float);
+        }
+        if let Self::Wrapped(angle) = self {
+            // The sum with a turn, the turn's own rounding, and the distance from π of the largest number below it.
+            return angle.rounding(reduction, cap) + 3.0 * half_ulp(2.0 * PI, reduction.float);
         }
         let program = function(reduction, &[self]);
         if let Self::Hyperbolic(hyperbolic) = self {

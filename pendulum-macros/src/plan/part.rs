@@ -147,13 +147,23 @@ impl Aim {
         }
     }
 
+    /// Whether an arc leads over the top.
+    fn passes_top(&self) -> bool {
+        let beyond = |end: f64| self.curves.iter().any(|curve| curve.at(Double::new(end)).hi.abs() > PI);
+        self.curves.iter().all(Curve::is_arc) && [-0.5, 0.5].into_iter().any(beyond)
+    }
+
     /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
     /// as it is.
     fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !self.output.is_angle() {
-            let beyond = wrapped && self.largest + self.limit >= PI.next_down();
-            return if beyond { Kernel::Within(Box::new(kernel)) } else { kernel };
+            let near = wrapped && self.largest + self.limit >= PI.next_down();
+            return match (wrapped && self.passes_top(), near) {
+                (true, _) => Kernel::Wrapped(Box::new(kernel)),
+                (false, true) => Kernel::Within(Box::new(kernel)),
+                (false, false) => kernel,
+            };
         }
         let (direction, turns) = (task.direction, task.turns(scene));
         let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);

@@ -100,7 +100,7 @@ impl Turning {
 
 /// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
 /// or after.
-fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
+pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let half = std::f64::consts::PI;
     let (half, minus) = (b.exact(half, 0.0), b.exact(-half, 0.0));
     let turn = Double::PI * 2.0;

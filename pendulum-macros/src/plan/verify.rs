@@ -11,6 +11,7 @@ use crate::parse::Output;
 use crate::program::rounding::UNDERFLOW;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
+use std::f64::consts::TAU;
 
 /// Times at which a plan is checked, in half anchors from t = 0, so that they meet anchors and lowest points of swings
 /// released from rest, and places between; of an arc both ends.
@@ -45,7 +46,8 @@ impl Aim {
         match self.curves.as_slice() {
             [curve] if !(task.turning && self.output.is_angle()) => {
                 let exact = curve.at(s) * (sign(curve.alternates) * task.direction);
-                Some((Double::new(values[0]) - exact).hi.abs())
+                let error = (Double::new(values[0]) - exact).hi.abs();
+                Some(if self.output == Output::Wrapped { error.min((TAU - error).abs()) } else { error })
             }
             [sine, cosine] => {
                 let (sine, cosine) = (sine.at(s) * sign(sine.alternates), cosine.at(s));
