@@ -192,7 +192,7 @@ fn suffixes_belong_to_angles() {
 
 #[test]
 fn counts_of_terms_are_whole_numbers() {
-    refused("theta0 = 1, n = 2.5", &["`n` takes a whole number of terms"]);
+    refused("theta0 = 1, n = 2.5", &["`n = 2.5` is no whole number of terms"]);
     refused("theta0 = 1, n = 4usize", &["`n = 4usize` has a suffix: write `n = 4`"]);
     refused("theta0 = 1, n = -4", &["`n = -4` is negative"]);
     refused("theta0 = 1, n = 99999999999999999999999", &["`n = 99999999999999999999999` is more terms"]);

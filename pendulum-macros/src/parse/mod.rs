@@ -171,9 +171,13 @@ impl Request {
                 return Err(error);
             }
         };
-        self.written.push((canonical(&name.to_string()).to_owned(), value.clone()));
-        let fresh = |taken: bool| {
-            if taken { Err(Error::new(name.span(), format!("`{name}` is given twice: keep one"))) } else { Ok(()) }
+        let known = canonical(&name.to_string()).to_owned();
+        let before = self.written.iter().find(|(written, _)| *written == known).map(|(_, value)| source::value(value));
+        let both = before.map(|before| format!("`{before}` and `{}`", source::value(&value)));
+        self.written.push((known, value.clone()));
+        let fresh = |taken: bool| match &both {
+            Some(both) if taken => Err(Error::new(name.span(), format!("`{name}` is given twice, {both}: keep one"))),
+            _ => Ok(()),
         };
         match name.to_string().as_str() {
             "theta0" | "θ0" => fresh(self.theta0.is_some()).and(number(&name, value).map(|v| self.theta0 = Some(v))),

@@ -1,8 +1,8 @@
 //! The values of parameters: numbers, counts, words and lists of words.
 
 use super::number::Number;
-use super::split_at_commas;
 use super::words::{Output, list, one_word};
+use super::{source, split_at_commas};
 use crate::report::Report;
 use proc_macro2::{Span, TokenStream};
 use syn::ext::IdentExt;
@@ -23,8 +23,9 @@ pub(super) fn number(name: &Ident, tokens: TokenStream) -> Result<Given<Number>>
 
 pub(super) fn count(name: &Ident, tokens: TokenStream) -> Result<Given<usize>> {
     let wrong = |why: String| Error::new_spanned(&tokens, why);
-    let literal: LitInt = syn::parse2(tokens.clone())
-        .map_err(|_| wrong(format!("`{name}` takes a whole number of terms, such as `{name} = 4`")))?;
+    let literal: LitInt = syn::parse2(tokens.clone()).map_err(|_| {
+        wrong(format!("`{name} = {}` is no whole number of terms, such as `{name} = 4`", source::value(&tokens)))
+    })?;
     let (digits, suffix) = (literal.base10_digits(), literal.suffix());
     if !suffix.is_empty() {
         return Err(wrong(format!("`{name} = {literal}` has a suffix: write `{name} = {digits}`")));

@@ -69,7 +69,13 @@ pub(super) fn parse(literal: &Lit) -> Result<Tree> {
     let (digits, suffix) = match literal {
         Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix()),
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix()),
-        other => return Err(Error::new(other.span(), "expected a number, such as `7π/8` or `157.5deg`")),
+        other => {
+            let shown = other.to_token_stream();
+            return Err(Error::new(
+                other.span(),
+                format!("expected a number, such as `7π/8` or `157.5deg`, without quotes, not `{shown}`"),
+            ));
+        }
     };
     let span = literal.span();
     let text = literal.to_token_stream().to_string();

@@ -109,7 +109,10 @@ impl Tree {
                     Operator::Subtract => sum_of(&left, &-right),
                     Operator::Multiply => left * right,
                     Operator::Divide if right.is_zero() => {
-                        return Err(Error::new_spanned(blame, "division by zero: this divisor is 0"));
+                        return Err(Error::new_spanned(
+                            blame,
+                            "division by zero: this divisor is 0, and has to be another number",
+                        ));
                     }
                     Operator::Divide => left / right,
                 }
