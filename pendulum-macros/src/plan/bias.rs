@@ -11,31 +11,25 @@ use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
-/// sup |θ̂ − θ| over a horizon of less than a quarter of a period, of which no more than the phases that it meets count,
-/// for θ̂ as below; `None` where the horizon is longer, or θ has too many harmonics.
-pub(super) fn of_angle(
-    weights: &[Double],
-    method: Method,
-    rate: &Real,
-    drift: f64,
-    scene: &Scene,
-    swing: &Swing,
-) -> Option<f64> {
+/// sup |θ0 cos πs − θ| over a horizon of less than a quarter of a period, of which no more than the phases that it meets
+/// count; `None` where the horizon is longer, or θ has too many harmonics. `drift` bounds the difference of the phases.
+///
+/// A longer sum may exceed the amplitude beyond the horizon, where its error over all phases has to stand for that.
+pub(super) fn of_cosine(rate: &Real, drift: f64, scene: &Scene, swing: &Swing) -> Option<f64> {
     let [low, high] = phases(scene, swing)?;
-    let curves = SwingCurves::new(swing, &scene.motion.omega);
-    let theta = curves.theta();
-    if theta.terms().len() > MOST_TERMS {
+    let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    let terms = theta.terms();
+    if terms.len() > MOST_TERMS {
         return None;
     }
+    let amplitude = swing.amplitude.to_double();
     // cos a − cos b = −2 sin ½(a + b) sin ½(a − b): the other rate makes no difference about a turning point.
     let faster = 1.0 + (rate.to_f64() / crate::series::swing_rate(swing).to_f64() - 1.0).abs();
     let sine = |anchors: f64| libm::sin((PI * anchors).min(PI / 2.0));
-    let moved = |(m, w): (usize, &Double)| {
-        let m = (2 * m + 1) as f64;
-        2.0 * w.hi.abs() * sine(m * low.abs().max(high.abs()) * faster) * sine(0.5 * m * drift)
-    };
-    let moved: f64 = if drift > 0.0 { weights.iter().enumerate().map(moved).sum() } else { 0.0 };
-    let at_same_phase = at_same_phase(0, weights, method, &curves, [low, high]);
+    let moved = 2.0 * amplitude.hi * sine(low.abs().max(high.abs()) * faster) * sine(0.5 * drift);
+    let ours = |index: usize| if index == 0 { amplitude } else { Double::ZERO };
+    let apart = Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (ours(index) - a).hi)));
+    let at_same_phase = by_halves([low, high], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(0));
     Some((at_same_phase + theta.omitted() + moved) * (1.0 + 1e-9))
 }
 
@@ -69,27 +63,18 @@ pub(super) fn of_velocity(
         return (slopes * rate.to_f64() + fastest) * (1.0 + 1e-9);
     }
     // Both at the same phase and rate; then the other rate, and the other phase.
-    let met = phases(scene, swing).unwrap_or([0.0, 0.5]);
-    let at_same_phase = at_same_phase(1, weights, method, &curves, met);
+    let at_same_phase = if method == Method::Fourier {
+        let sines = Sines::new(ours, exact, weights, &curves);
+        by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
+    } else {
+        // The difference of two sums of cosines is one.
+        let ours = |index: usize| weights.get(index).map_or(0.0, |weight| weight.hi);
+        let apart = Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, ours(index) - a.hi)));
+        by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
+    };
     let faster = (rate.to_f64() - exact_rate).abs() * steepest;
     let shifted = (exact_bend * drift).min(2.0 * exact_steepest);
     ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
-}
-
-/// Bounds the derivative of this order of θ̂ − θ.
-fn at_same_phase(order: usize, weights: &[Double], method: Method, curves: &SwingCurves, met: [f64; 2]) -> f64 {
-    let theta = curves.theta();
-    let terms = theta.terms();
-    if method == Method::Fourier {
-        let exact = Cosines::new(terms.iter().map(|&(m, a)| (m, a.hi)));
-        let sines = Sines::new(Cosines::odd(weights), exact, weights, curves);
-        let of_sines = |low, high| if order == 0 { sines.off(low, high) } else { sines.apart(low, high) };
-        return by_halves(met, CELLS, MOST_HALVED, of_sines);
-    }
-    // The difference of two sums of cosines is one.
-    let ours = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
-    let apart = Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (ours(index) - a).hi)));
-    by_halves(met, CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(order))
 }
 
 /// So near the top that θ has more harmonics the two velocities are as far apart as they are large.
@@ -118,16 +103,6 @@ impl Sines {
         let ours_of = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
         let rest = curve.terms().iter().enumerate().map(|(index, &(m, a))| (m, (a - ours_of(index)).hi));
         Self { rest: Cosines::new(rest), ours, whole, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
-    }
-
-    /// Bounds |θ̂ − θ| between two phases, 2|ρ|/√(1 − y²) with the larger of both |y|.
-    fn off(&self, low: f64, high: f64) -> f64 {
-        let [y, whole, rest] = [&self.ours, &self.whole, &self.rest].map(|sum| sum.over(low, high).largest(0));
-        let most = y.max(whole + self.omitted[0]);
-        if most >= 1.0 {
-            return f64::INFINITY;
-        }
-        2.0 * (rest + self.omitted[0]) / ((1.0 - most) * (1.0 + most)).sqrt()
     }
 
     /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is

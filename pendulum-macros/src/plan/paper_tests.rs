@@ -106,12 +106,12 @@ fn velocities_of_the_paper() {
     }
 }
 
-/// That the cheapest phase leaves too little to the sum doesn't speak against finer ones: at every horizon that
-/// meets all phases there is one.
+/// That the cheapest phase leaves too little to the sum doesn't speak against finer ones: at every horizon there is
+/// one.
 #[test]
 fn sums_that_leave_little_to_the_phase() {
     let least = truncation(&planned("theta0 = 2, tol = 1e-9, method = series").unwrap());
-    for exponent in 2..45 {
+    for exponent in 0..45 {
         let text = format!("theta0 = 2, tol = {:e}, t_max = {:e}, method = series", 1.1 * least, 2f64.powi(exponent));
         let plan = planned(&text).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
         assert!((truncation(&plan) / least - 1.0).abs() < 1e-6, "{text}: {:e} {least:e}", truncation(&plan));
@@ -346,19 +346,16 @@ fn small_amplitudes_keep_their_digits() {
     }
 }
 
-/// Of a horizon of less than a quarter of a period no more counts than what it meets, forwards and backwards.
+/// Of one cosine over a horizon of less than a quarter of a period no more counts than what it meets, forwards and
+/// backwards.
 #[test]
 fn within_a_moment_only_what_is_met_counts() {
     for (text, most) in [
         ("theta0 = 1, method = harmonic, tol = 0.01, t_max = 0.05", 1.3),
         ("theta0 = 1, method = harmonic, tol = 0.01, t_max = 1", 1.1),
+        ("theta0 = -2, velocity0 = 1, method = harmonic, tol = 0.5, t_max = 0.3", 1.3),
         ("theta0 = 1, method = small_angle, tol = 0.01, t_max = 0.05", 1.8),
         ("theta0 = 0.5, method = small_angle, tol = 0.1, t_max = 1.5", 1.8),
-        ("velocity0 = 1.999, method = fourier, tol = 0.1, t_max = 0.1", 1.5),
-        ("theta0 = 2, method = fourier, tol = 1e-4, t_max = 1", 1.3),
-        ("theta0 = -2, velocity0 = 1, method = fourier, tol = 1e-2, t_max = 0.3", 1.3),
-        ("theta0 = 2, velocity0 = 1, method = series, tol = 1e-5, t_max = 0.5", 1.3),
-        ("theta0 = 2, method = series, tol = 1e-4, t_max = 0.5, outputs = [velocity]", 1.3),
         ("theta0 = 0.5, velocity0 = 0.1, float = f32, method = harmonic, tol = 0.1, t_max = 0.0639", 1.3),
     ] {
         let (scene, plan) = (scene(&format!("struct A; {text}")), planned(&format!("struct A; {text}")).unwrap());

@@ -2,7 +2,7 @@
 
 use super::{Sum, horizon, whole};
 use crate::motion::Swing;
-use crate::parse::Output;
+use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::curve::{Curve, SwingCurves};
 use crate::plan::form::Form;
@@ -42,7 +42,8 @@ impl Sum {
                 let bias = bias::of_velocity(&self.weights, self.method, &self.rate, drift, scene, swing);
                 return Wanted { output, curve: curves.velocity(), bias, whole: None };
             }
-            let met = bias::of_angle(&self.weights, self.method, &self.rate, drift, scene, swing);
+            let one_cosine = matches!(self.method, Method::Harmonic | Method::SmallAngle);
+            let met = one_cosine.then(|| bias::of_cosine(&self.rate, drift, scene, swing)).flatten();
             let bias = met.map_or(self.bias, |met| met.min(self.bias));
             Wanted { output, curve: curves.theta(), bias, whole: self.whole(scene, swing, bias) }
         };
