@@ -175,3 +175,12 @@ fn limits_of_length_do_not_multiply() {
     let tiny = sum(&format!("0.0001{digits}e-390"), 240);
     refused(&format!("theta0 = π - 1e-100, g = {tiny}, length = {tiny}, t_max = 1/({tiny})"), "2⁵³ periods");
 }
+
+/// Beyond a horizon of no more than a moment θ̂ goes on past the amplitude by its error over all phases, which has to be
+/// part of what is stated.
+#[test]
+fn sums_beyond_a_moment() {
+    planned("velocity0 = -(1.2695), n = 3, t_max = 1e-191");
+    planned("theta0 = 1, method = harmonic, tol = 0.1, t_max = 1e-3");
+    planned("theta0 = 1, method = series, tol = 1e-3, t_max = 1e-3");
+}
