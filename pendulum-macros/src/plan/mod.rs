@@ -100,8 +100,12 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
         Goal::Full => (f64::INFINITY, 0.0),
         // Of an angle that grows without bound, full precision promises what its turns cost.
         Goal::Tolerance(tol) => {
-            let full = cheapest(&Scene { goal: Goal::Full, ..scene.clone() });
-            (full.map_or(f64::INFINITY, |plan| plan.worst()), tol)
+            let full = match cheapest(&Scene { goal: Goal::Full, ..scene.clone() }) {
+                Ok(plan) => plan.worst(),
+                Err(Refusal::Unreachable { best }) => best,
+                Err(_) => f64::INFINITY,
+            };
+            (full, tol)
         }
     };
     let reached = if best < full { [best, full] } else { [full, best] };
