@@ -238,6 +238,16 @@ mod tests {
         assert_eq!(value(text), 1e-79);
     }
 
+    /// The point is no digit.
+    #[test]
+    fn literals_have_500_digits_at_most() {
+        let literal = |digits: usize| format!("0.{}", "3".repeat(digits - 1));
+        assert_eq!(value(&literal(500)), 1.0 / 3.0);
+        for digits in [501, 502, 700] {
+            assert!(error(&literal(digits)).contains("more than 500 digits"), "{digits}");
+        }
+    }
+
     #[test]
     fn explains_what_it_refuses() {
         assert!(error("1/(2 - 2)").contains("division by zero"));
