@@ -5,7 +5,6 @@ use crate::exact::Real;
 use crate::motion::{Motion, Regime, Swing};
 use crate::parse::{Float, Given, Method, Output, source};
 use crate::scene::Goal;
-use pendulum_runtime::fourier_analysis::FourierAnalysis;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -68,9 +67,7 @@ impl Checker<'_> {
         if n <= most {
             return Ok(n);
         }
-        let analysis =
-            FourierAnalysis::new(swing.elliptic.modulus.to_double(), swing.elliptic.complementary.to_double());
-        let remedy = if too_near_the_top(swing, float) || analysis.overshoot(most).is_some() {
+        let remedy = if smallest_working_terms(swing, float).is_none() {
             ", and with so few it may exceed 1: state the error as `tol` instead".to_owned()
         } else {
             format!("; use `n = {most}` or fewer")
@@ -205,11 +202,16 @@ pub(crate) fn most_useful_terms(swing: &Swing, float: Float) -> usize {
     }
 }
 
-/// Whether any number of terms that the float can use overshoots: it leaves a tail that swings by a tenth of half a unit
-/// in the last place of 1, at least, and near the turning point 1 − x² is k′² and twice the tail. Where k′² is far less
-/// no number needs to be tried, and all would take long.
-pub(crate) fn too_near_the_top(swing: &Swing, float: Float) -> bool {
-    swing.elliptic.complementary.square().to_f64() < float.unit() / 128.0
+/// The smallest number of terms without overshoot, `None` if there is none among those that the float can use.
+///
+/// Those leave a tail that swings by a tenth of half a unit in the last place of 1, at least, and near the turning
+/// point 1 − x² is k′² and twice the tail: where k′² is far less no number needs to be tried (and all would take long).
+pub(crate) fn smallest_working_terms(swing: &Swing, float: Float) -> Option<usize> {
+    if swing.elliptic.complementary.square().to_f64() < float.unit() / 128.0 {
+        return None;
+    }
+    let smallest = swing.elliptic.fourier_analysis().smallest_working();
+    (smallest <= most_useful_terms(swing, float)).then_some(smallest)
 }
 
 /// The token of one word in a list, for its span.

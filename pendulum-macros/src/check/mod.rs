@@ -14,7 +14,7 @@ use crate::parse::number::Number;
 use crate::parse::{Float, Form, Given, Output, Request, source};
 use crate::report::Report;
 use crate::scene::{Blame, Scene};
-pub(crate) use goal::{most_useful_terms, too_near_the_top};
+pub(crate) use goal::{most_useful_terms, smallest_working_terms};
 use quote::ToTokens;
 use std::fmt::Display;
 

@@ -68,13 +68,13 @@ fn signed(random: &mut Random, value: fn(&mut Random) -> String) -> String {
 fn angle(random: &mut Random) -> String {
     match random.below(9) {
         0 => format!("{}π/{}", random.between(1, 7), random.between(8, 16)),
-        8 => random.choose(&["π", "180deg"]).to_owned(),
         1 => format!("{}deg", random.between(1, 17999) as f64 / 100.0),
         2 => format!("π - {}", power_of_ten(random, -300, -1)),
         3 => format!("π - {}", decimal(random, -14, -1)),
         4 => power_of_ten(random, -307, 0),
         5 => digits(random, 1, 60),
         6 => format!("{:?}", std::f64::consts::PI.next_down() * random.unit()),
+        8 => random.choose(&["π", "180deg"]).to_owned(),
         _ => format!("{:.4}", 3.1 * random.unit()),
     }
 }

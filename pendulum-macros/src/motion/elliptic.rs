@@ -1,6 +1,7 @@
 //! The modulus and what follows from it: quarter periods and nomes.
 
 use crate::exact::Real;
+use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 /// A modulus and its integrals.
 #[derive(Clone, Debug)]
@@ -20,6 +21,11 @@ pub(crate) struct Elliptic {
 }
 
 impl Elliptic {
+    /// Of the series of sn (Eq. 20).
+    pub(crate) fn fourier_analysis(&self) -> FourierAnalysis {
+        FourierAnalysis::new(self.modulus.to_double(), self.complementary.to_double())
+    }
+
     /// From k and k′, both given so that neither has to be found as √(1 − the other²), which cancels at one end.
     ///
     /// K = π/(2 AGM(1, k′)) and K′ = π/(2 AGM(1, k)): both lose nothing, however small k or k′.

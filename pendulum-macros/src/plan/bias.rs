@@ -23,14 +23,24 @@ pub(super) fn of_cosine(rate: &Real, drift: f64, scene: &Scene, swing: &Swing) -
         return None;
     }
     let amplitude = swing.amplitude.to_double();
-    // cos a − cos b = −2 sin ½(a + b) sin ½(a − b): the other rate makes no difference about a turning point.
     let faster = 1.0 + (rate.to_f64() / crate::series::swing_rate(swing).to_f64() - 1.0).abs();
-    let sine = |anchors: f64| libm::sin((PI * anchors).min(PI / 2.0));
-    let moved = 2.0 * amplitude.hi * sine(low.abs().max(high.abs()) * faster) * sine(0.5 * drift);
-    let ours = |index: usize| if index == 0 { amplitude } else { Double::ZERO };
-    let apart = Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (ours(index) - a).hi)));
+    let moved = amplitude.hi * of_moved_cosine(low.abs().max(high.abs()) * faster, drift);
+    let apart = difference(&[amplitude], terms);
     let at_same_phase = by_halves([low, high], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(0));
     Some((at_same_phase + theta.omitted() + moved) * (1.0 + 1e-9))
+}
+
+/// sup |cos πs − cos πs′| for phases up to `farthest` that differ by up to `drift`, in anchors: it is
+/// |2 sin ½π(s + s′) sin ½π(s − s′)|, little about a turning point.
+pub(super) fn of_moved_cosine(farthest: f64, drift: f64) -> f64 {
+    let sine = |anchors: f64| libm::sin((PI * anchors).min(PI / 2.0));
+    2.0 * sine(farthest) * sine(0.5 * drift)
+}
+
+/// The difference of two sums of cosines is one.
+fn difference(weights: &[Double], terms: &[(u32, Double)]) -> Cosines {
+    let ours = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
+    Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (ours(index) - a).hi)))
 }
 
 /// The phases that the horizon meets, where they are less than from an anchor to a lowest point; the others are mirror
@@ -67,9 +77,7 @@ pub(super) fn of_velocity(
         let sines = Sines::new(ours, exact, weights, &curves);
         by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
     } else {
-        // The difference of two sums of cosines is one.
-        let ours = |index: usize| weights.get(index).map_or(0.0, |weight| weight.hi);
-        let apart = Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, ours(index) - a.hi)));
+        let apart = difference(weights, terms);
         by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
     };
     let faster = (rate.to_f64() - exact_rate).abs() * steepest;

@@ -159,11 +159,11 @@ impl Aim {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !self.output.is_angle() {
             let near = wrapped && self.largest + self.limit >= PI.next_down();
-            return match (wrapped && self.passes_top(), near) {
-                (true, _) => Kernel::Wrapped(Box::new(kernel)),
-                (false, true) => Kernel::Within(Box::new(kernel)),
-                (false, false) => kernel,
-            };
+            if !near {
+                return kernel;
+            }
+            let kernel = Box::new(kernel);
+            return if self.passes_top() { Kernel::Wrapped(kernel) } else { Kernel::Within(kernel) };
         }
         let (direction, turns) = (task.direction, task.turns(scene));
         let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);

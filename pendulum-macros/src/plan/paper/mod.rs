@@ -7,8 +7,8 @@ use super::aim::FULL;
 use super::curve::{Curve, SwingCurves};
 use super::kernel;
 use super::reduction::{Clock, Reduction};
-use super::{Bound, Part, Plan, Refusal};
-use crate::check::{most_useful_terms, too_near_the_top};
+use super::{Bound, Part, Plan, Refusal, bias};
+use crate::check::{most_useful_terms, smallest_working_terms};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
@@ -84,8 +84,8 @@ impl Sum {
             Method::Series => Ok(Self::series(scene, swing, rate, more)),
             Method::SmallAngle => {
                 let small = &scene.motion.omega / scene.motion.omega.context().pi();
-                let drift = (&small - &rate).abs().to_f64() * std::f64::consts::PI * horizon(scene, &rate);
-                let apart = swing.amplitude.to_f64() * libm::sin((0.5 * drift).min(std::f64::consts::FRAC_PI_2)) * 2.0;
+                // Any time: the phase goes as far as it makes a difference.
+                let apart = swing.amplitude.to_f64() * bias::of_moved_cosine(0.5, drift(&small, scene, swing));
                 let bias = harmonic_bias(scene, swing) + apart;
                 Ok(Self { method, rate: small, weights: amplitude(), coefficients: Vec::new(), bias })
             }
@@ -108,14 +108,15 @@ impl Sum {
         terms: &mut Option<usize>,
     ) -> Result<Self, Refusal> {
         let elliptic = &swing.elliptic;
-        let analysis = FourierAnalysis::new(elliptic.modulus.to_double(), elliptic.complementary.to_double());
+        let analysis = elliptic.fourier_analysis();
         let n = match scene.goal {
             Goal::Terms(n) => n,
             Goal::Tolerance(tol) => more + *terms.get_or_insert_with(|| fewest(&analysis, scene, swing, tol * 0.99)),
             Goal::Full => fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
         };
         if let Some(overshoot) = analysis.overshoot(n) {
-            let smallest = smallest(&analysis, scene, swing).and_then(|smallest| planned(scene, swing, smallest));
+            let smallest = smallest_working_terms(swing, scene.float);
+            let smallest = smallest.and_then(|smallest| planned(scene, swing, smallest));
             return Err(Refusal::Overshoot { terms: n, overshoot, smallest });
         }
         let coefficients: Vec<Real> = (1..=n).map(|n| swing.fourier_coefficient(n)).collect();
@@ -185,15 +186,6 @@ fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
     tail(&terms, theta.omitted())
 }
 
-/// The smallest number of terms without overshoot, `None` if there is none among those that the float can use.
-fn smallest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing) -> Option<usize> {
-    if too_near_the_top(swing, scene.float) {
-        return None;
-    }
-    let smallest = analysis.smallest_working();
-    (smallest <= most_useful_terms(swing, scene.float).min(MOST_HARMONICS)).then_some(smallest)
-}
-
 /// The first number of terms from `smallest` on, of a few, that is planned: without overshoot an error may still be too
 /// near to it to be bounded.
 fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
@@ -204,7 +196,7 @@ fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
 /// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are,
 /// one.
 fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
-    let Some(mut fails) = smallest(analysis, scene, swing) else { return 1 };
+    let Some(mut fails) = smallest_working_terms(swing, scene.float) else { return 1 };
     let mut serves = fails;
     while serves < MOST_CHOSEN && analysis.supremum(serves) >= tol {
         (fails, serves) = (serves, (serves * 2).min(MOST_CHOSEN));
@@ -216,8 +208,11 @@ fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) ->
     serves
 }
 
-fn horizon(scene: &Scene, rate: &Real) -> f64 {
-    scene.t_max.as_ref().map_or_else(|| 2f64.powi(54) / rate.to_f64(), Real::to_f64)
+/// By how many anchors a phase of another rate comes to differ from the exact one within the horizon.
+fn drift(rate: &Real, scene: &Scene, swing: &Swing) -> f64 {
+    let exact = swing_rate(swing);
+    let horizon = scene.t_max.as_ref().map_or_else(|| 2f64.powi(54) / exact.to_f64(), Real::to_f64);
+    (rate - &exact).abs().to_f64() * horizon
 }
 
 /// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the

@@ -1,6 +1,6 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
-use super::{Sum, horizon, whole};
+use super::{Sum, drift, whole};
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
@@ -13,7 +13,6 @@ use crate::plan::reduction::Reduction;
 use crate::plan::{Bound, Part, bias};
 use crate::program::rounding::half_ulp;
 use crate::scene::{Goal, Scene};
-use crate::series::swing_rate;
 use pendulum_runtime::double::Double;
 
 /// An output, and what doesn't depend on the reduction.
@@ -36,7 +35,7 @@ struct Whole {
 impl Sum {
     pub(super) fn wanted(&self, scene: &Scene, swing: &Swing) -> Vec<Wanted> {
         let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let drift = self.drift(scene, swing);
+        let drift = drift(&self.rate, scene, swing);
         let one = |&output: &Output| {
             if output == Output::Velocity {
                 let bias = bias::of_velocity(&self.weights, self.method, &self.rate, drift, scene, swing);
@@ -136,12 +135,6 @@ impl Sum {
     /// Bounds the argument of the arcsine.
     fn size(&self) -> f64 {
         self.weights.iter().map(|w| w.hi.abs()).sum::<f64>().min(1.0)
-    }
-
-    /// By how many anchors the phase comes to differ from the exact one.
-    fn drift(&self, scene: &Scene, swing: &Swing) -> f64 {
-        let exact = swing_rate(swing);
-        (&self.rate - &exact).abs().to_f64() * horizon(scene, &exact)
     }
 }
 
