@@ -4,6 +4,7 @@ use super::literal;
 use crate::parse::Float;
 use crate::program::interpret::HEAD_MASK;
 use crate::program::{Id, Node, Op, Program};
+use pendulum_runtime::double::Double;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -11,12 +12,30 @@ use quote::{format_ident, quote};
 pub(super) fn body(program: &Program, support: &TokenStream) -> TokenStream {
     let mut writer = Writer { program, support, bound: names(program) };
     let statements: Vec<TokenStream> = (0..program.nodes.len()).filter_map(|id| writer.statement(id)).collect();
+    let table = table(program);
     let results: Vec<TokenStream> = program.results.iter().map(|&id| writer.value(id)).collect();
     if let [result] = results.as_slice() {
-        quote!(#(#statements)* #result)
+        quote!(#table #(#statements)* #result)
     } else {
-        quote!(#(#statements)* (#(#results),*))
+        quote!(#table #(#statements)* (#(#results),*))
     }
+}
+
+/// The table, if there is one, by reference: of an array by value each call might make a copy.
+fn table(program: &Program) -> Option<TokenStream> {
+    let entry = program.nodes.iter().find(|node| matches!(node.op, Op::Entry { .. }))?;
+    let float = format_ident!("{}", entry.float.word());
+    let columns = Literal::usize_unsuffixed(program.table.first()?.len());
+    let rows = Literal::usize_unsuffixed(program.table.len());
+    let row = |row: &Vec<Double>| {
+        let numbers = row.iter().map(|number| literal::float(entry.float.round(number.hi), entry.float));
+        quote!([#(#numbers),*])
+    };
+    let table = program.table.iter().map(row);
+    let doc = format!(
+        " A row for each {rows}th of a period, the first about a turning point: powers of what the phase is apart from its middle."
+    );
+    Some(quote!(#[doc = #doc] const TABLE: &[[#float; #columns]; #rows] = &[#(#table),*];))
 }
 
 /// The variable that each node is bound to; `None` if it's written where it is used.
@@ -186,6 +205,15 @@ impl Writer<'_> {
             Op::PowerOfTwo { magic } => {
                 let magic = self.atom(magic);
                 quote!(f64::from_bits(#magic.to_bits().wrapping_add(1023) << 52))
+            }
+            Op::Row { magic } => {
+                let magic = self.atom(magic);
+                let mask = Literal::usize_unsuffixed(self.program.table.len() - 1);
+                quote!(&TABLE[(#magic.to_bits() & #mask) as usize])
+            }
+            Op::Entry { row, column } => {
+                let (row, column) = (self.atom(row), Literal::usize_unsuffixed(column));
+                quote!(#row[#column])
             }
             Op::Widen(x) => {
                 let x = self.atom(x);

@@ -6,10 +6,11 @@ use crate::plan::{Plan, Refusal, plan};
 use crate::report::Report;
 use crate::scene::{Goal, Scene};
 use crate::{check, expand, parse};
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
+use syn::visit::Visit;
 
 /// The longest an expansion may take, in an unoptimised build.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -116,20 +117,59 @@ fn mentions(tokens: &TokenStream, word: &str) -> bool {
     })
 }
 
-/// No loops, arrays, macros, fused operations, or numbers that aren't finite.
+/// No loops, macros, fused operations, or numbers that aren't finite; no array but a table, and no index that could be
+/// beyond its end.
 fn straight_line(body: &TokenStream) -> Result<(), String> {
     let banned = ["for", "while", "loop", "mul_add", "INFINITY", "NAN", "inf", "unwrap", "unsafe"];
     if let Some(word) = banned.into_iter().find(|word| mentions(body, word)) {
         return Err(format!("a function mentions `{word}`"));
     }
-    if has_brackets(body) { Err("a function contains an array or an index".to_owned()) } else { Ok(()) }
+    let block: syn::Block = syn::parse2(body.clone()).map_err(|error| error.to_string())?;
+    let mut arrays = Arrays::default();
+    arrays.visit_block(&block);
+    arrays.wrong.map_or(Ok(()), Err)
 }
 
-fn has_brackets(tokens: &TokenStream) -> bool {
-    tokens.clone().into_iter().any(|tree| match tree {
-        TokenTree::Group(group) => group.delimiter() == Delimiter::Bracket || has_brackets(&group.stream()),
-        _ => false,
-    })
+/// The arrays of a function, and the first of them, or of their indices, that isn't as it should be.
+#[derive(Default)]
+struct Arrays {
+    rows: usize,
+    columns: usize,
+    wrong: Option<String>,
+}
+
+impl<'ast> Visit<'ast> for Arrays {
+    fn visit_item_const(&mut self, table: &'ast syn::ItemConst) {
+        let lengths = quote!(#table).to_string();
+        if let syn::Expr::Reference(reference) = &*table.expr
+            && let syn::Expr::Array(rows) = &*reference.expr
+            && let Some(syn::Expr::Array(first)) = rows.elems.first()
+            && self.rows == 0
+            && rows.elems.len().is_power_of_two()
+        {
+            (self.rows, self.columns) = (rows.elems.len(), first.elems.len());
+        } else {
+            self.wrong = Some(format!("not a table: {lengths}"));
+        }
+    }
+
+    fn visit_expr_array(&mut self, array: &'ast syn::ExprArray) {
+        self.wrong = Some(format!("an array beside the table: {}", quote!(#array)));
+    }
+
+    fn visit_expr_index(&mut self, index: &'ast syn::ExprIndex) {
+        let (of, at) = (&index.expr, &index.index);
+        let (of, at) = (quote!(#of).to_string(), quote!(#at).to_string());
+        let row = format!(" . to_bits () & {}) as usize", self.rows.wrapping_sub(1));
+        let within = match of.as_str() {
+            "TABLE" => at.starts_with("(magic") && at.ends_with(&row),
+            "row" => at.parse().is_ok_and(|column: usize| column < self.columns),
+            _ => false,
+        };
+        if !within {
+            self.wrong = Some(format!("an index that might be too large: {of} [{at}]"));
+        }
+    }
 }
 
 /// Every mistake has a message and a place; only what is missing may be blamed on the whole call.

@@ -2,6 +2,7 @@
 
 use super::harmonics::Harmonics;
 use super::hyperbolic::Hyperbolic;
+use super::pieces::Pieces;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::supremum::{by_halves, largest, norm};
@@ -21,6 +22,8 @@ pub(crate) enum Kernel {
     Polynomial(Polynomial),
     /// sin θ and −cos θ from sin(θ/2) and cos(θ/2): the square of a point of the unit circle.
     Circle { sine: Polynomial, cosine: Polynomial },
+    /// A polynomial for each part of the period.
+    Pieces(Box<Pieces>),
     /// A sum of harmonics of one cosine.
     Harmonics(Box<Harmonics>),
     /// The passage through the lowest point of a motion that comes near the top.
@@ -39,6 +42,7 @@ impl Kernel {
         match self {
             Self::Polynomial(polynomial) => vec![polynomial.lower(b, variables, name)],
             Self::Circle { sine, cosine } => circle(b, variables, sine, cosine),
+            Self::Pieces(pieces) => vec![pieces.lower(b, name)],
             Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
             Self::Hyperbolic(hyperbolic) => hyperbolic.lower(b, variables, name),
             Self::Turning(turning) => vec![turning.lower(b, variables, name)],
@@ -59,7 +63,7 @@ impl Kernel {
             Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
             Self::Circle { sine, cosine } => [sine, cosine].iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
-            Self::Hyperbolic(_) => false,
+            Self::Hyperbolic(_) | Self::Pieces(_) => false,
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_odd(),
         }
     }
@@ -79,6 +83,7 @@ impl Kernel {
             Self::Circle { sine, cosine } => {
                 format!("sin(θ/2) by a {}, cos(θ/2) by a {}, squared", sine.describe(), cosine.describe())
             }
+            Self::Pieces(pieces) => pieces.describe(),
             Self::Harmonics(harmonics) => harmonics.describe(),
             Self::Hyperbolic(hyperbolic) => hyperbolic.describe(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.describe(),
@@ -89,6 +94,7 @@ impl Kernel {
     pub(crate) fn terms(&self) -> usize {
         match self {
             Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.coefficients.len(),
+            Self::Pieces(pieces) => pieces.terms(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Hyperbolic(hyperbolic) => hyperbolic.terms(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms(),
@@ -113,6 +119,9 @@ impl Kernel {
         if let Self::Wrapped(angle) = self {
             // The sum with a turn, the turn's own rounding, and the distance from π of the largest number below it.
             return angle.rounding(reduction, cap) + 3.0 * half_ulp(2.0 * PI, reduction.float);
+        }
+        if let Self::Pieces(pieces) = self {
+            return pieces.rounding();
         }
         let program = function(reduction, &[self]);
         if let Self::Hyperbolic(hyperbolic) = self {

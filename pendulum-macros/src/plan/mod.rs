@@ -18,6 +18,7 @@ mod moebius;
 mod moments;
 mod paper;
 mod part;
+mod pieces;
 pub(crate) mod polynomial;
 pub(crate) mod reduction;
 mod refusal;
@@ -161,6 +162,11 @@ impl Plan {
     /// How much of its limit the worst output takes.
     fn taken(&self) -> f64 {
         self.parts.iter().map(|part| part.taken).fold(0.0, f64::max)
+    }
+
+    /// Estimated cost of all functions.
+    fn cost(&self) -> f64 {
+        self.functions.iter().map(|function| function.program.cost()).sum()
     }
 
     /// Operations of the first function.

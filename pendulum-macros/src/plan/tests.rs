@@ -194,7 +194,7 @@ fn any_spoilt_result_is_seen() {
             assert_eq!(verify::broken(&scene, &task, &plan), None);
             for result in 0..plan.functions[0].program.results.len() {
                 let mut spoilt = plan.clone();
-                let Program { nodes, results } = &mut spoilt.functions[0].program;
+                let Program { nodes, results, .. } = &mut spoilt.functions[0].program;
                 let node = |op| crate::program::Node { op, float: crate::parse::Float::F64, name: None };
                 nodes.push(node(Op::Constant { value: 1.0 + 1e-6, rest: 0.0 }));
                 nodes.push(node(Op::Mul(results[result], nodes.len() - 1)));

@@ -192,7 +192,7 @@ fn at_most(b: &mut Builder, x: Id, limit: f64) -> Id {
 }
 
 /// x within ±limit.
-fn clamp(b: &mut Builder, x: Id, limit: f64) -> Id {
+pub(super) fn clamp(b: &mut Builder, x: Id, limit: f64) -> Id {
     let x = at_most(b, x, limit);
     let limit = b.constant(-limit);
     b.push(Op::Max { limit, x })

@@ -6,7 +6,8 @@ use crate::parse::Float;
 impl Program {
     /// The number of operations (constants and the input are free).
     pub(crate) fn operations(&self) -> usize {
-        self.nodes.iter().filter(|node| !matches!(node.op, Op::Input | Op::Constant { .. })).count()
+        let is_free = |op: Op| matches!(op, Op::Input | Op::Constant { .. } | Op::Entry { .. });
+        self.nodes.iter().filter(|node| !is_free(node.op)).count()
     }
 
     /// Relative cost in an array loop, one addition or multiplication of the input's type being 1. Wide operations in a
@@ -14,23 +15,33 @@ impl Program {
     pub(crate) fn cost(&self) -> f64 {
         let float = self.nodes.first().map_or(Float::F64, |node| node.float);
         let lanes = |node: &Node| if node.float == float { 1.0 } else { 2.0 };
-        self.nodes.iter().map(|node| lanes(node) * weight(node.op)).sum()
+        let sum: f64 = self.nodes.iter().map(|node| lanes(node) * weight(node.op)).sum();
+        if self.table.is_empty() { sum } else { looked_up(float) * sum }
     }
 }
 
 /// What a division costs beside a multiplication.
 pub(crate) const QUOTIENT: f64 = 2.5;
 
+/// What an operation costs in a program with a table, which loops over arrays don't vectorise: a compromise between
+/// these, where it is as much as all lanes, and single calls, where it is 1.
+fn looked_up(float: Float) -> f64 {
+    match float {
+        Float::F64 => 1.5,
+        Float::F32 => 2.0,
+    }
+}
+
 /// Measured on x86-64, without and with AVX2, `f64` and `f32`, by `cargo run --release -p pendula-benches --bin
 /// weights`; docs/BENCHMARKS.md has the figures. Only their order matters to the planner, and that they are about
 /// right.
 fn weight(op: Op) -> f64 {
     match op {
-        Op::Input | Op::Constant { .. } => 0.0,
+        Op::Input | Op::Constant { .. } | Op::Entry { .. } => 0.0,
         Op::Div(..) => QUOTIENT,
         Op::Root(_) => 36.0,
         Op::Against { .. } | Op::Min { .. } | Op::Max { .. } => 1.3,
-        Op::Select { .. } => 3.0,
+        Op::Select { .. } | Op::Row { .. } => 3.0,
         Op::Widen(_) | Op::Narrow(_) => 2.0,
         _ => 1.0,
     }

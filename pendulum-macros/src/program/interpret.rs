@@ -61,6 +61,8 @@ impl Program {
                 }
             }
             Op::PowerOfTwo { magic } => f64::from_bits(self.integer_bits(magic, v).wrapping_add(1023) << 52),
+            Op::Row { magic } => (self.integer_bits(magic, v) % self.table.len() as u64) as f64,
+            Op::Entry { row, column } => self.table[v[row] as usize][column].hi,
             Op::Widen(x) | Op::Narrow(x) => v[x],
         }
     }

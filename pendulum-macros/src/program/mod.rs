@@ -8,6 +8,7 @@ pub(crate) mod interpret;
 pub(crate) mod rounding;
 
 use crate::parse::Float;
+use pendulum_runtime::double::Double;
 
 /// A node's index; operands precede their users.
 pub(crate) type Id = usize;
@@ -62,6 +63,16 @@ pub(crate) enum Op {
     PowerOfTwo {
         magic: Id,
     },
+    /// The row of the program's table that the integer in `magic` (a sum with [`Float::magic`] or a part of it) names,
+    /// modulo the number of rows.
+    Row {
+        magic: Id,
+    },
+    /// A number of that row.
+    Entry {
+        row: Id,
+        column: usize,
+    },
     /// `f32` to `f64`.
     Widen(Id),
     /// `f64` to `f32`.
@@ -81,6 +92,8 @@ pub(crate) struct Node {
 pub(crate) struct Program {
     pub(crate) nodes: Vec<Node>,
     pub(crate) results: Vec<Id>,
+    /// Constants that the time chooses among; their number of rows is a power of two, or none.
+    pub(crate) table: Vec<Vec<Double>>,
 }
 
 impl Float {
@@ -129,7 +142,8 @@ impl Op {
             Self::Select { a, b, then, otherwise } => vec![a, b, then, otherwise],
             Self::Alternate { x, magic } => vec![x, magic],
             Self::Against { x, sign } => vec![x, sign],
-            Self::PowerOfTwo { magic } => vec![magic],
+            Self::PowerOfTwo { magic } | Self::Row { magic } => vec![magic],
+            Self::Entry { row, .. } => vec![row],
         }
     }
 }
@@ -140,12 +154,13 @@ pub(crate) struct Builder {
     nodes: Vec<Node>,
     /// The type of the nodes to come.
     float: Float,
+    table: Vec<Vec<Double>>,
 }
 
 impl Builder {
     /// A program whose time, and results, are of type `float`.
     pub(crate) fn new(float: Float) -> Self {
-        Self { nodes: Vec::new(), float }
+        Self { nodes: Vec::new(), float, table: Vec::new() }
     }
 
     pub(crate) fn float(&self) -> Float {
@@ -224,9 +239,18 @@ impl Builder {
         (sum, self.add(lost_a, lost_b))
     }
 
+    /// The numbers of the row of `table` that the integer in `magic` names.
+    pub(crate) fn look_up(&mut self, table: &[Vec<Double>], magic: Id) -> Vec<Id> {
+        self.table = table.to_vec();
+        let row = self.push(Op::Row { magic });
+        self.name(row, "row");
+        let columns = table.first().map_or(0, Vec::len);
+        (0..columns).map(|column| self.push(Op::Entry { row, column })).collect()
+    }
+
     /// The finished program, without the nodes that no result needs.
     pub(crate) fn finish(self, results: Vec<Id>) -> Program {
-        Program { nodes: self.nodes, results }.pruned()
+        Program { nodes: self.nodes, results, table: self.table }.pruned()
     }
 }
 
@@ -247,7 +271,9 @@ impl Program {
             renamed[id] = nodes.len();
             nodes.push(Node { op: node.op.renamed(&renamed), ..node });
         }
-        Self { nodes, results: self.results.iter().map(|&id| renamed[id]).collect() }
+        let looks_up = nodes.iter().any(|node: &Node| matches!(node.op, Op::Row { .. }));
+        let table = if looks_up { self.table } else { Vec::new() };
+        Self { nodes, results: self.results.iter().map(|&id| renamed[id]).collect(), table }
     }
 
     /// The node of this name, if the program has one.
@@ -277,6 +303,8 @@ impl Op {
             Self::Alternate { x, magic } => Self::Alternate { x: to[x], magic: to[magic] },
             Self::Against { x, sign } => Self::Against { x: to[x], sign: to[sign] },
             Self::PowerOfTwo { magic } => Self::PowerOfTwo { magic: to[magic] },
+            Self::Row { magic } => Self::Row { magic: to[magic] },
+            Self::Entry { row, column } => Self::Entry { row: to[row], column },
         }
     }
 }

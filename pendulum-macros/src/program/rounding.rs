@@ -109,7 +109,9 @@ fn inflate(known: Known) -> Known {
 
 fn step(op: Op, float: Float, known: &[Known]) -> Known {
     match op {
-        Op::Input | Op::PowerOfTwo { .. } | Op::Head(_) => Known::between(f64::NEG_INFINITY, f64::INFINITY),
+        Op::Input | Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } => {
+            Known::between(f64::NEG_INFINITY, f64::INFINITY)
+        }
         Op::Constant { value, rest } => Known::within(value, value, rest.abs()),
         Op::Add(a, b) => sum(known[a], known[b], float),
         Op::Sub(a, b) => {

@@ -1,5 +1,6 @@
 //! What each operation is, does, reads and costs.
 
+use super::rounding::Known;
 use super::*;
 
 /// A program of one operation on constants, some of them in the other type.
@@ -175,12 +176,15 @@ fn operands() {
         Op::Alternate { x: 1, magic: 2 },
         Op::Against { x: 1, sign: 2 },
         Op::PowerOfTwo { magic: 1 },
+        Op::Row { magic: 1 },
+        Op::Entry { row: 1, column: 7 },
     ];
     for op in ops {
         let node = |op| Node { op, float: Float::F64, name: None };
         let constants = (0..5).map(|value| node(Op::Constant { value: f64::from(value), rest: 0.0 }));
         // Node 0 is unused.
-        let program = Program { nodes: constants.chain([node(op)]).collect(), results: vec![5] }.pruned();
+        let (nodes, table) = (constants.chain([node(op)]).collect(), Vec::new());
+        let program = Program { nodes, results: vec![5], table }.pruned();
         let (result, used) = program.nodes.split_last().unwrap();
         let values: Vec<f64> = result
             .op
@@ -226,4 +230,45 @@ fn costs() {
     assert!(dearer.is_sorted() && dearest.is_sorted() && dearer[1] > 0.0 && dearest[2] > 10.0 * dearest[1]);
     assert_eq!(cost(|x, limit| Op::Max { limit, x }), cost(|x, sign| Op::Against { x, sign }));
     assert_eq!([cost(Op::Mul), cost(Op::Sub)], [1.0, 1.0]);
+}
+
+/// Of a table of 2 and 5, and 3 and 7, the row that is the parity of t: 2 + 5t or 3 + 7t. What isn't looked up isn't kept.
+#[test]
+fn tables() {
+    let rows = [[2.0, 5.0], [3.0, 7.0]].map(|row| row.map(Double::new).to_vec());
+    let mut b = Builder::new(Float::F64);
+    let t = b.input();
+    let magic = b.constant(Float::F64.magic());
+    let magic = b.add(t, magic);
+    let entries = b.look_up(&rows, magic);
+    let product = b.mul(entries[1], t);
+    let sum = b.add(entries[0], product);
+    let program = b.clone().finish(vec![sum]);
+    assert_eq!([-2.0, -1.0, 0.0, 1.0, 6.0].map(|t| program.run(t)[0]), [-8.0, -4.0, 2.0, 10.0, 32.0]);
+    assert!(program.run(f64::NAN)[0].is_nan());
+    assert_eq!(program.operations(), 4);
+    // A loop over an array takes them one by one.
+    let mut vectorised = program.clone();
+    vectorised.table = Vec::new();
+    assert!(program.cost() > vectorised.cost());
+    let without = b.finish(vec![product]);
+    assert_eq!((without.table.len(), b_without_row().table.len()), (2, 0));
+    // What is known of the row is known of its numbers.
+    let known: Vec<(Id, Known)> = (0..program.nodes.len())
+        .filter_map(|id| match program.nodes[id].op {
+            Op::Input => Some((id, Known::between(-1.0, 1.0))),
+            Op::Entry { column, .. } => Some((id, Known::within(rows[1][column].hi, rows[1][column].hi, 1e-20))),
+            _ => None,
+        })
+        .collect();
+    let result = program.rounding(&known)[0];
+    assert!(result.low <= -4.0 && result.high >= 10.0 && (5e-16..2e-15).contains(&result.error), "{result:?}");
+}
+
+/// A program that makes a table and doesn't use it.
+fn b_without_row() -> Program {
+    let mut b = Builder::new(Float::F64);
+    let t = b.input();
+    b.look_up(&[vec![Double::ONE], vec![Double::ONE]], t);
+    b.finish(vec![t])
 }

@@ -31,6 +31,7 @@ pub(crate) struct Lamp;
     clippy::as_conversions,
     clippy::float_arithmetic,
     clippy::float_cmp,
+    clippy::indexing_slicing,
     clippy::min_ident_chars,
     clippy::missing_inline_in_public_items,
     clippy::missing_docs_in_private_items,

@@ -1,6 +1,7 @@
 //! The methods of the paper, and the series of θ: sums of harmonics of one cosine.
 
 mod parts;
+mod piecewise;
 mod whole;
 
 use super::aim::FULL;
@@ -253,7 +254,12 @@ impl Sum {
         }
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
+        let mut found: Option<Plan> = None;
         for reduction in &reductions {
+            // A dearer reduction is worth a look only where it leads to pieces and a cheaper one didn't.
+            if found.is_some() && !(reduction.has_parts() && wanted.iter().any(Wanted::has_pieces)) {
+                continue;
+            }
             // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
             let lost = |wanted: &Wanted| wanted.curve.phase_error(reduction) > self.promise(scene, &wanted.curve);
             if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
@@ -268,18 +274,23 @@ impl Sum {
                 hopeless.push(reduction.origin);
             }
             if kept(Bound::total) && parts.iter().all(|part| is_useful(part, scene)) {
-                return Ok(Plan {
+                let plan = Plan {
                     method: self.method.word(),
                     reduction: reduction.clone(),
                     functions: kernel::functions(reduction, &parts),
                     parts,
                     coefficients: self.coefficients.clone(),
                     rejected: Vec::new(),
-                });
+                };
+                found = Some(found.filter(|found| found.cost() <= plan.cost()).unwrap_or(plan));
+                if reduction.has_parts() {
+                    break;
+                }
+            } else {
+                closest = closest.min(parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max));
             }
-            closest = closest.min(parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max));
         }
-        Err(Refusal::Unreachable { best: closest })
+        found.ok_or(Refusal::Unreachable { best: closest })
     }
 
     /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to

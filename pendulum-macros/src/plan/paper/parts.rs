@@ -1,5 +1,6 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
+use super::piecewise::Piecewise;
 use super::{Sum, drift, whole};
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
@@ -28,8 +29,16 @@ pub(super) struct Wanted {
 
 /// θ̂ in one approximation, and how far off it may be, phase included: the first that can be kept counts.
 struct Whole {
-    approximation: Approximation,
+    approximation: Option<Approximation>,
+    pieces: Option<Piecewise>,
     allowed: [f64; 2],
+}
+
+impl Wanted {
+    /// Whether there are pieces for reductions that can count them.
+    pub(super) fn has_pieces(&self) -> bool {
+        self.whole.as_ref().is_some_and(|whole| whole.pieces.is_some())
+    }
 }
 
 impl Sum {
@@ -60,7 +69,9 @@ impl Sum {
         if self.coefficients.is_empty() {
             return None;
         }
-        Some(Whole { approximation: whole::approximation(&self.weights, allowed[0] / 8.0)?, allowed })
+        let limit = allowed[0] / 8.0;
+        let approximation = whole::approximation(&self.weights, limit);
+        Some(Whole { approximation, pieces: Piecewise::new(&self.weights, limit), allowed })
     }
 
     pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
@@ -68,13 +79,14 @@ impl Sum {
         let phase = curve.phase_error(reduction);
         let direction = if swing.mirrored { -1.0 } else { 1.0 };
         let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
+        let whole = whole.iter().flat_map(|whole| whole.kernels(phase, reduction, direction));
         let whole = whole
-            .as_ref()
-            .and_then(|whole| whole.kernel(phase, reduction, direction))
+            .min_by(|(a, ..), (b, ..)| cost(reduction, a).total_cmp(&cost(reduction, b)))
             .filter(|(kernel, ..)| cost(reduction, kernel) < cost(reduction, &summed));
         let (kernel, description, truncation, evaluation) = if let Some((kernel, own, evaluation)) = whole {
             let (terms, word) = (self.weights.len(), kernel.describe());
-            let description = format!("{terms} harmonics, twice the arcsine of their sum as one {word}");
+            let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
+            let description = format!("{terms} harmonics, twice the arcsine of their sum as {one}{word}");
             (kernel, description, bias + own, evaluation)
         } else {
             let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));
@@ -143,21 +155,33 @@ fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
 }
 
 impl Whole {
-    /// The kernel in the cheapest form that is off by no more than is allowed, beside what the phase does, and its
-    /// truncation and rounding.
-    fn kernel(&self, phase: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
-        let left = self.allowed.iter().map(|allowed| allowed - phase);
-        let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
-        shared.find_map(|(left, truncation)| self.within(left, truncation, reduction, direction))
+    /// The kernels, of one polynomial in the cheapest form and of many, that are off by no more than is allowed, beside
+    /// what the phase does, and their truncation and rounding.
+    fn kernels(&self, phase: f64, reduction: &Reduction, direction: f64) -> Vec<(Kernel, f64, f64)> {
+        let first = |kernel: &dyn Fn(f64, f64) -> Option<(Kernel, f64, f64)>| {
+            let left = self.allowed.iter().map(|allowed| allowed - phase);
+            let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
+            shared.find_map(|(left, truncation)| kernel(left, truncation))
+        };
+        let single = first(&|left, truncation| self.single(left, truncation, reduction, direction));
+        let pieces = first(&|left, truncation| self.pieces(left, truncation, reduction, direction));
+        single.into_iter().chain(pieces).collect()
     }
 
-    fn within(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
-        let terms = self.approximation.terms_for(truncation, reduction.overshoot)?;
+    fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+        let (pieces, truncation) = self.pieces.as_ref()?.kernel(reduction, direction, truncation)?;
+        let rounding = pieces.rounding();
+        (rounding <= left - truncation).then(|| (Kernel::Pieces(Box::new(pieces)), truncation, rounding))
+    }
+
+    fn single(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+        let approximation = self.approximation.as_ref()?;
+        let terms = approximation.terms_for(truncation, reduction.overshoot)?;
         let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms)).collect();
         let cost = |form: &Form| form.cost(terms, false) + form.variables(false);
         forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
         forms.into_iter().find_map(|form| {
-            let mut polynomial = self.approximation.polynomial(terms, form, reduction, true, left)?;
+            let mut polynomial = approximation.polynomial(terms, form, reduction, true, left)?;
             let truncation = polynomial.truncation;
             if direction < 0.0 {
                 polynomial.negate();

@@ -82,6 +82,7 @@ impl Clock<'_> {
             overshoot,
             unit,
             scale,
+            parts: 1.0,
             cap,
             folded: false,
         }
@@ -232,6 +233,7 @@ impl Clock<'_> {
             overshoot: 0.0,
             unit: Double::ONE,
             scale: 1.0,
+            parts: 1.0,
             cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
             folded: false,
         }

@@ -30,7 +30,11 @@ impl Reduction {
             }
         };
         let remainder = b.convert(phase.remainder, self.float);
-        let name = if self.origin == Origin::Anchor { "s" } else { "z" };
+        let name = match self.origin {
+            Origin::Anchor if self.parts > 1.0 => "apart",
+            Origin::Anchor => "s",
+            Origin::Lowest => "z",
+        };
         Phase { remainder: b.name(remainder, name), ..phase }
     }
 
@@ -71,7 +75,7 @@ impl Reduction {
     /// The magic sum of x + offset, and the nearest integer.
     fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
         let x = offset_by(b, x, self.offset() * self.scale);
-        let constant = b.float().magic() * self.scale;
+        let constant = b.float().magic() * self.scale / self.parts;
         let constant = b.constant(constant);
         let magic = b.add(x, constant);
         b.name(magic, "magic");

@@ -40,6 +40,8 @@ pub(crate) struct Reduction {
     pub(crate) unit: Double,
     /// A power of two that phases are multiplied with besides.
     pub(crate) scale: f64,
+    /// Parts of an anchor that n counts, a power of two: the remainder is that from the nearest part.
+    pub(crate) parts: f64,
     /// Times beyond ±this are replaced by it.
     pub(crate) cap: Option<f64>,
     /// Whether it is of |t|.
@@ -110,6 +112,7 @@ impl Reduction {
             overshoot: 0.0,
             unit: Double::new(0.5 / scale) / Double::new(reach),
             scale,
+            parts: 1.0,
             cap: None,
             folded: false,
         })
@@ -120,6 +123,23 @@ impl Reduction {
     /// it are not rounded alike, and the magnitude of the time is reduced instead.
     pub(crate) fn released(self) -> Self {
         Self { folded: self.origin == Origin::Lowest, ..self }
+    }
+
+    /// The same with the remainder from the nearest of so many parts of an anchor, whose number is in the low bits of
+    /// the magic sum; `None` where products with n would no longer be exact, or where there are so many anchors that
+    /// their parts can't be told. The errors stated remain bounds: sums with smaller remainders are rounded no more.
+    pub(crate) fn in_parts(&self, parts: f64) -> Option<Self> {
+        (self.has_parts() && self.error * parts < 2f64.powi(-10)).then(|| Self { parts, ..self.clone() })
+    }
+
+    /// Whether it can count parts of an anchor.
+    pub(crate) fn has_parts(&self) -> bool {
+        let subtracts = match self.method {
+            Method::OneWord { .. } => self.float == Float::F64,
+            Method::AnyTime { .. } | Method::Wide { .. } | Method::WideAnyTime { .. } => true,
+            _ => false,
+        };
+        subtracts && self.origin == Origin::Anchor
     }
 
     /// Whether there is nothing to reduce.
@@ -178,9 +198,9 @@ impl Reduction {
             return LINEAR_HALF;
         }
         if self.overshoot == 0.0 && self.unit == Double::ONE {
-            return 0.5;
+            return 0.5 / self.parts;
         }
-        let half = (0.5 + self.overshoot) / self.unit.hi;
+        let half = (0.5 / self.parts + self.overshoot) / self.unit.hi;
         self.float.round(half * (1.0 + 4.0 * self.float.unit()))
     }
 }

@@ -41,7 +41,8 @@ impl Trial {
         let halves = i64::from(self.reduction.origin == Origin::Lowest && !linear);
         let passed = &self.rate * &real(t) + &self.launch - context.ratio(halves, 2);
         // Beyond 2⁵³ anchors their number itself is rounded, its parity isn't.
-        let number = if linear { context.integer(0) } else { (&passed - &computed).round() };
+        let power = self.reduction.parts.log2() as i64;
+        let number = if linear { context.integer(0) } else { (&passed - &computed).scale(power).round().scale(-power) };
         let exact = passed - &number;
         let (error, phase) = ((computed - &exact).abs().to_f64(), exact.to_f64().abs());
         let promised = self.reduction.error + self.reduction.relative_error * phase;
@@ -51,10 +52,14 @@ impl Trial {
         if !linear {
             let narrow = self.reduction.float == Float::F32 && !self.is_wide();
             let bits = if narrow { u64::from((run[1] as f32).to_bits()) } else { run[1].to_bits() };
-            let odd = !(number.scale(-1) - number.scale(-1).round()).is_zero();
-            assert_eq!(bits & 1 == 1, odd, "{count}: {}", about());
+            // Modulo two anchors, in parts of one.
+            let anchors = number.scale(-1) - number.scale(-1).round();
+            let residue = (anchors.to_f64() * 2.0 * self.reduction.parts) as i64;
+            let modulus = 2 * self.reduction.parts as i64;
+            assert_eq!((bits as i64 - residue) % modulus, 0, "{count}: {}", about());
             let off = (number - real(count)).abs().to_f64();
-            assert!(off <= (count.abs() * 2f64.powi(-53)).floor(), "{count}: {}", about());
+            let rounded = (count.abs() * self.reduction.parts * 2f64.powi(-53)).floor() / self.reduction.parts;
+            assert!(off <= rounded, "{count}: {}", about());
         }
         self.worst = self.worst.max(error / promised);
     }
@@ -110,7 +115,7 @@ fn rate(random: &mut Random) -> Real {
 fn errors_are_those_promised() {
     let context = Context::for_digits(60);
     let mut random = Random::new(11);
-    let mut worst: BTreeMap<_, f64> = BTreeMap::new();
+    let (mut worst, mut in_parts): (BTreeMap<_, f64>, _) = (BTreeMap::new(), 0);
     for (horizon, float) in
         [0.3, 30.0, 3e3, 1e6, 1e10, f64::INFINITY].map(|h| [(h, Float::F64), (h, Float::F32)]).concat()
     {
@@ -126,6 +131,12 @@ fn errors_are_those_promised() {
                 // Which is what a remainder is wrong by, if the launch is added to it before n is rounded.
                 let exact = matches!(launch, "0" | "0.5");
                 assert!(exact || reduction.overshoot >= reduction.error, "{reduction:?}");
+                // The same, from the nearest of the parts of an anchor.
+                for reduction in [2.0, 32.0].into_iter().filter_map(|parts| reduction.in_parts(parts)) {
+                    let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
+                    trial.run(&mut Random::new(in_parts), 20);
+                    in_parts += 1;
+                }
                 let widened = reduction.half() * reduction.unit.hi / (0.5 + reduction.overshoot);
                 assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
                 let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
@@ -136,6 +147,7 @@ fn errors_are_those_promised() {
             }
         }
     }
+    assert!(in_parts > 120, "{in_parts}");
     // Every way from every launch, but for the one that is only for none.
     assert_eq!(worst.len(), 17 * 4 + 2, "{worst:?}");
     for (way, worst) in worst {

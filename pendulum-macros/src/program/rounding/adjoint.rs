@@ -69,7 +69,7 @@ impl Program {
 fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> bool {
     let mut add = |id: Id, part: Slope| slopes[id] = slopes[id].plus(part);
     match op {
-        Op::Input | Op::Constant { .. } | Op::PowerOfTwo { .. } => {}
+        Op::Input | Op::Constant { .. } | Op::PowerOfTwo { .. } | Op::Row { .. } | Op::Entry { .. } => {}
         Op::Add(a, b) => {
             add(a, slope);
             add(b, slope);
