@@ -65,6 +65,9 @@ pub trait AnyTime<R> {
     /// The angles at `times`, independent of each other.
     fn fill(&self, times: &[R], angles: &mut [R]);
 
+    /// One call after the other, none waiting for another and none combined with another.
+    fn scalar(&self, times: &[R]);
+
     /// One call after the other, each waiting for the result before.
     fn chain(&self, times: &[R]) -> R;
 }
@@ -84,6 +87,13 @@ impl<R: Real, F: Fn(R) -> R, G: Fn(R) -> R> AnyTime<R> for Function<F, G> {
     fn fill(&self, times: &[R], angles: &mut [R]) {
         for (angle, &time) in angles.iter_mut().zip(times) {
             *angle = (self.array)(time);
+        }
+    }
+
+    #[inline(never)]
+    fn scalar(&self, times: &[R]) {
+        for &time in times {
+            black_box((self.single)(time));
         }
     }
 
@@ -122,6 +132,13 @@ impl<R: Real, F: Fn(R) -> (R, R), G: Fn(R) -> (R, R)> AnyTime<R> for Pair<R, F, 
         second.resize(times.len(), R::zero());
         self.fill_both(times, angles, &mut second);
         black_box(&second);
+    }
+
+    #[inline(never)]
+    fn scalar(&self, times: &[R]) {
+        for &time in times {
+            black_box((self.single)(time));
+        }
     }
 
     #[inline(never)]

@@ -16,7 +16,8 @@ const DECADES: std::ops::RangeInclusive<i32> = 3..=15;
 pub fn csv(outcomes: &[Outcome]) -> String {
     let mut text = String::from(
         "target,amplitude,precision,family,name,setting,error,\
-         array_ns,array_ns_lower,array_ns_upper,array_per_sin,single_ns,single_ns_lower,single_ns_upper,\
+         array_ns,array_ns_lower,array_ns_upper,array_per_sin,\
+         scalar_ns,scalar_ns_lower,scalar_ns_upper,scalar_per_sin,single_ns,single_ns_lower,single_ns_upper,\
          single_per_sin,cold_ns,cold_ns_lower,cold_ns_upper,random_access_ns\n",
     );
     for one in outcomes {
@@ -25,7 +26,7 @@ pub fn csv(outcomes: &[Outcome]) -> String {
         let random_access = one.random_access.map(|ns| format!("{ns:.1}")).unwrap_or_default();
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{error},{},{:.4},{},{:.4},{},{random_access}",
+            "{},{},{},{},{},{},{error},{},{:.4},{},{:.4},{},{:.4},{},{random_access}",
             machine::target(),
             one.amplitude.slug,
             one.precision,
@@ -34,6 +35,8 @@ pub fn csv(outcomes: &[Outcome]) -> String {
             quoted(&one.setting),
             spread(one.array),
             one.array_ratio.median,
+            spread(one.scalar),
+            one.scalar_ratio.median,
             spread(one.single),
             one.single_ratio.median,
             spread(one.cold),
@@ -93,8 +96,8 @@ fn provenance(missing: &[Missing], versions: &[(&str, String)]) -> String {
         "Processor: {}. Compiler: {}, compiled for {}. Peers: {}. Missing peers: {absent}.\n\n\
          Times are medians with the quartiles in brackets. *Array*: ns per value in a loop over {COUNT} random times of \
          0 to {HORIZON:.0} periods; for steppers ns per step of one of {COUNT} independent pendula. *Cold*: the same when other work has written 8 MiB \
-         before each pass. *Single*: ns per call \
-         when each waits for the one before; for steppers ns per step of one trajectory. *Random access*: what a stepper \
+         before each pass. *Scalar*: ns per call of a loop in which none waits for another nor shares a vector with it. \
+         *Single*: ns per call when each waits for the one before; for steppers ns per step of one trajectory. *Random access*: what a stepper \
          needs on average for the value at one of those times. *Error*: the largest on the times of the array loop; for \
          steppers the largest over {STEPPED:.0} periods from the release.",
         machine::processor(),
@@ -107,8 +110,8 @@ fn provenance(missing: &[Missing], versions: &[(&str, String)]) -> String {
 /// All outcomes of one amplitude and precision, families together.
 fn table(field: &[&Outcome]) -> String {
     let mut text = String::from(
-        "| | | error (rad) | array (ns) | × `sin` | cold (ns) | single (ns) | × `sin` | random access |\n\
-         |---|---|--:|--:|--:|--:|--:|--:|--:|\n",
+        "| | | error (rad) | array (ns) | × `sin` | cold (ns) | scalar (ns) | × `sin` | single (ns) | × `sin` | random access |\n\
+         |---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     let mut sorted = field.to_vec();
     sorted.sort_by_key(|one| one.family);
@@ -117,12 +120,14 @@ fn table(field: &[&Outcome]) -> String {
         let random_access = one.random_access.map_or_else(|| "–".into(), duration);
         let _ = writeln!(
             text,
-            "| {} | {} | {error} | {} | {} | {} | {} | {} | {random_access} |",
+            "| {} | {} | {error} | {} | {} | {} | {} | {} | {} | {} | {random_access} |",
             one.name,
             one.setting,
             nanoseconds(one.array),
             digits(one.array_ratio.median),
             digits(one.cold.median),
+            nanoseconds(one.scalar),
+            digits(one.scalar_ratio.median),
             nanoseconds(one.single),
             digits(one.single_ratio.median),
         );

@@ -39,12 +39,17 @@ pub struct Outcome {
     pub error: f64,
     /// ns per value in the array loop; for a stepper per step of one of 4096 independent pendula.
     pub array: Spread,
+    /// ns per call of a loop in which none waits for another, nor is combined with it in a vector; for a stepper per
+    /// step of one trajectory.
+    pub scalar: Spread,
     /// ns per call when each waits for the one before; for a stepper per step of one trajectory.
     pub single: Spread,
     /// `array` when other work has used the caches before each pass.
     pub cold: Spread,
     /// `array` in units of `sin` in the same loop of the same round.
     pub array_ratio: Spread,
+    /// `scalar` likewise.
+    pub scalar_ratio: Spread,
     /// `single` likewise.
     pub single_ratio: Spread,
     /// For a stepper, ns for the value at a random time within the horizon, reached from the release.
@@ -116,12 +121,14 @@ impl<R: Real> Field<R> {
         }
     }
 
-    /// Three jobs per contestant: the array loop, the single call, and the array loop with cold caches.
+    /// Four jobs per contestant: the array loop, calls by themselves, one after the other, and the array loop with cold
+    /// caches.
     pub fn jobs<'a>(&'a self, jobs: &mut Vec<Job<'a>>) {
         for contestant in &self.contestants {
             match &contestant.kind {
                 Kind::AnyTime(function) => {
                     jobs.push(Job::new(COUNT, self.fill(function.as_ref())));
+                    jobs.push(Job::new(COUNT, move || function.scalar(black_box(&self.times.0))));
                     jobs.push(Job::new(COUNT, move || {
                         black_box(function.chain(black_box(&self.times.0)));
                     }));
@@ -129,6 +136,7 @@ impl<R: Real> Field<R> {
                 }
                 Kind::Stepping(method) => {
                     jobs.push(Job::new(COUNT, self.step(method.as_ref())));
+                    jobs.push(Job::new(COUNT, follow(method.as_ref())));
                     jobs.push(Job::new(COUNT, follow(method.as_ref())));
                     jobs.push(Job::cold(COUNT, self.step(method.as_ref())));
                 }
@@ -167,8 +175,8 @@ impl<R: Real> Field<R> {
     /// Takes this field's share of the samples, in the order of `jobs`.
     fn outcomes(&self, errors: &[f64], samples: &mut impl Iterator<Item = Vec<f64>>) -> Vec<Outcome> {
         let mut next = || samples.next().unwrap_or_default();
-        let timed: Vec<Timed> =
-            self.contestants.iter().map(|_| Timed { array: next(), single: next(), cold: next() }).collect();
+        let mut timed = |_| Timed { array: next(), scalar: next(), single: next(), cold: next() };
+        let timed: Vec<Timed> = self.contestants.iter().map(&mut timed).collect();
         let unit = self.contestants.iter().position(|one| one.family == Family::Yardstick).unwrap_or(0);
         let outcome = |(index, contestant)| self.outcome(contestant, errors[index], &timed[index], &timed[unit]);
         self.contestants.iter().enumerate().map(outcome).collect()
@@ -188,9 +196,11 @@ impl<R: Real> Field<R> {
             setting: contestant.setting.clone(),
             error,
             array: Spread::of(timed.array.iter().copied()),
+            scalar: Spread::of(timed.scalar.iter().copied()),
             single,
             cold: Spread::of(timed.cold.iter().copied()),
             array_ratio: Spread::of_ratios(&timed.array, &unit.array),
+            scalar_ratio: Spread::of_ratios(&timed.scalar, &unit.scalar),
             single_ratio: Spread::of_ratios(&timed.single, &unit.single),
             random_access,
             timed: timed.clone(),
@@ -203,6 +213,8 @@ impl<R: Real> Field<R> {
 pub struct Timed {
     /// In the array loop.
     pub array: Vec<f64>,
+    /// In calls by themselves.
+    pub scalar: Vec<f64>,
     /// One call after the other.
     pub single: Vec<f64>,
     /// In the array loop with cold caches.
