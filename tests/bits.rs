@@ -81,6 +81,10 @@ fn generated() -> String {
         f64 velocity { theta0 = 1e-6, tol = 1e-12, t_max = 100000 }
         f64 theta { theta0 = 7π/8, n = 4 }
         f64 velocity { theta0 = 7π/8, n = 4 }
+        f64 theta { theta0 = PI - 1e-7 }
+        f64 velocity { theta0 = PI - 1e-5, omega = 3, velocity0 = 1e-6 }
+        f64 acceleration { velocity0 = 2.0001 }
+        f32 theta { theta0 = 0.93π, n = 4 }
         f64 theta { theta0 = 0.95π, tol = 1e-3, method = series }
         f64 theta { theta0 = 1, tol = 0.5, method = harmonic }
         f32 theta { theta0 = 7π/8 }

@@ -195,11 +195,10 @@ impl Writer<'_> {
                     format!("{HEAD_MASK:#x}").parse::<Literal>().unwrap_or_else(|_| Literal::u64_unsuffixed(HEAD_MASK));
                 quote!(f64::from_bits(#x.to_bits() & #mask))
             }
-            Op::Alternate { x, magic } => self.alternate(x, magic, &float),
+            Op::Alternate { x, magic, bit } => self.alternate(x, magic, bit, &float),
             Op::Against { x, sign } => {
                 let (x, sign) = (self.atom(x), self.atom(sign));
-                let mask = if node.float == Float::F64 { "0x8000_0000_0000_0000" } else { "0x8000_0000" };
-                let mask = mask.parse::<Literal>().unwrap_or_else(|_| Literal::u64_unsuffixed(1 << 63));
+                let mask = sign_bit(node.float);
                 quote!(#float::from_bits(#x.to_bits() ^ (!#sign.to_bits() & #mask)))
             }
             Op::PowerOfTwo { magic } => {
@@ -227,16 +226,26 @@ impl Writer<'_> {
         }
     }
 
-    fn alternate(&self, x: Id, magic: Id, float: &Ident) -> TokenStream {
-        let parity = match (self.program.nodes[x].float, self.program.nodes[magic].float) {
+    fn alternate(&self, x: Id, magic: Id, bit: u32, float: &Ident) -> TokenStream {
+        let mask = sign_bit(self.program.nodes[x].float);
+        let place = match (self.program.nodes[x].float, self.program.nodes[magic].float) {
             (Float::F64, _) => (quote!(), 63u32),
             (Float::F32, Float::F32) => (quote!(), 31),
             (Float::F32, Float::F64) => (quote!(as u32), 31),
         };
-        let (cast, shift) = parity;
+        let (cast, sign) = place;
         let (x, magic) = (self.atom(x), self.atom(magic));
-        let shift = Literal::u32_unsuffixed(shift);
+        let shift = Literal::u32_unsuffixed(sign - bit);
         let bits = if cast.is_empty() { quote!(#magic.to_bits()) } else { quote!((#magic.to_bits() #cast)) };
-        quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift)))
+        if bit == 0 {
+            return quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift)));
+        }
+        quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift & #mask)))
     }
+}
+
+/// In hexadecimal.
+fn sign_bit(float: Float) -> Literal {
+    let mask = if float == Float::F64 { "0x8000_0000_0000_0000" } else { "0x8000_0000" };
+    mask.parse::<Literal>().unwrap_or_else(|_| Literal::u64_unsuffixed(1 << 63))
 }

@@ -164,9 +164,9 @@ impl Plan {
         self.parts.iter().map(|part| part.taken).fold(0.0, f64::max)
     }
 
-    /// Estimated cost of all functions.
+    /// Estimated cost of all functions, in loops over arrays and in single calls.
     fn cost(&self) -> f64 {
-        self.functions.iter().map(|function| function.program.cost()).sum()
+        self.functions.iter().map(|function| function.program.cost_of_calls_too()).sum()
     }
 
     /// Operations of the first function.

@@ -5,6 +5,7 @@ use super::curve::Curve;
 use super::form::Form;
 use super::hyperbolic::{Hyperbolic, Passage};
 use super::kernel::Kernel;
+use super::pieces::Piecewise;
 use super::polynomial::{Approximation, Polynomial};
 use super::reduction::{Origin, Reduction};
 use super::supremum::norm;
@@ -91,7 +92,8 @@ impl Aim {
         Some(kernels? + variant.form.variables(variant.divided))
     }
 
-    /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them.
+    /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them, one waiting for
+    /// the other.
     pub(super) fn passage_estimate(&self) -> f64 {
         let bits = -libm::log2(self.limit / self.unit.max(self.largest)).min(-4.0);
         30.0 + 2.0 * (3.0 + bits / 5.0) + if self.output.is_angle() { bits / 1.3 } else { 16.0 }
@@ -198,6 +200,57 @@ impl Aim {
                 Err(total) => reached = reached.min(total),
             }
             limit *= 0.125;
+        }
+        Err(reached)
+    }
+
+    /// Whether it can be had in pieces: one curve, all of which is met.
+    pub(super) fn has_pieces(&self, task: &Task) -> bool {
+        let whole = self.curves.len() == 1 && !self.curves.iter().any(Curve::is_arc);
+        whole && !(task.turning && self.output.is_angle())
+    }
+
+    /// About how many terms each of so many pieces takes; `None` where the phase leaves nothing.
+    pub(super) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<usize> {
+        let left = Some(self.share(self.limit - self.phase_error(reduction))).filter(|&left| left > 0.0)?;
+        let terms = Piecewise::estimate(self.curves.first()?, parts, left);
+        // Of logarithms the coefficients fall off with their number besides.
+        Some(if self.power == 0 {
+            Piecewise::estimate(self.curves.first()?, parts, left * terms as f64)
+        } else {
+            terms
+        })
+    }
+
+    /// Its curve in so many pieces.
+    pub(super) fn piecewise(&self, parts: usize) -> Option<Piecewise> {
+        let curve = self.curves.first()?;
+        Piecewise::new(curve, parts, (self.truncation.min(curve.largest) / 512.0).max(self.floor() / 512.0))
+    }
+
+    /// The kernel in pieces, or what it reaches.
+    pub(super) fn pieces_part(
+        &self,
+        scene: &Scene,
+        task: &Task,
+        reduction: &Reduction,
+        approximation: &Piecewise,
+    ) -> Result<Part, f64> {
+        let phase = self.phase_error(reduction);
+        let (mut evaluation, mut reached) = (0.0, f64::INFINITY);
+        for _ in 0..3 {
+            let left = self.truncation.min(self.limit - phase - evaluation);
+            let (mut pieces, truncation) = approximation.kernel(reduction, left).ok_or(reached)?;
+            if task.direction < 0.0 {
+                pieces.negate();
+            }
+            let kernel = self.turned(scene, task, Kernel::Pieces(Box::new(pieces)), None);
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
+            evaluation = bound.evaluation;
+            match self.accept(scene, kernel, bound, reduction) {
+                Ok(part) => return Ok(part),
+                Err(total) => reached = reached.min(total),
+            }
         }
         Err(reached)
     }

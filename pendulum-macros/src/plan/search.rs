@@ -4,18 +4,31 @@
 use super::aim::{Aim, Task};
 use super::curve::Curve;
 use super::part::{Approximations, Variant};
+use super::pieces::Piecewise;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use super::{Part, Plan, Refusal, alternatives, kernel, verify};
+use crate::program::cost::{ROW, lanes_lost};
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
+use std::cell::OnceCell;
 
 /// A task, and what all ways of doing it share.
 struct Prospect {
     task: Task,
     approximations: Vec<Approximations>,
     reductions: Vec<Reduction>,
+    pieces: Option<InPieces>,
+}
+
+/// All outputs in pieces.
+struct InPieces {
+    parts: usize,
+    /// To the nearest part.
+    reductions: Vec<Reduction>,
+    /// None where one of them takes too many points.
+    curves: OnceCell<Option<Vec<Piecewise>>>,
 }
 
 /// One way of computing all outputs.
@@ -41,6 +54,8 @@ enum Way {
     Polynomials,
     /// The passage through the lowest point.
     Passage,
+    /// A polynomial for each of many parts.
+    Pieces,
 }
 
 /// The cheapest plan.
@@ -107,7 +122,7 @@ fn comfortable(scene: &Scene, reduction: &Reduction) -> f64 {
 
 /// The least that can be promised of the worst output.
 fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
-    let Prospect { task, approximations, reductions } = prospect;
+    let Prospect { task, approximations, reductions, .. } = prospect;
     let worst_output = |reduction: &Reduction| {
         let least = |(aim, all): (&Aim, &Approximations)| {
             let polynomial =
@@ -124,14 +139,19 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
         let from_there = reductions.iter().filter(move |reduction| reduction.origin == origin);
         from_there.min_by(|a, b| (a.error + a.relative_error).total_cmp(&(b.error + b.relative_error)))
     };
-    [Origin::Anchor, Origin::Lowest].into_iter().filter_map(of).map(worst_output).fold(f64::INFINITY, f64::min)
+    let others = [Origin::Anchor, Origin::Lowest].into_iter().filter_map(of).map(worst_output);
+    let in_pieces = prospect.pieces.iter().flat_map(|pieces| &pieces.reductions).filter_map(|reduction| {
+        let plan = Candidate { prospect, reduction, way: Way::Pieces, cost: 0.0 }.plan(scene).ok()?;
+        Some(plan.parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max))
+    });
+    others.chain(in_pieces).fold(f64::INFINITY, f64::min)
 }
 
 /// All plans of a scene with one output that keep the promise, whatever they cost.
 #[cfg(test)]
 pub(super) fn every(scene: &Scene) -> Vec<Plan> {
     let every = |task: Task| {
-        let Prospect { task, approximations, reductions } = Prospect::new(scene, task);
+        let Prospect { task, approximations, reductions, .. } = Prospect::new(scene, task);
         let (aim, all) = (&task.aims[0], &approximations[0]);
         let plans = reductions.iter().flat_map(|reduction| {
             let polynomial = |(variant, _): (Variant, f64)| {
@@ -167,18 +187,20 @@ impl Prospect {
     fn new(scene: &Scene, task: Task) -> Self {
         let approximations = task.aims.iter().map(Approximations::new).collect();
         let reductions = task.reductions(scene);
-        Self { task, approximations, reductions }
+        let pieces = InPieces::new(scene, &task, &reductions);
+        Self { task, approximations, reductions, pieces }
     }
 
     fn at_full_precision(self, scene: &Scene) -> Self {
-        let Self { mut task, reductions, .. } = self;
+        let Self { mut task, reductions, pieces, .. } = self;
         task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
         let approximations = task.aims.iter().map(Approximations::new).collect();
-        Self { task, approximations, reductions }
+        let pieces = pieces.map(|pieces| InPieces { curves: OnceCell::new(), ..pieces });
+        Self { task, approximations, reductions, pieces }
     }
 
     fn candidates(&self, scene: &Scene) -> Vec<Candidate<'_>> {
-        let Self { task: Task { aims, passage, .. }, approximations, reductions } = self;
+        let Self { task: Task { aims, passage, .. }, approximations, reductions, pieces } = self;
         let candidate = |reduction, way, kernels: f64| {
             let cost = skeleton(reduction, aims).cost() + kernels;
             Candidate { prospect: self, reduction, way, cost }
@@ -190,12 +212,69 @@ impl Prospect {
         });
         let from_lowest = reductions.iter().filter(|reduction| reduction.origin == Origin::Lowest);
         let passes = passage.is_some() && scene.method.is_none();
-        let passages = from_lowest
-            .filter(|_| passes)
-            .map(|reduction| candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum()));
-        polynomials.chain(passages).collect()
+        // Its operations wait for one another: each takes longer than those of polynomials do.
+        let passage = |reduction| {
+            let passage = candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum());
+            Candidate { cost: WAITING * passage.cost, ..passage }
+        };
+        let passages = from_lowest.filter(|_| passes).map(passage);
+        let in_pieces = pieces.iter().flat_map(|pieces| {
+            let one = move |reduction| {
+                let cost = pieces.estimate(scene, aims, reduction)?;
+                Some(Candidate { prospect: self, reduction, way: Way::Pieces, cost })
+            };
+            pieces.reductions.iter().filter_map(one)
+        });
+        polynomials.chain(passages).chain(in_pieces).collect()
     }
 }
+
+impl InPieces {
+    /// Tables of 4 to 13 kB for each output.
+    const PARTS: [usize; 2] = [64, 128];
+    /// With more terms than this smaller parts are tried.
+    const MOST_TERMS: usize = 16;
+
+    /// `None` where an output has no pieces, or no reduction counts parts.
+    fn new(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Option<Self> {
+        let serves = scene.method.is_none() && task.aims.iter().all(|aim| aim.has_pieces(task));
+        let parts = |parts: usize| {
+            let reductions: Vec<Reduction> =
+                reductions.iter().filter_map(|reduction| reduction.in_parts(parts as f64)).collect();
+            let few = |aim: &Aim, reduction: &Reduction| {
+                aim.terms_of_pieces(parts, reduction).is_some_and(|terms| terms <= Self::MOST_TERMS)
+            };
+            let serves = reductions.iter().any(|reduction| task.aims.iter().all(|aim| few(aim, reduction)));
+            serves.then(|| Self { parts, reductions, curves: OnceCell::new() })
+        };
+        Self::PARTS.into_iter().filter(|_| serves).find_map(parts)
+    }
+
+    /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where
+    /// the phase isn't good enough.
+    fn estimate(&self, scene: &Scene, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
+        let polynomial = |aim: &Aim| {
+            let terms = aim.terms_of_pieces(self.parts, reduction)?;
+            let sign = f64::from(u8::from(aim.curves.iter().any(|curve| curve.alternates)));
+            Some(2.0 * terms as f64 - 2.0 + sign)
+        };
+        let kernels: f64 = aims.iter().map(polynomial).sum::<Option<f64>>()?;
+        Some(lanes_lost(scene.float) * (reduction.operations() as f64 + CLAMP + ROW + POWERS + kernels))
+    }
+
+    /// Made when they are wanted first.
+    fn curves(&self, aims: &[Aim]) -> Option<&[Piecewise]> {
+        let all = || aims.iter().map(|aim| aim.piecewise(self.parts)).collect();
+        self.curves.get_or_init(all).as_deref()
+    }
+}
+
+/// How much longer operations of a passage take than those of polynomials: measured in loops over arrays.
+const WAITING: f64 = 1.2;
+
+/// What holding a remainder between two limits costs, and the powers of a polynomial of some ten terms.
+const CLAMP: f64 = 2.6;
+const POWERS: f64 = 3.0;
 
 /// The reduction and the variables, without any kernel.
 fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
@@ -212,6 +291,7 @@ impl Way {
         match self {
             Self::Polynomials => "polynomial",
             Self::Passage => "passage",
+            Self::Pieces => "pieces",
         }
     }
 
@@ -228,11 +308,15 @@ impl Candidate<'_> {
         let kernel = match self.way {
             Way::Polynomials => "polynomials",
             Way::Passage => "the passage through the lowest point",
+            Way::Pieces => "pieces",
         };
         format!("{kernel}, phase by {}", self.reduction.describe())
     }
 
     fn plan(&self, scene: &Scene) -> Result<Plan, f64> {
+        if self.way == Way::Pieces {
+            return self.in_pieces(scene);
+        }
         let Prospect { task, approximations, .. } = self.prospect;
         let mut rejected = Vec::new();
         let mut part = |(aim, all): (&Aim, &Approximations)| {
@@ -244,13 +328,22 @@ impl Candidate<'_> {
             };
             let mut polynomials = || self.polynomials(scene, aim, all, &mut rejected);
             // What one way can't promise of an output the other may.
-            match self.way {
-                Way::Polynomials => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
-                Way::Passage => passage().or_else(|reached| polynomials().map_err(|other| other.min(reached))),
+            if self.way == Way::Passage {
+                passage().or_else(|reached| polynomials().map_err(|other| other.min(reached)))
+            } else {
+                polynomials().or_else(|reached| passage().map_err(|other| other.min(reached)))
             }
         };
         let parts = task.aims.iter().zip(approximations).map(&mut part).collect::<Result<Vec<Part>, f64>>()?;
         Ok(self.way.plan(self.reduction, parts, rejected))
+    }
+
+    fn in_pieces(&self, scene: &Scene) -> Result<Plan, f64> {
+        let Prospect { task, pieces, .. } = self.prospect;
+        let curves = pieces.as_ref().and_then(|pieces| pieces.curves(&task.aims)).ok_or(f64::INFINITY)?;
+        let part = |(aim, curve): (&Aim, &Piecewise)| aim.pieces_part(scene, task, self.reduction, curve);
+        let parts = task.aims.iter().zip(curves).map(part).collect::<Result<Vec<Part>, f64>>()?;
+        Ok(self.way.plan(self.reduction, parts, Vec::new()))
     }
 
     /// The output's cheapest variant that keeps the promise; at full precision comfortably, or else with the least

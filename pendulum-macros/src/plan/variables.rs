@@ -182,7 +182,7 @@ impl Variables {
             Some(side) => b.push(Op::Against { x: value, sign: side }),
             None => value,
         };
-        b.push(Op::Alternate { x: value, magic: self.magic })
+        b.push(Op::Alternate { x: value, magic: self.magic, bit: 0 })
     }
 }
 

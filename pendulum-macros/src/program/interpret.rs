@@ -49,8 +49,8 @@ impl Program {
                 }
             }
             Op::Head(x) => f64::from_bits(v[x].to_bits() & HEAD_MASK),
-            Op::Alternate { x, magic } => {
-                let odd = self.integer_bits(magic, v) & 1 == 1;
+            Op::Alternate { x, magic, bit } => {
+                let odd = self.integer_bits(magic, v) >> bit & 1 == 1;
                 if odd { -v[x] } else { v[x] }
             }
             Op::Against { x, sign } => {

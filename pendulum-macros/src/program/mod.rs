@@ -49,10 +49,12 @@ pub(crate) enum Op {
     },
     /// x without its 26 lowest bits (`f64` only).
     Head(Id),
-    /// x with its sign flipped where the integer in `magic` (a sum with [`Float::magic`]) is odd.
+    /// x with its sign flipped where this bit is set of the integer in `magic` (a sum with [`Float::magic`] or a part of
+    /// it).
     Alternate {
         x: Id,
         magic: Id,
+        bit: u32,
     },
     /// x with its sign flipped where `sign` is positive.
     Against {
@@ -140,7 +142,7 @@ impl Op {
             Self::Root(x) | Self::Abs(x) | Self::Head(x) | Self::Widen(x) | Self::Narrow(x) => vec![x],
             Self::Min { limit, x } | Self::Max { limit, x } => vec![limit, x],
             Self::Select { a, b, then, otherwise } => vec![a, b, then, otherwise],
-            Self::Alternate { x, magic } => vec![x, magic],
+            Self::Alternate { x, magic, .. } => vec![x, magic],
             Self::Against { x, sign } => vec![x, sign],
             Self::PowerOfTwo { magic } | Self::Row { magic } => vec![magic],
             Self::Entry { row, .. } => vec![row],
@@ -239,13 +241,16 @@ impl Builder {
         (sum, self.add(lost_a, lost_b))
     }
 
-    /// The numbers of the row of `table` that the integer in `magic` names.
-    pub(crate) fn look_up(&mut self, table: &[Vec<Double>], magic: Id) -> Vec<Id> {
-        self.table = table.to_vec();
+    /// The numbers of that one of `rows` which the integer in `magic` names. Rows for the same integer, of which there
+    /// are always as many, are joined.
+    pub(crate) fn look_up(&mut self, rows: &[Vec<Double>], magic: Id) -> Vec<Id> {
+        self.table.resize(rows.len(), Vec::new());
+        let columns = |row: Option<&Vec<Double>>| row.map_or(0, Vec::len);
+        let (first, count) = (columns(self.table.first()), columns(rows.first()));
+        self.table.iter_mut().zip(rows).for_each(|(row, more)| row.extend(more));
         let row = self.push(Op::Row { magic });
         self.name(row, "row");
-        let columns = table.first().map_or(0, Vec::len);
-        (0..columns).map(|column| self.push(Op::Entry { row, column })).collect()
+        (first..first + count).map(|column| self.push(Op::Entry { row, column })).collect()
     }
 
     /// The finished program, without the nodes that no result needs.
@@ -300,7 +305,7 @@ impl Op {
             Self::Select { a, b, then, otherwise } => {
                 Self::Select { a: to[a], b: to[b], then: to[then], otherwise: to[otherwise] }
             }
-            Self::Alternate { x, magic } => Self::Alternate { x: to[x], magic: to[magic] },
+            Self::Alternate { x, magic, bit } => Self::Alternate { x: to[x], magic: to[magic], bit },
             Self::Against { x, sign } => Self::Against { x: to[x], sign: to[sign] },
             Self::PowerOfTwo { magic } => Self::PowerOfTwo { magic: to[magic] },
             Self::Row { magic } => Self::Row { magic: to[magic] },

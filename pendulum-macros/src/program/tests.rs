@@ -58,9 +58,18 @@ fn integers_in_sums() {
             let value = run(float, |b| {
                 let (n, magic, x) = (b.constant(n), b.constant(float.magic()), b.constant(5.0));
                 let magic = b.add(n, magic);
-                b.push(Op::Alternate { x, magic })
+                b.push(Op::Alternate { x, magic, bit: 0 })
             });
             assert_eq!(value, if n % 2.0 == 0.0 { 5.0 } else { -5.0 }, "{float:?} {n}");
+        }
+        // Fours.
+        for (n, sign) in [(3.0, 1.0), (4.0, -1.0), (7.0, -1.0), (8.0, 1.0), (-1.0, -1.0), (-4.0, -1.0), (-5.0, 1.0)] {
+            let value = run(float, |b| {
+                let (n, magic, x) = (b.constant(n), b.constant(float.magic()), b.constant(5.0));
+                let magic = b.add(n, magic);
+                b.push(Op::Alternate { x, magic, bit: 2 })
+            });
+            assert_eq!(value, 5.0 * sign, "{float:?} {n}");
         }
         // Rounded to the nearest integer, whatever the sign.
         for (x, n) in [(2.4, 2.0), (-2.6, -3.0), (0.5, 0.0), (1.5, 2.0)] {
@@ -173,7 +182,7 @@ fn operands() {
         Op::Min { limit: 1, x: 2 },
         Op::Max { limit: 1, x: 2 },
         Op::Select { a: 1, b: 2, then: 3, otherwise: 4 },
-        Op::Alternate { x: 1, magic: 2 },
+        Op::Alternate { x: 1, magic: 2, bit: 3 },
         Op::Against { x: 1, sign: 2 },
         Op::PowerOfTwo { magic: 1 },
         Op::Row { magic: 1 },

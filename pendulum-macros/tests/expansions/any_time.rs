@@ -14,7 +14,7 @@
 /// * phase: exact products with the rate in 4 words, wrong by at most 1.1e-16 anchors
 /// * theta: polynomial of 17 terms in s² + c, coefficients adapted in blocks of 4; proven error ≤ 1.592e-15 rad (7.3e-17 of truncation, 5.8e-16 of phase, 9.4e-16 of rounding); 59 operations
 /// * not a polynomial in s², adapted in blocks of 8 for `theta`: it costs about 1.5 operations more
-/// * not the passage through the lowest point, phase by exact products with the rate in 4 words from the lowest point: it costs about 125 operations
+/// * not pieces, phase by exact products with the rate in 4 words: it costs about 117 operations
 /// * not `harmonic`: it is wrong by about 5e-2
 /// * not `series`: 11 harmonics, about 74 operations
 /// * not `fourier`: about 12 harmonics, the arcsine of whose sum bends more than θ does

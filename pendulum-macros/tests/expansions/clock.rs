@@ -19,7 +19,7 @@
 /// * velocity: polynomial of 15 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.456e-10 rad·ω (2.2e-10 of truncation, 2.4e-11 of phase, 1.1e-14 of rounding); 37 operations
 /// * not a polynomial in s², adapted in blocks of 8 for `theta`: it costs about 1.5 operations more
 /// * not a polynomial in s², adapted in blocks of 8 for `velocity`: it costs about 1.5 operations more
-/// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 152 operations
+/// * not pieces, phase by one product with the rate: it costs about 88 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 58 operations
 /// * not `fourier`: about 13 harmonics, the arcsine of whose sum bends more than θ does

@@ -155,7 +155,7 @@ impl Hyperbolic {
                 let value = b.convert(value, float);
                 b.name(value, name);
                 vec![if self.passage.alternates {
-                    b.push(Op::Alternate { x: value, magic: variables.magic })
+                    b.push(Op::Alternate { x: value, magic: variables.magic, bit: 0 })
                 } else {
                     value
                 }]
@@ -177,7 +177,7 @@ impl Hyperbolic {
     /// The sign of the angle: that of the phase from the lowest point, and of the passage.
     fn sign(&self, b: &mut Builder, variables: &Variables, value: Id) -> Id {
         let value = variables.side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }));
-        if self.passage.alternates { b.push(Op::Alternate { x: value, magic: variables.magic }) } else { value }
+        if self.passage.alternates { b.push(Op::Alternate { x: value, magic: variables.magic, bit: 0 }) } else { value }
     }
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.

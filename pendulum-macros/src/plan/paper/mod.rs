@@ -1,7 +1,7 @@
 //! The methods of the paper, and the series of θ: sums of harmonics of one cosine.
 
 mod parts;
-mod piecewise;
+mod pieces;
 mod whole;
 
 use super::aim::FULL;

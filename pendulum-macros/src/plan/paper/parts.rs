@@ -1,7 +1,6 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
-use super::piecewise::Piecewise;
-use super::{Sum, drift, whole};
+use super::{Sum, drift, pieces, whole};
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
@@ -9,6 +8,7 @@ use crate::plan::curve::{Curve, SwingCurves};
 use crate::plan::form::Form;
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
+use crate::plan::pieces::Piecewise;
 use crate::plan::polynomial::{Approximation, Polynomial};
 use crate::plan::reduction::Reduction;
 use crate::plan::{Bound, Part, bias};
@@ -71,7 +71,7 @@ impl Sum {
         }
         let limit = allowed[0] / 8.0;
         let approximation = whole::approximation(&self.weights, limit);
-        Some(Whole { approximation, pieces: Piecewise::new(&self.weights, limit), allowed })
+        Some(Whole { approximation, pieces: pieces::approximation(&self.weights, limit), allowed })
     }
 
     pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
@@ -151,7 +151,7 @@ impl Sum {
 }
 
 fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
-    kernel::function(reduction, &[kernel]).cost()
+    kernel::function(reduction, &[kernel]).cost_of_calls_too()
 }
 
 impl Whole {
@@ -169,8 +169,13 @@ impl Whole {
     }
 
     fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
-        let (pieces, truncation) = self.pieces.as_ref()?.kernel(reduction, direction, truncation)?;
+        let approximation = self.pieces.as_ref()?;
+        let reduction = reduction.in_parts(approximation.parts() as f64)?;
+        let (mut pieces, truncation) = approximation.kernel(&reduction, truncation)?;
         let rounding = pieces.rounding();
+        if direction < 0.0 {
+            pieces.negate();
+        }
         (rounding <= left - truncation).then(|| (Kernel::Pieces(Box::new(pieces)), truncation, rounding))
     }
 

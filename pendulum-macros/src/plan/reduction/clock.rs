@@ -11,6 +11,10 @@ use pendulum_runtime::double::Double;
 /// The horizon when no `t_max` is given: 2⁵³ periods are 2⁵⁴ anchors.
 const UNLIMITED: f64 = 18_014_398_509_481_984.0;
 
+/// The rounding of remainders up to ½ as they become `f32`, and in the last sums of any time.
+const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
+const SUMS: f64 = f64::EPSILON / 2.0;
+
 /// What all reductions of one motion start from.
 pub(crate) struct Clock<'a> {
     /// Anchors per unit of time.
@@ -79,6 +83,7 @@ impl Clock<'_> {
             origin,
             error: error + launch_error,
             relative_error,
+            rounding: 0.0,
             overshoot,
             unit,
             scale,
@@ -191,7 +196,8 @@ impl Clock<'_> {
         let rate = self.rate.to_f64();
         let anchors = self.horizon() * rate;
         let drift = self.horizon() * self.off(&[rate]) + self.rounding_in_one_word(anchors, Float::F64);
-        self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), 0.0)
+        let reduction = self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), 0.0);
+        Reduction { rounding: NARROWING, ..reduction }
     }
 
     /// The first two products are exact (24 + 29 bits); the sum of the second and third, below 2²⁶, is rounded to 2⁻²⁸.
@@ -210,7 +216,8 @@ impl Clock<'_> {
         let words = split_down(self.rate, 29, 3, Float::F64);
         let method = Method::WideAnyTime { words: [words[0], words[1], words[2]], fine };
         // n is rounded from sums of up to 2²⁶ either way.
-        self.reduction(method, origin, self.narrowed(error, origin), 2f64.powi(-26))
+        let reduction = self.reduction(method, origin, self.narrowed(error, origin), 2f64.powi(-26));
+        Reduction { rounding: NARROWING, ..reduction }
     }
 
     /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point.
@@ -230,6 +237,7 @@ impl Clock<'_> {
             origin: Origin::Lowest,
             error: (launch + 1.0) * 2f64.powi(-74),
             relative_error: relative,
+            rounding: 0.0,
             overshoot: 0.0,
             unit: Double::ONE,
             scale: 1.0,
@@ -242,7 +250,7 @@ impl Clock<'_> {
     /// What the conversion of the phase to `f32` adds.
     fn narrowed(&self, error: f64, origin: Origin) -> [f64; 2] {
         match origin {
-            Origin::Anchor => [error + half_ulp(0.49, Float::F32), 0.0],
+            Origin::Anchor => [error + NARROWING, 0.0],
             Origin::Lowest => [error, self.float.unit() * 1.001],
         }
     }
@@ -256,11 +264,13 @@ impl Clock<'_> {
         let last = if count == 3 { 2f64.powi(-49) * part } else { 2f64.powi(-72) };
         let drift = self.horizon() * self.off(&words) + last;
         let errors = match origin {
-            Origin::Anchor => [drift + 2f64.powi(-53), 0.0],
+            Origin::Anchor => [drift + SUMS, 0.0],
             Origin::Lowest => [drift, 3.001 * Float::F64.unit()],
         };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
-        self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20))
+        let reduction = self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20));
+        // Sums with another launch round that too.
+        Reduction { rounding: if self.is_exact() { SUMS } else { 0.0 }, ..reduction }
     }
 
     /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is

@@ -34,6 +34,8 @@ pub(crate) struct Reduction {
     /// |computed − true| of the phase over the horizon, in anchors, is at most `error` + `relative_error`·|phase|.
     pub(crate) error: f64,
     pub(crate) relative_error: f64,
+    /// The part of `error` that is the rounding of remainders up to ½, and falls with them.
+    pub(crate) rounding: f64,
     /// |s| exceeds ½ by at most this, in anchors.
     pub(crate) overshoot: f64,
     /// Anchors per unit of the reduced variable.
@@ -109,6 +111,7 @@ impl Reduction {
             origin: Origin::Anchor,
             error: 0.0,
             relative_error: 0.0,
+            rounding: 0.0,
             overshoot: 0.0,
             unit: Double::new(0.5 / scale) / Double::new(reach),
             scale,
@@ -127,9 +130,11 @@ impl Reduction {
 
     /// The same with the remainder from the nearest of so many parts of an anchor, whose number is in the low bits of
     /// the magic sum; `None` where products with n would no longer be exact, or where there are so many anchors that
-    /// their parts can't be told. The errors stated remain bounds: sums with smaller remainders are rounded no more.
+    /// their parts can't be told. What rounds remainders is relative to them, by up to twice as much just above a power
+    /// of two as just below it.
     pub(crate) fn in_parts(&self, parts: f64) -> Option<Self> {
-        (self.has_parts() && self.error * parts < 2f64.powi(-10)).then(|| Self { parts, ..self.clone() })
+        let error = self.error - self.rounding * (1.0 - 2.0 / parts);
+        (self.has_parts() && error * parts < 2f64.powi(-10)).then(|| Self { error, parts, ..self.clone() })
     }
 
     /// Whether it can count parts of an anchor.

@@ -29,7 +29,7 @@ fn derivatives_of_operations() {
         (Op::Max { limit: 0, x: 1 }, [(-1.0, 2.0), (-1.0, 2.0)]),
         (Op::Widen(0), [(-1.0, 2.0), (0.0, 0.0)]),
         (Op::Narrow(0), [(-1.0, 2.0), (0.0, 0.0)]),
-        (Op::Alternate { x: 0, magic: 1 }, [(-1.0, 2.0), (0.0, 0.0)]),
+        (Op::Alternate { x: 0, magic: 1, bit: 5 }, [(-1.0, 2.0), (0.0, 0.0)]),
         (Op::Against { x: 0, sign: 1 }, [(-1.0, 2.0), (0.0, 0.0)]),
         (Op::Input, [(0.0, 0.0); 2]),
         (Op::PowerOfTwo { magic: 0 }, [(0.0, 0.0); 2]),

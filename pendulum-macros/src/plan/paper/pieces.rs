@@ -1,0 +1,150 @@
+//! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), piece by piece.
+//!
+//! θ̂ is analytic but where y = ±1, which at 7π/8 with N = 4 it is nowhere within 0.125i of the real axis: as far as
+//! eight times half a 64th of a period. So a dozen terms about the middle of such a part leave less than rounding does,
+//! where one polynomial for all phases needs 34 ([`super::whole`]).
+//!
+//! **Error.** As in [`super::whole`], each interpolant Q is tested afterwards. With x = c + hu the residual R = y(x) −
+//! sin(Q(u)/2) is an entire function of u. On an ellipse of parameter ρ |y| is bounded by its coefficients, Im x being
+//! at most h(ρ − 1/ρ)/2; and |sin(Q/2)| by the hyperbolic cosine of |Im Q/2|, to which the constant adds nothing. What
+//! follows from sup |R| is the same as there.
+
+use super::whole::{Point, bend, largest, twice_arcsine};
+use crate::chebyshev::{CosineTable, Interpolation, lebesgue, sin_pi, value};
+use crate::plan::pieces::{Piecewise, half, phase};
+use crate::series::Wave;
+use pendulum_runtime::double::Double;
+
+/// The numbers of parts of half a period that are tried.
+const PARTS: [usize; 2] = [32, 64];
+
+/// Points of interpolation in each.
+const POINTS: usize = 16;
+
+/// More points than this for a residual take too long.
+const MOST_POINTS: usize = 40;
+
+/// θ̂ for these weights, the pieces' series wrong by much less than `limit`; `None` if it bends too much.
+pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise> {
+    let size: f64 = weights.iter().map(|w| w.hi.abs()).sum();
+    let sum = Wave::harmonics(weights);
+    // Second words of small coefficients underflow.
+    let moderate = size > 1e-150;
+    PARTS.into_iter().filter(|_| moderate).find_map(|parts| in_parts(&sum, parts, limit.min(size) / 512.0))
+}
+
+fn in_parts(sum: &Wave, parts: usize, negligible: f64) -> Option<Piecewise> {
+    let (mut series, mut points, mut residual) = (Vec::new(), Vec::new(), 0.0_f64);
+    let table = CosineTable::new(POINTS);
+    for index in 0..=parts / 2 {
+        let piece = Piece { parts, index };
+        let phases: Vec<Double> = table.points().map(|u| piece.phase(u)).collect();
+        let sines: Vec<Double> = phases.iter().map(|&s| sum.at(s)).collect();
+        let values: Option<Vec<Double>> = sines.iter().map(|&y| twice_arcsine(y)).collect();
+        let own = table.coefficients(&values?, POINTS);
+        residual = residual.max(piece.residual(sum, &own, negligible)?);
+        points.extend(phases.iter().zip(&sines).map(|(s, y)| Point { s: s.hi, y: y.hi.abs() }));
+        series.push(own);
+    }
+    // From the lowest point on.
+    points.sort_by(|a, b| b.s.total_cmp(&a.s));
+    let most = largest(&points, bend(sum)) + residual;
+    let error = 2.0 * residual / (1.0 - most * most).sqrt();
+    (error <= negligible).then(|| Piecewise::known(series, error))
+}
+
+/// One part.
+struct Piece {
+    parts: usize,
+    index: usize,
+}
+
+impl Piece {
+    fn phase(&self, u: Double) -> Double {
+        phase(self.parts, self.index, u)
+    }
+
+    /// Bounds |y − sin(Q/2)| for the interpolant Q.
+    fn residual(&self, sum: &Wave, series: &[Double], negligible: f64) -> Option<f64> {
+        let ellipse = |rho: f64| (self.bound(sum, series, rho), rho);
+        let ellipses = [3.0, 5.0, 8.0, 12.0, 20.0, 32.0].into_iter().map(ellipse);
+        let Interpolation { points, error, .. } = Interpolation::fewest(ellipses, negligible * 1e-4, 2, MOST_POINTS)?;
+        let at = |u: Double| {
+            let residual = sum.at(self.phase(u)) - sin_pi(value(series, u) / (Double::PI * 2.0));
+            residual.hi.abs()
+        };
+        Some(CosineTable::new(points).points().map(at).fold(0.0, f64::max) * lebesgue(points) + error)
+    }
+
+    /// The same on the ellipse with parameter ρ.
+    fn bound(&self, sum: &Wave, series: &[Double], rho: f64) -> f64 {
+        let height = 0.5 * half(self.parts) * (rho - 1.0 / rho);
+        let term = |(j, c): (usize, &Double)| c.hi.abs() * libm::sinh(j as f64 * libm::log(rho));
+        let angle: f64 = series.iter().enumerate().map(term).sum();
+        sum.bound(height) + libm::cosh(0.5 * angle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Regime;
+    use crate::plan::tests::scene;
+
+    /// (−1)ⁿ⁻¹ k b₂ₙ₋₁ of a release from θ0.
+    fn weights(theta0: &str, terms: usize) -> Vec<Double> {
+        let scene = scene(&format!("theta0 = {theta0}"));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let weight = |n: usize| {
+            let weight = (swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double();
+            if n.is_multiple_of(2) { -weight } else { weight }
+        };
+        (1..=terms).map(weight).collect()
+    }
+
+    /// The numbers of parts and of terms for an error of 2⁻⁵²; nearer to an overshoot there are no pieces.
+    #[test]
+    fn parts_and_terms() {
+        let found = |theta0: &str, terms: usize| {
+            let pieces = approximation(&weights(theta0, terms), 1e-16)?;
+            Some((pieces.parts(), pieces.terms_for(2e-16)?))
+        };
+        assert_eq!(found("1", 1), Some((32, 9)));
+        assert_eq!(found("7π/8", 4), Some((32, 12)));
+        assert_eq!(found("7π/8", 2), Some((64, 12)));
+        assert_eq!(found("0.93π", 4), Some((64, 12)));
+        assert_eq!(found("0.95π", 4), None);
+    }
+
+    /// A series that is wrong by ε anywhere is seen to be: by ε/2·cos(θ̂/2), times Lebesgue's constant.
+    #[test]
+    fn errors_are_seen() {
+        let sum = Wave::harmonics(&weights("7π/8", 4));
+        let table = CosineTable::new(POINTS);
+        for index in [0, 5, 16] {
+            let piece = Piece { parts: 32, index };
+            let angle = |u: Double| twice_arcsine(sum.at(piece.phase(u))).unwrap();
+            let mut series = table.coefficients(&table.points().map(angle).collect::<Vec<_>>(), POINTS);
+            let exact = piece.residual(&sum, &series, 1e-20).unwrap();
+            assert!(exact < 1e-19, "{index}: {exact:e}");
+            let epsilon = 1e-9;
+            series[2] = series[2] + Double::new(epsilon);
+            // T₂ is largest at the ends, cos(θ̂/2) where θ̂ is smaller.
+            let ends = [-1.0, 1.0].map(|u| libm::cos(0.5 * angle(Double::new(u)).hi));
+            let expected = 0.5 * epsilon * ends[0].max(ends[1]);
+            let times = piece.residual(&sum, &series, 1e-20).unwrap() / expected;
+            assert!((1.0..4.0).contains(&times), "{index}: {times}");
+        }
+    }
+
+    /// Where Im s is as large as on the ellipse, and |sin(Q/2)| with Q = 3 + T₁.
+    #[test]
+    fn bounds_on_ellipses() {
+        let sum = Wave::harmonics(&[Double::ONE]);
+        let piece = Piece { parts: 32, index: 5 };
+        let series = [Double::new(3.0), Double::ONE];
+        let expected = (half(32) * 0.75 * std::f64::consts::PI).cosh() + (0.5 * 0.75_f64).cosh();
+        let found = piece.bound(&sum, &series, 2.0);
+        assert!((found / expected - 1.0).abs() < 1e-8, "{found} {expected}");
+    }
+}

@@ -1,0 +1,195 @@
+//! A curve as Chebyshev series in the parts from an anchor to the middle between two.
+//!
+//! Each part is interpolated at M Chebyshev points. On the ellipse with parameter ρ about a part of half width h the
+//! phase stays within the strip |Im s| ≤ h(ρ − 1/ρ)/2, where the Fourier series bounds the curve by B: the interpolants'
+//! errors are at most 4Bρ^(1−M)/(ρ − 1), as in [`crate::plan::polynomial`]. What is dropped is known.
+
+use super::Pieces;
+use crate::chebyshev::{CosineTable, Interpolation, lebesgue, scale, to_powers};
+use crate::plan::curve::Curve;
+use crate::plan::reduction::Reduction;
+use crate::series::Parity;
+use pendulum_runtime::double::Double;
+
+/// By how much of themselves parts are interpolated beyond their ends: more than any remainder exceeds half of one by.
+const MARGIN: f64 = 1.0 / 256.0;
+
+/// More points in a part than this take too long.
+const MOST_POINTS: usize = 24;
+
+/// A curve in pieces.
+#[derive(Clone, Debug)]
+pub(crate) struct Piecewise {
+    /// Chebyshev series in u = (s − centre)/half, a part each.
+    series: Vec<Vec<Double>>,
+    /// Of all of them, whole.
+    error: f64,
+    parity: Parity,
+    alternates: bool,
+}
+
+impl Piecewise {
+    /// A curve in so many parts from anchor to anchor, the series' own error below `negligible`; `None` if that takes
+    /// too many points.
+    pub(crate) fn new(curve: &Curve, parts: usize, negligible: f64) -> Option<Self> {
+        let Interpolation { points, error, .. } = enough_points(curve, parts, negligible)?;
+        let table = CosineTable::new(points);
+        let series = |index: usize| {
+            let values: Vec<Double> = table.points().map(|u| curve.at(phase(parts, index, u))).collect();
+            table.coefficients(&values, points)
+        };
+        Some(Self {
+            series: (0..=parts / 2).map(series).collect(),
+            error: error + (1.0 + lebesgue(points)) * curve.omitted(),
+            parity: curve.parity(),
+            alternates: curve.alternates,
+        })
+    }
+
+    /// A curve like θ, even about a turning point and alternating, of which the series and their error are known.
+    pub(crate) fn known(series: Vec<Vec<Double>>, error: f64) -> Self {
+        Self { series, error, parity: Parity::Even, alternates: true }
+    }
+
+    /// About how many terms leave `limit`, by the distance of the nearest singularities.
+    pub(crate) fn estimate(curve: &Curve, parts: usize, limit: f64) -> usize {
+        let log_rho = libm::asinh(curve.strip() / half(parts));
+        (1.0 + libm::log(curve.largest / limit).max(1.0) / log_rho).ceil() as usize
+    }
+
+    /// The number of parts from anchor to anchor.
+    pub(crate) fn parts(&self) -> usize {
+        2 * (self.series.len() - 1)
+    }
+
+    /// The error with the first `terms` coefficients of each part.
+    fn truncation(&self, terms: usize) -> f64 {
+        let dropped = |own: &Vec<Double>| own[terms..].iter().map(|c| c.hi.abs()).sum();
+        self.error + self.series.iter().map(dropped).fold(0.0, f64::max)
+    }
+
+    /// The fewest terms, at least two, that are wrong by at most `limit`.
+    pub(crate) fn terms_for(&self, limit: f64) -> Option<usize> {
+        (2..=self.series[0].len()).find(|&terms| self.truncation(terms) <= limit)
+    }
+
+    /// The kernel with as few terms as are wrong by at most `limit`, and its truncation, for a reduction to the nearest
+    /// part.
+    pub(crate) fn kernel(&self, reduction: &Reduction, limit: f64) -> Option<(Pieces, f64)> {
+        let width = half(self.parts());
+        let within = reduction.half() * reduction.unit.hi <= width * (1.0 - MARGIN / 64.0);
+        let terms = self.terms_for(limit).filter(|_| within)?;
+        let unit = reduction.unit / Double::new(width);
+        let mut powers: Vec<Vec<Double>> =
+            self.series.iter().map(|own| scale(to_powers(&own[..terms]), unit)).collect();
+        // About the ends the curve is even or odd: what the other powers are is rounding, of two words.
+        let odd = self.parity == Parity::Odd;
+        for (end, is_odd) in [(0, odd), (self.series.len() - 1, odd != self.alternates)] {
+            let others = powers[end].iter_mut().skip(usize::from(!is_odd)).step_by(2);
+            others.for_each(|c| *c = Double::ZERO);
+        }
+        let pieces = Pieces::new(reduction.clone(), &powers, self.parity, self.alternates);
+        Some((pieces, self.truncation(terms)))
+    }
+}
+
+/// Half a part and its margin, in anchors.
+pub(crate) fn half(parts: usize) -> f64 {
+    0.5 / parts as f64 * (1.0 + MARGIN)
+}
+
+/// The phase at u in a part.
+pub(crate) fn phase(parts: usize, index: usize, u: Double) -> Double {
+    u * half(parts) + Double::new(index as f64 / parts as f64)
+}
+
+/// As many points as make the interpolation error negligible in any part.
+fn enough_points(curve: &Curve, parts: usize, negligible: f64) -> Option<Interpolation> {
+    let strip = curve.strip();
+    let ellipse = |part: f64| {
+        let height = (part * strip).min(1.5);
+        (curve.bound(height), libm::exp(libm::asinh(height / half(parts))))
+    };
+    Interpolation::fewest([0.5, 0.6, 0.7, 0.8, 0.88, 0.94].into_iter().map(ellipse), negligible, 4, MOST_POINTS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Regime;
+    use crate::parse::Float;
+    use crate::plan::curve::{RotationCurves, SwingCurves};
+    use crate::plan::reduction::Clock;
+    use crate::plan::tests::scene;
+    use crate::program::Builder;
+
+    /// Curves of either parity, alternating and not, near the top and far from it.
+    fn curves() -> Vec<(&'static str, Curve)> {
+        let mut all = Vec::new();
+        for start in ["theta0 = 1", "theta0 = 0.99π", "theta0 = π - 1e-6", "velocity0 = 2.001"] {
+            let scene = scene(start);
+            let omega = &scene.motion.omega;
+            match &scene.motion.regime {
+                Regime::Swing(swing) => {
+                    let curves = SwingCurves::new(swing, omega);
+                    let three = [curves.theta(), curves.velocity(), curves.acceleration(), curves.half_cosine()];
+                    all.extend(three.map(|curve| (start, curve)));
+                }
+                Regime::Rotation(rotation) => {
+                    let curves = RotationCurves::new(rotation, omega);
+                    all.extend([curves.velocity(), curves.acceleration()].map(|curve| (start, curve)));
+                }
+                Regime::Separatrix(_) => panic!("{start}"),
+            }
+        }
+        all
+    }
+
+    /// Anywhere in four anchors, also beyond the ends of parts, a kernel is off by no more than is stated, and by about
+    /// that somewhere.
+    #[test]
+    fn errors_are_those_stated() {
+        let rate = crate::exact::Context::for_digits(40).ratio(1, 2);
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0), float: Float::F64 };
+        for (start, curve) in curves() {
+            for (parts, limit) in [(16, 1e-4), (64, 1e-7), (32, 1e-11), (128, 1e-14)] {
+                let piecewise = Piecewise::new(&curve, parts, limit / 512.0).unwrap();
+                let reduction =
+                    clock.reductions().iter().find_map(|reduction| reduction.in_parts(parts as f64)).unwrap();
+                assert_eq!((piecewise.parts(), reduction.unit), (parts, Double::ONE));
+                let (kernel, truncation) = piecewise.kernel(&reduction, limit).unwrap();
+                assert!(truncation <= limit && kernel.terms() == piecewise.terms_for(limit).unwrap());
+                let mut b = Builder::new(Float::F64);
+                let result = kernel.lower(&mut b, "result");
+                let program = b.finish(vec![result]);
+                let most = truncation + kernel.rounding();
+                let mut worst = 0.0_f64;
+                for step in -1600..=1600 {
+                    let s = f64::from(step) / 800.0 + f64::from(step % 7) * 2f64.powi(-30);
+                    let number = s.round();
+                    let sign = if curve.alternates && number % 2.0 != 0.0 { -1.0 } else { 1.0 };
+                    let exact = curve.at(Double::new(s - number)) * sign;
+                    worst = worst.max((Double::new(program.run(2.0 * s)[0]) - exact).hi.abs());
+                }
+                assert!(worst <= most, "{start} {parts} {limit:e}: {worst:e} {most:e}");
+                assert!(worst > most / 4.0, "{start} {parts} {limit:e}: {worst:e} {most:e}");
+            }
+        }
+    }
+
+    /// The estimate is seldom one term too low, and then by one, and never more than two too high.
+    #[test]
+    fn estimates() {
+        for (start, curve) in curves() {
+            for (parts, limit) in [(32, 1e-3), (64, 1e-6), (64, 1e-9), (64, 1e-12), (128, 1e-15)] {
+                let needed = Piecewise::new(&curve, parts, limit / 512.0).unwrap().terms_for(limit).unwrap() as i64;
+                let off = Piecewise::estimate(&curve, parts, limit) as i64 - needed;
+                assert!((-1..=3).contains(&off), "{start} {parts} {limit:e}: {needed} {off}");
+            }
+        }
+        let scene = scene("theta0 = π - 1e-9");
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+        assert!(Piecewise::new(&theta, 16, 1e-14).is_none(), "few parts take many points");
+    }
+}
