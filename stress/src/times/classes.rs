@@ -213,8 +213,10 @@ fn moments(all: &mut Vec<Class>) {
 
 fn near_top(all: &mut Vec<Class>) {
     plan!(all: "any time", [(0.999π) 0 1]; theta velocity position);
-    plan!(all: "any time", [(1π-1e-9) 0 1]; theta velocity);
-    plan!(all: "tol 1e-6, 100 periods", [(1π-1e-9) 0 1] tol 1e-6 within 9000; theta);
+    plan!(all: "pieces, any time", [(1π-1e-9) 0 1]; theta velocity);
+    plan!(all: "pieces, tol 1e-9, any time", [(3.14) (0.0015) (1.25)] tol 1e-9; theta velocity);
+    plan!(all: "passage, any time", [(1π-1e-9) 0 2]; theta velocity position);
+    plan!(all: "pieces, tol 1e-6, 100 periods", [(1π-1e-9) 0 1] tol 1e-6 within 9000; theta);
     plan!(all: "separatrix", [0 2 1]; theta velocity position);
     plan!(all: "separatrix, tol 1e-14", [0 2 1] tol 1e-14; acceleration);
 }
@@ -224,18 +226,23 @@ fn rotations(all: &mut Vec<Class>) {
     plan!(all: "rotation, any time", [0 (2.5) 1]; wrapped velocity position);
     plan!(all: "rotation, any time", [1 (-3) 1]; wrapped);
     plan!(all: "rotation, any time", [0 (2.00001) 1]; wrapped velocity);
+    plan!(all: "rotation in pieces, any time", [0 (-2.0001) 1]; velocity acceleration);
 }
 
-/// The paper's θ̂ as one polynomial, to be the paper's everywhere; and by the arcsine, away from the turning points,
-/// where that multiplies the roundings of its argument.
+/// The paper's θ̂ in pieces and as one polynomial, to be the paper's everywhere; and by the arcsine, away from the
+/// turning points, where that multiplies the roundings of its argument.
 fn paper(all: &mut Vec<Class>) {
     pendula::pendulum! {
-        struct Whole;
+        struct InPieces;
         theta0 = 7π/8, n = 4
     }
     pendula::pendulum! {
+        struct Whole;
+        theta0 = 1π/2, n = 2
+    }
+    pendula::pendulum! {
         struct ByArcsine;
-        theta0 = 0.95π, n = 6
+        theta0 = 0.954π, n = 4
     }
     let class = |name: &str, theta0: &str, [promise, ceiling]: [f64; 2], proven, terms, evaluate| Class {
         name: format!("{name}: {theta0}"),
@@ -250,15 +257,16 @@ fn paper(all: &mut Vec<Class>) {
         terms,
         evaluate,
     };
-    let distances = [Whole::MAX_ERROR, Whole::THETA0];
-    let motion =
-        class("n = 4, against the motion", "7π/8", distances, Some(Whole::MAX_ERROR), None, over(Whole::theta));
-    let ulps = |theta0: f64| [8.0 * (theta0.next_up() - theta0), theta0];
-    let whole = Some((4, f64::INFINITY));
-    let whole = class("n = 4, against θ̂", "7π/8", ulps(Whole::THETA0), None, whole, over(Whole::theta));
-    let steep = Some((6, 4.0));
-    let steep = class("n = 6, against θ̂", "0.95π", ulps(ByArcsine::THETA0), None, steep, over(ByArcsine::theta));
-    all.extend([motion, whole, steep]);
+    let (bound, theta) = (InPieces::MAX_ERROR, over(InPieces::theta));
+    all.push(class("n = 4, against the motion", "7π/8", [bound, InPieces::THETA0], Some(bound), None, theta));
+    let mut against = |name, start, theta0: f64, (terms, steepest), theta| {
+        let ulps = [8.0 * (theta0.next_up() - theta0), theta0];
+        all.push(class(name, start, ulps, None, Some((terms, steepest)), theta));
+    };
+    let any = f64::INFINITY;
+    against("n = 4 in pieces, against θ̂", "7π/8", InPieces::THETA0, (4, any), over(InPieces::theta));
+    against("n = 2 as one polynomial, against θ̂", "1π/2", Whole::THETA0, (2, any), over(Whole::theta));
+    against("n = 4 by an arcsine, against θ̂", "0.954π", ByArcsine::THETA0, (4, 4.0), over(ByArcsine::theta));
 }
 
 fn runtime(all: &mut Vec<Class>) {
