@@ -76,6 +76,17 @@ impl Kernel {
         }
     }
 
+    /// The method, in a word.
+    pub(crate) fn word(&self) -> &'static str {
+        match self {
+            Self::Polynomial(_) | Self::Circle { .. } => "polynomial",
+            Self::Pieces(_) => "pieces",
+            Self::Harmonics(_) => "harmonics",
+            Self::Hyperbolic(_) => "passage",
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.word(),
+        }
+    }
+
     /// For the reader.
     pub(crate) fn describe(&self) -> String {
         match self {

@@ -156,13 +156,13 @@ pub(super) fn every(scene: &Scene) -> Vec<Plan> {
         let plans = reductions.iter().flat_map(|reduction| {
             let polynomial = |(variant, _): (Variant, f64)| {
                 let part = aim.part(scene, &task, all.choose(variant.divided), reduction, variant.form).ok()?;
-                Some((Way::Polynomials, part))
+                Some(part)
             };
             let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
             let passage = passage.and_then(|passage| aim.passage_part(scene, &task, reduction, passage).ok());
             let parts = aim.variants(all, reduction).into_iter().filter_map(polynomial);
-            let parts: Vec<_> = parts.chain(passage.map(|part| (Way::Passage, part))).collect();
-            parts.into_iter().map(|(way, part)| way.plan(reduction, vec![part], Vec::new()))
+            let parts: Vec<_> = parts.chain(passage).collect();
+            parts.into_iter().map(|part| joined(reduction, vec![part], Vec::new()))
         });
         plans.collect::<Vec<Plan>>()
     };
@@ -286,20 +286,11 @@ fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
     b.finish(vec![variables.square, variables.magic])
 }
 
-impl Way {
-    fn word(self) -> &'static str {
-        match self {
-            Self::Polynomials => "polynomial",
-            Self::Passage => "passage",
-            Self::Pieces => "pieces",
-        }
-    }
-
-    fn plan(self, reduction: &Reduction, parts: Vec<Part>, rejected: Vec<String>) -> Plan {
-        let functions = kernel::functions(reduction, &parts);
-        let (method, reduction) = (self.word(), reduction.clone());
-        Plan { method, reduction, parts, functions, coefficients: Vec::new(), rejected }
-    }
+/// Named by how the first output is computed.
+fn joined(reduction: &Reduction, parts: Vec<Part>, rejected: Vec<String>) -> Plan {
+    let method = parts.first().map_or("", |part| part.kernel.word());
+    let functions = kernel::functions(reduction, &parts);
+    Plan { method, reduction: reduction.clone(), parts, functions, coefficients: Vec::new(), rejected }
 }
 
 impl Candidate<'_> {
@@ -327,15 +318,17 @@ impl Candidate<'_> {
                 _ => Err(f64::INFINITY),
             };
             let mut polynomials = || self.polynomials(scene, aim, all, &mut rejected);
-            // What one way can't promise of an output the other may.
-            if self.way == Way::Passage {
-                passage().or_else(|reached| polynomials().map_err(|other| other.min(reached)))
-            } else {
-                polynomials().or_else(|reached| passage().map_err(|other| other.min(reached)))
+            // What one way can't promise of an output the other may; of all of them it is a candidate of its own.
+            let mixed = task.aims.len() > 1;
+            match self.way {
+                Way::Passage if mixed => passage().or_else(|reached| polynomials().map_err(|other| other.min(reached))),
+                Way::Passage => passage(),
+                _ if mixed => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
+                _ => polynomials(),
             }
         };
         let parts = task.aims.iter().zip(approximations).map(&mut part).collect::<Result<Vec<Part>, f64>>()?;
-        Ok(self.way.plan(self.reduction, parts, rejected))
+        Ok(joined(self.reduction, parts, rejected))
     }
 
     fn in_pieces(&self, scene: &Scene) -> Result<Plan, f64> {
@@ -343,7 +336,7 @@ impl Candidate<'_> {
         let curves = pieces.as_ref().and_then(|pieces| pieces.curves(&task.aims)).ok_or(f64::INFINITY)?;
         let part = |(aim, curve): (&Aim, &Piecewise)| aim.pieces_part(scene, task, self.reduction, curve);
         let parts = task.aims.iter().zip(curves).map(part).collect::<Result<Vec<Part>, f64>>()?;
-        Ok(self.way.plan(self.reduction, parts, Vec::new()))
+        Ok(joined(self.reduction, parts, Vec::new()))
     }
 
     /// The output's cheapest variant that keeps the promise; at full precision comfortably, or else with the least
