@@ -133,7 +133,7 @@ struct Readme;
 /// | `MODULUS` | k = sin(`AMPLITUDE`/2) of a swing, κ = 2ω/\|θ̇\| at the lowest point of a rotation, 1 on the separatrix | always |
 /// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), (κ in place of k) | for swings and rotations |
 /// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation | for swings and rotations |
-/// | `METHOD: &str` | `"polynomial"`, `"passage"` (through the lowest point: near the top, the separatrix), or the `method` of the paper or `"series"` that was asked for | always |
+/// | `METHOD: &str` | `"polynomial"`; near the top `"pieces"` (a table of polynomials) and `"passage"` (through the lowest point; also the separatrix); or the `method` of the paper or `"series"` that was asked for | always |
 /// | `TERMS: usize` | terms (harmonics) of the first output | always |
 /// | `OPERATIONS: usize` | operations in one call of the first function | always |
 /// | `COEFFICIENTS: [_; N]` | b₁, b₃, … (Eq. 20) | for a plan by Eq. 22 |
