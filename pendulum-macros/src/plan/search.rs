@@ -192,10 +192,10 @@ impl Prospect {
     }
 
     fn at_full_precision(self, scene: &Scene) -> Self {
-        let Self { mut task, reductions, pieces, .. } = self;
+        let Self { mut task, reductions, .. } = self;
         task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
         let approximations = task.aims.iter().map(Approximations::new).collect();
-        let pieces = pieces.map(|pieces| InPieces { curves: OnceCell::new(), ..pieces });
+        let pieces = InPieces::new(scene, &task, &reductions);
         Self { task, approximations, reductions, pieces }
     }
 

@@ -9,7 +9,7 @@
 //! at most h(ρ − 1/ρ)/2; and |sin(Q/2)| by the hyperbolic cosine of |Im Q/2|, to which the constant adds nothing. What
 //! follows from sup |R| is the same as there.
 
-use super::whole::{Point, bend, largest, twice_arcsine};
+use super::whole::{Point, of_residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation, lebesgue, sin_pi, value};
 use crate::plan::pieces::{Piecewise, half, phase};
 use crate::series::Wave;
@@ -48,8 +48,7 @@ fn in_parts(sum: &Wave, parts: usize, negligible: f64) -> Option<Piecewise> {
     }
     // From the lowest point on.
     points.sort_by(|a, b| b.s.total_cmp(&a.s));
-    let most = largest(&points, bend(sum)) + residual;
-    let error = 2.0 * residual / (1.0 - most * most).sqrt();
+    let error = of_residual(sum, &points, residual)?;
     (error <= negligible).then(|| Piecewise::known(series, error))
 }
 

@@ -104,13 +104,17 @@ fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -
         (Point { s: s.hi, y: y.hi.abs() }, residual.hi.abs())
     };
     let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = CosineTable::new(points).points().map(sample).unzip();
-    let residual = residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + error;
-    let most = largest(&points_of_sum, bend(sum)) + residual;
+    of_residual(sum, &points_of_sum, residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + error)
+}
+
+/// What a residual of the sine makes of the angle; `None` if the sum, known at some points, may reach 1.
+pub(super) fn of_residual(sum: &Wave, points: &[Point], residual: f64) -> Option<f64> {
+    let most = largest(points, bend(sum)) + residual;
     (most < 1.0).then(|| 2.0 * residual / (1.0 - most * most).sqrt())
 }
 
 /// Bounds |y″|.
-pub(super) fn bend(sum: &Wave) -> f64 {
+fn bend(sum: &Wave) -> f64 {
     sum.terms().iter().map(|&(m, w)| w.hi.abs() * (f64::from(m) * PI).powi(2)).sum()
 }
 
@@ -123,7 +127,7 @@ pub(super) struct Point {
 
 /// Bounds |y| where |y″| ≤ `bend`, from points between the lowest point, ½, and the turning point, 0, about which y is
 /// odd and even.
-pub(super) fn largest(points: &[Point], bend: f64) -> f64 {
+fn largest(points: &[Point], bend: f64) -> f64 {
     let lowest = Point { s: 0.5, y: 0.0 };
     let other_side = points.last().map(|&Point { s, y }| Point { s: -s, y });
     let all: Vec<Point> = std::iter::once(lowest).chain(points.iter().copied()).chain(other_side).collect();

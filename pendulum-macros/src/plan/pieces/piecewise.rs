@@ -149,14 +149,18 @@ mod tests {
     /// that somewhere.
     #[test]
     fn errors_are_those_stated() {
-        let rate = crate::exact::Context::for_digits(40).ratio(1, 2);
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0), float: Float::F64 };
-        for (start, curve) in curves() {
+        // An anchor takes two units of time, and then a quarter, where phases are counted in eighths.
+        for (start, curve, time) in
+            curves().into_iter().flat_map(|(start, curve)| [2.0, 0.25].map(|t| (start, curve.clone(), t)))
+        {
+            let rate = crate::exact::Context::for_digits(40).float(1.0 / time).unwrap();
+            let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0), float: Float::F64 };
             for (parts, limit) in [(16, 1e-4), (64, 1e-7), (32, 1e-11), (128, 1e-14)] {
                 let piecewise = Piecewise::new(&curve, parts, limit / 512.0).unwrap();
                 let reduction =
                     clock.reductions().iter().find_map(|reduction| reduction.in_parts(parts as f64)).unwrap();
-                assert_eq!((piecewise.parts(), reduction.unit), (parts, Double::ONE));
+                let unit = if time < 1.0 { 8.0 } else { 1.0 };
+                assert_eq!((piecewise.parts(), reduction.unit), (parts, Double::new(unit)));
                 let (kernel, truncation) = piecewise.kernel(&reduction, limit).unwrap();
                 assert!(truncation <= limit && kernel.terms() == piecewise.terms_for(limit).unwrap());
                 let mut b = Builder::new(Float::F64);
@@ -169,7 +173,7 @@ mod tests {
                     let number = s.round();
                     let sign = if curve.alternates && number % 2.0 != 0.0 { -1.0 } else { 1.0 };
                     let exact = curve.at(Double::new(s - number)) * sign;
-                    worst = worst.max((Double::new(program.run(2.0 * s)[0]) - exact).hi.abs());
+                    worst = worst.max((Double::new(program.run(time * s)[0]) - exact).hi.abs());
                 }
                 assert!(worst <= most, "{start} {parts} {limit:e}: {worst:e} {most:e}");
                 assert!(worst > most / 4.0, "{start} {parts} {limit:e}: {worst:e} {most:e}");

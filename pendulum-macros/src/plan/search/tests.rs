@@ -124,3 +124,58 @@ fn small_angles_of_rotations() {
         assert_eq!(plan.reduction.origin, origin, "{text}");
     }
 }
+/// What polynomials can't promise of one output the passage may, and the other way round, of several outputs.
+#[test]
+fn outputs_by_different_ways() {
+    for (text, ways) in [
+        ("theta0 = 0.999π, outputs = [velocity, position]", ["polynomial", "passage"]),
+        ("theta0 = 0.999π, outputs = [acceleration, theta], float = f32", ["polynomial", "passage"]),
+        ("theta0 = 3.14, velocity0 = 0.001, outputs = [velocity, position]", ["polynomial", "passage"]),
+    ] {
+        let (scene, prospects) = prospects(text);
+        let words = |plan: &Plan| -> Vec<&str> { plan.parts.iter().map(|part| part.kernel.word()).collect() };
+        assert_eq!(words(&plan(&scene).unwrap()), ways, "{text}");
+        // Of the same output alone there is but one way to each candidate.
+        let single = Scene { outputs: scene.outputs[..1].to_vec(), ..scene.clone() };
+        let alone: Vec<Prospect> = tasks(&single).into_iter().map(|task| Prospect::new(&single, task)).collect();
+        for (scene, prospects) in [(&scene, &prospects), (&single, &alone)] {
+            let mut mixed = 0;
+            for candidate in candidates(scene, prospects) {
+                let Ok(plan) = candidate.plan(scene) else { continue };
+                let own = match candidate.way {
+                    Way::Polynomials => "polynomial",
+                    Way::Passage => "passage",
+                    Way::Pieces => "pieces",
+                };
+                mixed += usize::from(words(&plan).iter().any(|word| *word != own));
+            }
+            assert_eq!(mixed > 0, scene.outputs.len() > 1, "{text}: {mixed}");
+        }
+    }
+}
+
+/// Pieces are given terms until what rounding leaves is enough: down to nearly the least that can be promised.
+#[test]
+fn pieces_leave_room_for_rounding() {
+    for tol in ["1.4e-15", "1.6e-15", "1.8e-15", "2.2e-15", "3e-15"] {
+        let (scene, prospects) = prospects(&format!("theta0 = π - 1e-6, tol = {tol}"));
+        let pieces = candidates(&scene, &prospects).into_iter().filter(|candidate| candidate.way == Way::Pieces);
+        assert!(pieces.filter_map(|candidate| candidate.plan(&scene).ok()).count() > 0, "{tol}");
+    }
+}
+
+/// The best that can be promised of a tolerance out of reach can be had, and not much less.
+#[test]
+fn the_best_within_reach() {
+    for text in [
+        "theta0 = 2",
+        "theta0 = π - 1e-6, outputs = [velocity], omega = 3",
+        "theta0 = 0.99π, outputs = [acceleration, theta], omega = 1/2",
+    ] {
+        let at = |tol: f64| plan(&prospects(&format!("{text}, tol = {tol:e}")).0);
+        let Err(Refusal::Unreachable { best }) = at(1e-18) else { panic!("{text}: within reach") };
+        assert!(best > 1e-17 && best < 2e-15, "{text}: {best:e}");
+        assert!(at(best * 1.001).is_ok(), "{text}: {best:e}");
+        assert!(at(best * 0.6).is_err(), "{text}: {best:e}");
+    }
+}
