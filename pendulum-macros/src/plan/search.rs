@@ -1,5 +1,7 @@
-//! The cheapest plan: every reduction, with polynomials or the passage through the lowest point, in the order of their
-//! estimated cost, until one keeps the promise.
+//! The cheapest plan: every reduction, with polynomials, in pieces or with the passage through the lowest point, in the
+//! order of their estimated cost, until one keeps the promise.
+
+mod in_pieces;
 
 use super::aim::{Aim, Task};
 use super::curve::Curve;
@@ -8,11 +10,10 @@ use super::pieces::Piecewise;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use super::{Part, Plan, Refusal, alternatives, kernel, verify};
-use crate::program::cost::{ROW, lanes_lost};
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
-use std::cell::OnceCell;
+use in_pieces::InPieces;
 
 /// A task, and what all ways of doing it share.
 struct Prospect {
@@ -20,15 +21,6 @@ struct Prospect {
     approximations: Vec<Approximations>,
     reductions: Vec<Reduction>,
     pieces: Option<InPieces>,
-}
-
-/// All outputs in pieces.
-struct InPieces {
-    parts: usize,
-    /// To the nearest part.
-    reductions: Vec<Reduction>,
-    /// None where one of them takes too many points.
-    curves: OnceCell<Option<Vec<Piecewise>>>,
 }
 
 /// One way of computing all outputs.
@@ -229,52 +221,8 @@ impl Prospect {
     }
 }
 
-impl InPieces {
-    /// Tables of 4 to 13 kB for each output.
-    const PARTS: [usize; 2] = [64, 128];
-    /// With more terms than this smaller parts are tried.
-    const MOST_TERMS: usize = 16;
-
-    /// `None` where an output has no pieces, or no reduction counts parts.
-    fn new(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Option<Self> {
-        let serves = scene.method.is_none() && task.aims.iter().all(|aim| aim.has_pieces(task));
-        let parts = |parts: usize| {
-            let reductions: Vec<Reduction> =
-                reductions.iter().filter_map(|reduction| reduction.in_parts(parts as f64)).collect();
-            let few = |aim: &Aim, reduction: &Reduction| {
-                aim.terms_of_pieces(parts, reduction).is_some_and(|terms| terms <= Self::MOST_TERMS)
-            };
-            let serves = reductions.iter().any(|reduction| task.aims.iter().all(|aim| few(aim, reduction)));
-            serves.then(|| Self { parts, reductions, curves: OnceCell::new() })
-        };
-        Self::PARTS.into_iter().filter(|_| serves).find_map(parts)
-    }
-
-    /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where
-    /// the phase isn't good enough.
-    fn estimate(&self, scene: &Scene, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
-        let polynomial = |aim: &Aim| {
-            let terms = aim.terms_of_pieces(self.parts, reduction)?;
-            let sign = f64::from(u8::from(aim.curves.iter().any(|curve| curve.alternates)));
-            Some(2.0 * terms as f64 - 2.0 + sign)
-        };
-        let kernels: f64 = aims.iter().map(polynomial).sum::<Option<f64>>()?;
-        Some(lanes_lost(scene.float) * (reduction.operations() as f64 + CLAMP + ROW + POWERS + kernels))
-    }
-
-    /// Made when they are wanted first.
-    fn curves(&self, aims: &[Aim]) -> Option<&[Piecewise]> {
-        let all = || aims.iter().map(|aim| aim.piecewise(self.parts)).collect();
-        self.curves.get_or_init(all).as_deref()
-    }
-}
-
 /// How much longer operations of a passage take than those of polynomials: measured in loops over arrays.
 const WAITING: f64 = 1.2;
-
-/// What holding a remainder between two limits costs, and the powers of a polynomial of some ten terms.
-const CLAMP: f64 = 2.6;
-const POWERS: f64 = 3.0;
 
 /// The reduction and the variables, without any kernel.
 fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {

@@ -27,8 +27,9 @@ pub(super) struct Wanted {
     whole: Option<Whole>,
 }
 
-/// θ̂ in one approximation, and how far off it may be, phase included: the first that can be kept counts.
+/// θ̂ as one function of the phase, and how far off it may be, phase included: the first that can be kept counts.
 struct Whole {
+    /// For one polynomial, and for many; `None` where that takes too many terms.
     approximation: Option<Approximation>,
     pieces: Option<Piecewise>,
     allowed: [f64; 2],
@@ -58,7 +59,7 @@ impl Sum {
         scene.outputs.iter().map(one).collect()
     }
 
-    /// `None` where it takes too many terms. It may be off by what a tolerance leaves, or by 8 units in the last place
+    /// `None` where there is no arcsine. It may be off by what a tolerance leaves, or by 8 units in the last place
     /// of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
     fn whole(&self, scene: &Scene, swing: &Swing, bias: f64) -> Option<Whole> {
         let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
@@ -168,6 +169,7 @@ impl Whole {
         single.into_iter().chain(pieces).collect()
     }
 
+    /// The kernel with a table, wrong by so much, of which the truncation is that part.
     fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
         let approximation = self.pieces.as_ref()?;
         let reduction = reduction.in_parts(approximation.parts() as f64)?;
@@ -179,6 +181,7 @@ impl Whole {
         (rounding <= left - truncation).then(|| (Kernel::Pieces(Box::new(pieces)), truncation, rounding))
     }
 
+    /// The same as one polynomial.
     fn single(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
         let approximation = self.approximation.as_ref()?;
         let terms = approximation.terms_for(truncation, reduction.overshoot)?;
