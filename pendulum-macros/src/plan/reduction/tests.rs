@@ -495,3 +495,42 @@ fn ways_of_each_horizon() {
         assert_eq!(found, there, "{float:?} {:e}", rate.to_f64());
     }
 }
+
+/// From the nearest of many parts the rounding of remainders is a part of what it was, unless a launch is rounded, too.
+#[test]
+fn remainders_in_parts_are_rounded_less() {
+    let mut random = Random::new(23);
+    for (float, launch, t_max, least, most) in [
+        (Float::F64, "0", None, 2f64.powi(-59), 2f64.powi(-57)),
+        (Float::F64, "0.5", None, 2f64.powi(-59), 2f64.powi(-57)),
+        (Float::F64, "0.3", None, 2f64.powi(-53), 2f64.powi(-52)),
+        (Float::F32, "0", Some(100.0), 2f64.powi(-32), 2f64.powi(-30)),
+        // The sums of three words are rounded to 2⁻²⁸ as ever.
+        (Float::F32, "0", None, 2f64.powi(-27), 2f64.powi(-26)),
+    ] {
+        let (rate, phase) = (rate(&mut random), Context::for_digits(60).decimal(launch).unwrap());
+        let clock = Clock { rate: &rate, launch: phase.to_double(), t_max, float };
+        let last = clock.reductions().into_iter().rfind(Reduction::has_parts).unwrap();
+        let wide = clock.reductions().into_iter().find(|reduction| matches!(reduction.method, Method::Wide { .. }));
+        let reduction = if t_max.is_some() { wide.unwrap() } else { last };
+        let in_parts = reduction.in_parts(64.0).unwrap();
+        assert!((least..most).contains(&in_parts.error), "{in_parts:?}");
+        assert!(reduction.error >= in_parts.error && in_parts.half() < 0.51 / 64.0 / in_parts.unit.hi, "{in_parts:?}");
+    }
+}
+
+/// Where so many anchors are passed that the parts of one can't be told there are none.
+#[test]
+fn parts_that_cannot_be_told() {
+    let rate = Context::for_digits(40).ratio(1, 2);
+    let one_word = |t_max: f64| {
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(t_max), float: Float::F64 };
+        clock.reductions().into_iter().find(|reduction| matches!(reduction.method, Method::OneWord { .. })).unwrap()
+    };
+    for (t_max, parts, serves) in
+        [(2f64.powi(36), 32.0, true), (2f64.powi(42), 32.0, false), (2f64.powi(42), 2.0, true)]
+    {
+        let reduction = one_word(t_max);
+        assert_eq!(reduction.in_parts(parts).is_some(), serves, "{parts}: {reduction:?}");
+    }
+}
