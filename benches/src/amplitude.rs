@@ -22,8 +22,11 @@ impl Amplitude {
     pub const LARGE: Self = Self { name: "7π/8", slug: "7pi_8", numerator: 7, denominator: 8 };
     /// 0.999π, near the top.
     pub const NEAR_TOP: Self = Self { name: "0.999π", slug: "0.999pi", numerator: 999, denominator: 1000 };
+    /// 0.999999π, nearer than polynomials go.
+    pub const NEXT_TO_TOP: Self =
+        Self { name: "0.999999π", slug: "0.999999pi", numerator: 999_999, denominator: 1_000_000 };
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::MODERATE, Self::LARGE, Self::NEAR_TOP];
+    pub const ALL: [Self; 4] = [Self::MODERATE, Self::LARGE, Self::NEAR_TOP, Self::NEXT_TO_TOP];
 
     /// θ0 to about an ulp: what a program with this amplitude in an `f64` works with.
     pub fn theta0(self) -> f64 {

@@ -150,6 +150,11 @@ impl Planned for f64 {
                 [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
                 [1e-3 1e-6 1e-9 1e-12]
             ),
+            "0.999999pi" => plans!(
+                f64, (0.999999π), 5901,
+                [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
+                [1e-3 1e-6 1e-9 1e-12]
+            ),
             _ => Vec::new(),
         }
     }
@@ -181,6 +186,7 @@ impl Planned for f32 {
             "pi_3" => plans!(f32, (PI/3), 675, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
             "7pi_8" => plans!(f32, (7π/8), 1217, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
             "0.999pi" => plans!(f32, (0.999π), 3137, [1e-1 1e-2 1e-3 1e-4 1e-5], [1e-2 1e-4]),
+            "0.999999pi" => plans!(f32, (0.999999π), 5901, [1e-1 1e-2 1e-3 1e-4], [1e-2 1e-4]),
             _ => Vec::new(),
         }
     }
@@ -211,7 +217,7 @@ mod tests {
     /// The values of `t_max` above: at least the horizon, at most 1 % more.
     #[test]
     fn the_horizons_are_a_hundred_periods() {
-        for (amplitude, t_max) in Amplitude::ALL.into_iter().zip([675.0, 1217.0, 3137.0]) {
+        for (amplitude, t_max) in Amplitude::ALL.into_iter().zip([675.0, 1217.0, 3137.0, 5901.0]) {
             let horizon = HORIZON * motion(amplitude, Given::Exact).period().to_f64();
             assert!((horizon..=1.01 * horizon).contains(&t_max), "{}: {horizon}", amplitude.name);
         }
@@ -231,6 +237,6 @@ mod tests {
                 count += 1;
             }
         }
-        assert!(count >= 82, "only {count} plans");
+        assert!(count >= 100, "only {count} plans");
     }
 }

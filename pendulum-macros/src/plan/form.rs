@@ -11,7 +11,7 @@ pub(crate) enum Form {
     Plain,
     /// Powers of u = 8p − centre: well conditioned, most so where the centre is near the end where the curve bends.
     Centred { centre: f64 },
-    /// Powers of p + c, by [`Adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
+    /// Powers of p + c, by [`adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
     /// rounding.
     Adapted { chunk: usize },
 }

@@ -33,7 +33,7 @@ pub(crate) const ROW: f64 = 3.0;
 pub(crate) const QUOTIENT: f64 = 2.5;
 
 /// What an operation costs in a program with a table, which loops over arrays don't vectorise. By measured times it is
-/// 1.6 to 2.1 without and 2.8 to 3.6 with AVX2, in `f64`: between the two, nearer to the former for the sake of single
+/// 1.6 to 2.2 without and 2.8 to 3.7 with AVX2, in `f64`: between the two, nearer to the former for the sake of single
 /// calls.
 pub(crate) fn lanes_lost(float: Float) -> f64 {
     match float {
