@@ -35,6 +35,13 @@ motion::pendulum! {
 }
 
 motion::pendulum! {
+    /// A table of polynomials, next to the top.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Pieces;
+    theta0 = PI - 1e-7, tol = 1e-6, outputs = [theta, velocity]
+}
+
+motion::pendulum! {
     /// The series.
     #[derive(Clone, Copy, Debug)]
     pub struct Series;
@@ -57,7 +64,7 @@ pub fn sum(t: f32) -> f64 {
     let harmonic = motion::pendulum!(theta0 = 0.1, tol = 1e-2, method = harmonic);
     let (x, y) = Everything::position(f64::from(t));
     let wide = f64::from(t);
-    let coarse = f64::from(Narrow::theta(t)) + Paper::theta(wide) + Paper::velocity(wide) + Series::theta(wide);
+    let coarse = f64::from(Narrow::theta(t)) + Paper::theta(wide) + Paper::velocity(wide) + Series::theta(wide) + Pieces::state(wide).0;
     coarse + Wide::state(wide).1 + harmonic(wide) + x + y
 }
 
