@@ -162,6 +162,9 @@ mod tests {
                 let unit = if time < 1.0 { 8.0 } else { 1.0 };
                 assert_eq!((piecewise.parts(), reduction.unit), (parts, Double::new(unit)));
                 let (kernel, truncation) = piecewise.kernel(&reduction, limit).unwrap();
+                // Remainders from fewer parts go beyond what was interpolated.
+                let fewer = reduction.in_parts(parts as f64 / 2.0).unwrap();
+                assert!(piecewise.kernel(&fewer, limit).is_none());
                 assert!(truncation <= limit && kernel.terms() == piecewise.terms_for(limit).unwrap());
                 let mut b = Builder::new(Float::F64);
                 let result = kernel.lower(&mut b, "result");
