@@ -40,9 +40,10 @@
 //! # `no_std`, determinism
 //! Neither the generated code nor the run-time part allocates, panics, or calls the platform's mathematical library.
 //! Generated code is + − × ÷, comparisons and manipulations of a number's bits in a fixed order, without branches, and
-//! `const`; the run-time part takes correctly rounded square roots besides. A fused multiply-add, whose bits would
-//! differ, is in neither. So the bits are the same on every platform and at every optimisation level, but for the sign
-//! and payload of a NaN, which IEEE 754 leaves open.
+//! `const`; near the top and for the paper's θ̂ a row of a table of coefficients is chosen by a mask, which can't miss it.
+//! The run-time part takes correctly rounded square roots besides. A fused multiply-add, whose bits would differ, is in
+//! neither. So the bits are the same on every platform and at every optimisation level, but for the sign and payload of
+//! a NaN, which IEEE 754 leaves open.
 #![no_std]
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
