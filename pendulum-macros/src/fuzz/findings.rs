@@ -184,3 +184,9 @@ fn sums_beyond_a_moment() {
     planned("theta0 = 1, method = harmonic, tol = 0.1, t_max = 1e-3");
     planned("theta0 = 1, method = series, tol = 1e-3, t_max = 1e-3");
 }
+
+/// A row is counted from the anchor numbered 0, which may not be the first.
+#[test]
+fn rows_counted_from_other_anchors() {
+    planned("struct A; θ0 = 4π/15, velocity0 = 3.7797, t_max = 6.87418743809171e5, outputs = [acceleration]");
+}

@@ -162,7 +162,7 @@ impl<'ast> Visit<'ast> for Arrays {
         let (of, at) = (quote!(#of).to_string(), quote!(#at).to_string());
         let row = format!(" . to_bits () & {}) as usize", self.rows.wrapping_sub(1));
         let within = match of.as_str() {
-            "TABLE" => at.starts_with("(magic") && at.ends_with(&row),
+            "TABLE" => at.starts_with('(') && at.ends_with(&row),
             "row" => at.parse().is_ok_and(|column: usize| column < self.columns),
             _ => false,
         };
