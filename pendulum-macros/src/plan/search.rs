@@ -222,7 +222,7 @@ impl Prospect {
 }
 
 /// How much longer operations of a passage take than those of polynomials: measured in loops over arrays.
-const WAITING: f64 = 1.2;
+const WAITING: f64 = 1.45;
 
 /// The reduction and the variables, without any kernel.
 fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
