@@ -172,7 +172,10 @@ pub fn frontier(field: &[&Outcome]) -> Option<String> {
 fn undominated<'a>(field: &'a [&'a Outcome]) -> impl Iterator<Item = &'a Outcome> {
     field.iter().copied().filter(move |peer| {
         let beaten = |own: &&&Outcome| own.error <= peer.error && own.array.median <= peer.array.median;
-        peer.family.peer() && !field.iter().filter(|one| one.family.ours()).any(|own| beaten(&own))
+        // Without a value there is no error.
+        peer.family.peer()
+            && !peer.error.is_nan()
+            && !field.iter().filter(|one| one.family.ours()).any(|own| beaten(&own))
     })
 }
 

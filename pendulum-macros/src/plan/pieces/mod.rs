@@ -1,8 +1,8 @@
 //! A curve by one polynomial for each of many equal parts of its period, of few terms, whose coefficients are looked up.
 //!
-//! No loop over an array vectorises with it. But where one polynomial for all phases needs many terms, near the top and
-//! for the paper's θ̂, a single call takes half the time or less: few operations, one shallow chain, and the row is known
-//! before the remainder is.
+//! Loops over arrays vectorise with it only where the machine gathers. But where one polynomial for all phases needs many
+//! terms, near the top and for the paper's θ̂, it takes half of the operations or less, in one shallow chain, and the row
+//! is known before the remainder is.
 
 mod piecewise;
 
