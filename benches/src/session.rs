@@ -76,6 +76,9 @@ fn follow<R: Real>(method: &dyn Stepping<R>) -> impl FnMut() {
     }
 }
 
+/// What the jobs of a contestant are, in their order.
+pub const JOBS: [&str; 4] = ["array", "scalar", "single", "cold"];
+
 impl<R: Real> Field<R> {
     /// Random times over the horizon of the plans; the same in every run.
     pub fn new(amplitude: Amplitude, contestants: Vec<Contestant<R>>) -> Self {
@@ -121,7 +124,7 @@ impl<R: Real> Field<R> {
         }
     }
 
-    /// Four jobs per contestant: the array loop, calls by themselves, one after the other, and the array loop with cold
+    /// [`JOBS`] per contestant: the array loop, calls by themselves, one after the other, and the array loop with cold
     /// caches.
     pub fn jobs<'a>(&'a self, jobs: &mut Vec<Job<'a>>) {
         for contestant in &self.contestants {

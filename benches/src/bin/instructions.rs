@@ -17,12 +17,12 @@ use pendula_benches::contestant::{COUNT, Contestant};
 use pendula_benches::machine;
 use pendula_benches::ours::ours;
 use pendula_benches::real::Real;
-use pendula_benches::session::Field;
+use pendula_benches::session::{Field, JOBS};
 
 /// A rise by more than this part fails.
 const TOLERATED: f64 = 0.03;
-/// The jobs of a field, in their order; the last runs the same instructions as the first.
-const MODES: [&str; 3] = ["array", "single", "cold"];
+/// Of the jobs of a field those that are counted: the others run the same instructions.
+const COUNTED: [&str; 2] = ["array", "single"];
 
 type Failure = Box<dyn Error>;
 
@@ -116,7 +116,7 @@ fn count() -> Result<Option<Counts>, Failure> {
         return Ok(None);
     }
     let mut counts = Counts::new();
-    for what in catalogue().into_iter().filter(|what| !what.ends_with("cold")) {
+    for what in catalogue().into_iter().filter(|what| COUNTED.iter().any(|job| what.ends_with(job))) {
         let [one, three] = ["1", "3"].map(|passes| instructions(&what, passes));
         counts.insert(what, (three? - one?) / (2 * COUNT) as f64);
     }
@@ -147,8 +147,7 @@ fn fields() -> (Field<f64>, Field<f32>) {
 }
 
 fn names<R: Real>(field: &Field<R>) -> Vec<String> {
-    let name =
-        |one: &Contestant<R>| MODES.map(|mode| format!("{}; {}; {mode}", R::NAME, one.label().replace(',', ";")));
+    let name = |one: &Contestant<R>| JOBS.map(|mode| format!("{}; {}; {mode}", R::NAME, one.label().replace(',', ";")));
     field.contestants().iter().flat_map(name).collect()
 }
 
