@@ -90,15 +90,11 @@ mod tests {
     use crate::motion::Regime;
     use crate::plan::tests::scene;
 
-    /// (−1)ⁿ⁻¹ k b₂ₙ₋₁ of a release from θ0.
+    /// Of a release from θ0.
     fn weights(theta0: &str, terms: usize) -> Vec<Double> {
         let scene = scene(&format!("theta0 = {theta0}"));
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let weight = |n: usize| {
-            let weight = (swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double();
-            if n.is_multiple_of(2) { -weight } else { weight }
-        };
-        (1..=terms).map(weight).collect()
+        super::super::whole::tests::weights(swing, terms)
     }
 
     /// The numbers of parts and of terms for an error of 2⁻⁵²; nearer to an overshoot there are no pieces.

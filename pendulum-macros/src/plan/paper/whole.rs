@@ -150,7 +150,7 @@ fn enough_points(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::fuzz::random::Random;
     use crate::motion::{Regime, Swing};
@@ -160,7 +160,7 @@ mod tests {
     use crate::series::swing_rate;
 
     /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.
-    fn weights(swing: &Swing, terms: usize) -> Vec<Double> {
+    pub(in crate::plan::paper) fn weights(swing: &Swing, terms: usize) -> Vec<Double> {
         let weight = |n: usize| {
             let weight = (swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double();
             if n.is_multiple_of(2) { -weight } else { weight }
