@@ -92,15 +92,21 @@ impl<R: Real, F: Fn(R) -> R, G: Fn(R) -> R> AnyTime<R> for Function<F, G> {
 
     #[inline(never)]
     fn scalar(&self, times: &[R]) {
-        for &time in times {
-            black_box((self.single)(time));
-        }
+        each(times, &self.single);
     }
 
     #[inline(never)]
     fn chain(&self, times: &[R]) -> R {
         let nothing = black_box(0);
         times.iter().fold(R::zero(), |last, &time| (self.single)(time.after(last, nothing)))
+    }
+}
+
+/// Calls it at each time, whatever it returns.
+#[inline]
+fn each<R: Real, T>(times: &[R], function: impl Fn(R) -> T) {
+    for &time in times {
+        black_box(function(time));
     }
 }
 
@@ -136,9 +142,7 @@ impl<R: Real, F: Fn(R) -> (R, R), G: Fn(R) -> (R, R)> AnyTime<R> for Pair<R, F, 
 
     #[inline(never)]
     fn scalar(&self, times: &[R]) {
-        for &time in times {
-            black_box((self.single)(time));
-        }
+        each(times, &self.single);
     }
 
     #[inline(never)]

@@ -33,7 +33,7 @@ fn table(program: &Program) -> Option<TokenStream> {
     };
     let table = program.table.iter().map(row);
     let doc = format!(
-        " A row for each {rows}th of a period, the first about a turning point: powers of what the phase is apart from its middle."
+        " For each of {rows} parts from one turning point (top) to the next, the first about it: powers of the phase from the part's middle."
     );
     Some(quote!(#[doc = #doc] const TABLE: &[[#float; #columns]; #rows] = &[#(#table),*];))
 }
@@ -227,19 +227,20 @@ impl Writer<'_> {
     }
 
     fn alternate(&self, x: Id, magic: Id, bit: u32, float: &Ident) -> TokenStream {
-        let mask = sign_bit(self.program.nodes[x].float);
-        let place = match (self.program.nodes[x].float, self.program.nodes[magic].float) {
+        let [type_of_x, type_of_magic] = [x, magic].map(|id| self.program.nodes[id].float);
+        let (cast, sign) = match (type_of_x, type_of_magic) {
             (Float::F64, _) => (quote!(), 63u32),
             (Float::F32, Float::F32) => (quote!(), 31),
             (Float::F32, Float::F64) => (quote!(as u32), 31),
         };
-        let (cast, sign) = place;
         let (x, magic) = (self.atom(x), self.atom(magic));
         let shift = Literal::u32_unsuffixed(sign - bit);
         let bits = if cast.is_empty() { quote!(#magic.to_bits()) } else { quote!((#magic.to_bits() #cast)) };
+        // The lowest bit shifts all others out.
         if bit == 0 {
             return quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift)));
         }
+        let mask = sign_bit(type_of_x);
         quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift & #mask)))
     }
 }

@@ -212,14 +212,11 @@ impl Aim {
 
     /// About how many terms each of so many pieces takes; `None` where the phase leaves nothing.
     pub(super) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<usize> {
+        let curve = self.curves.first()?;
         let left = Some(self.share(self.limit - self.phase_error(reduction))).filter(|&left| left > 0.0)?;
-        let terms = Piecewise::estimate(self.curves.first()?, parts, left);
+        let terms = |left: f64| Piecewise::estimate(curve, parts, left);
         // Of logarithms the coefficients fall off with their number besides.
-        Some(if self.power == 0 {
-            Piecewise::estimate(self.curves.first()?, parts, left * terms as f64)
-        } else {
-            terms
-        })
+        Some(if self.power == 0 { terms(left * terms(left) as f64) } else { terms(left) })
     }
 
     /// Its curve in so many pieces.

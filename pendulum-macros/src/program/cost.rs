@@ -13,16 +13,23 @@ impl Program {
     /// Relative cost in an array loop, one addition or multiplication of the input's type being 1. Wide operations in a
     /// narrow program have half the lanes.
     pub(crate) fn cost(&self) -> f64 {
-        let float = self.nodes.first().map_or(Float::F64, |node| node.float);
-        let lanes = |node: &Node| if node.float == float { 1.0 } else { 2.0 };
+        let lanes = |node: &Node| if node.float == self.float() { 1.0 } else { 2.0 };
         let sum: f64 = self.nodes.iter().map(|node| lanes(node) * weight(node.op)).sum();
-        if self.table.is_empty() { sum } else { lanes_lost(float) * sum }
+        self.lanes_lost() * sum
     }
 
     /// The same where loops over arrays and single calls count alike: in those there is no vector to share.
     pub(crate) fn cost_of_calls_too(&self) -> f64 {
-        let float = self.nodes.first().map_or(Float::F64, |node| node.float);
-        if self.table.is_empty() { self.cost() } else { self.cost() / lanes_lost(float).sqrt() }
+        self.cost() / self.lanes_lost().sqrt()
+    }
+
+    fn lanes_lost(&self) -> f64 {
+        if self.table.is_empty() { 1.0 } else { lanes_lost(self.float()) }
+    }
+
+    /// The type of the time.
+    fn float(&self) -> Float {
+        self.nodes.first().map_or(Float::F64, |node| node.float)
     }
 }
 

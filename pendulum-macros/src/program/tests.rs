@@ -261,7 +261,7 @@ fn tables() {
     vectorised.table = Vec::new();
     assert!(program.cost() > vectorised.cost());
     let without = b.finish(vec![product]);
-    assert_eq!((without.table.len(), b_without_row().table.len()), (2, 0));
+    assert_eq!((without.table.len(), unused_table().table.len()), (2, 0));
     // What is known of the row is known of its numbers.
     let known: Vec<(Id, Known)> = (0..program.nodes.len())
         .filter_map(|id| match program.nodes[id].op {
@@ -275,7 +275,7 @@ fn tables() {
 }
 
 /// A program that makes a table and doesn't use it.
-fn b_without_row() -> Program {
+fn unused_table() -> Program {
     let mut b = Builder::new(Float::F64);
     let t = b.input();
     b.look_up(&[vec![Double::ONE], vec![Double::ONE]], t);

@@ -32,7 +32,7 @@ fn expression() -> impl Copy {
     )]
     #[inline(always)]
     const fn theta(t: f64) -> f64 {
-        /// A row for each 32th of a period, the first about a turning point: powers of what the phase is apart from its middle.
+        /// For each of 32 parts from one turning point (top) to the next, the first about it: powers of the phase from the part's middle.
         const TABLE: &[[f64; 12]; 32] = &[
             [
                 2.7379291667973695,

@@ -82,9 +82,10 @@ impl Sum {
         let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
         let whole = whole.iter().flat_map(|whole| whole.kernels(phase, reduction, direction));
         let whole = whole
-            .min_by(|(a, ..), (b, ..)| cost(reduction, a).total_cmp(&cost(reduction, b)))
-            .filter(|(kernel, ..)| cost(reduction, kernel) < cost(reduction, &summed));
-        let (kernel, description, truncation, evaluation) = if let Some((kernel, own, evaluation)) = whole {
+            .map(|whole| (cost(reduction, &whole.0), whole))
+            .min_by(|(a, _), (b, _)| a.total_cmp(b))
+            .filter(|&(least, _)| least < cost(reduction, &summed));
+        let (kernel, description, truncation, evaluation) = if let Some((_, (kernel, own, evaluation))) = whole {
             let (terms, word) = (self.weights.len(), kernel.describe());
             let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
             let description = format!("{terms} harmonics, twice the arcsine of their sum as {one}{word}");

@@ -21,7 +21,7 @@ const CLAMP: f64 = 2.6;
 const POWERS: f64 = 3.0;
 
 impl InPieces {
-    /// Tables of 4 to 13 kB for each output.
+    /// Tables of up to 13 kB for each output.
     const PARTS: [usize; 2] = [64, 128];
     /// With more terms than this smaller parts are tried.
     const MOST_TERMS: usize = 16;

@@ -124,6 +124,7 @@ fn small_angles_of_rotations() {
         assert_eq!(plan.reduction.origin, origin, "{text}");
     }
 }
+
 /// What polynomials can't promise of one output the passage may, and the other way round, of several outputs.
 #[test]
 fn outputs_by_different_ways() {
