@@ -7,10 +7,11 @@ use crate::series::Parity;
 /// The variable of the polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Form {
-    /// Powers of p: the cheapest, for few terms.
-    Plain,
-    /// Powers of u = 8p − centre: well conditioned, most so where the centre is near the end where the curve bends.
-    Centred { centre: f64 },
+    /// Powers of p + `shift`, of which blocks of four are [`adapted`] where that loses nothing: well conditioned in the
+    /// middle of the interval or near the end where the curve bends; without a shift an operation less.
+    Powers { shift: f64 },
+    /// Powers of 8p − 1, as well conditioned: where powers of p, the square of a time, would overflow.
+    Normalised,
     /// Powers of p + c, by [`adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
     /// rounding.
     Adapted { chunk: usize },
@@ -23,13 +24,14 @@ pub(super) fn square(parity: Parity) -> &'static str {
 
 impl Form {
     /// All that are tried.
-    pub(crate) const ALL: [Self; 6] = [
+    pub(crate) const ALL: [Self; 7] = [
         Self::Adapted { chunk: 16 },
         Self::Adapted { chunk: 8 },
         Self::Adapted { chunk: 4 },
-        Self::Plain,
-        Self::Centred { centre: 1.0 },
-        Self::Centred { centre: 1.25 },
+        Self::Powers { shift: 0.0 },
+        Self::Powers { shift: -0.125 },
+        Self::Powers { shift: -0.15625 },
+        Self::Normalised,
     ];
 
     /// Whether no smaller blocks hold as many terms.
@@ -37,25 +39,24 @@ impl Form {
         !matches!(self, Self::Adapted { chunk: chunk @ 5.. } if terms <= chunk / 2)
     }
 
-    /// Operations that make the variables of p: y and w, of which small blocks mostly do without a shift; the centred
-    /// one, which poles are divided out in, too.
-    pub(crate) fn variables(self, divided: bool) -> f64 {
-        let own = match self {
-            Self::Plain => 0.0,
-            Self::Adapted { chunk: ..=4 } => 1.0,
-            Self::Centred { .. } | Self::Adapted { .. } => 2.0,
-        };
-        let centred = matches!(self, Self::Centred { .. });
-        own + if divided && !centred { 2.0 } else { 0.0 }
+    /// Operations that make the variables of p: y, of which small blocks mostly do without a shift, and its square.
+    pub(crate) fn variables(self) -> f64 {
+        match self {
+            Self::Powers { shift: 0.0 } | Self::Adapted { chunk: ..=4 } => 1.0,
+            Self::Powers { .. } | Self::Adapted { .. } => 2.0,
+            Self::Normalised => 3.0,
+        }
     }
 
     /// Estimated cost of a polynomial of that many terms, given the variables: see [`Program::cost`].
     ///
     /// [`Program::cost`]: crate::program::Program::cost
     pub(crate) fn cost(self, terms: usize, divided: bool) -> f64 {
-        let levels = terms.next_power_of_two().ilog2() as usize;
         let (operations, chain) = match self {
-            Self::Plain | Self::Centred { .. } => (2 * (terms - 1) + levels - 1, adapted::STEP * levels),
+            // The first block isn't adapted.
+            Self::Powers { .. } | Self::Normalised => {
+                (adapted::operations(terms, adapted::LEAST) + 1, adapted::chain(terms, adapted::LEAST))
+            }
             Self::Adapted { chunk } => (adapted::operations(terms, chunk), adapted::chain(terms, chunk)),
         };
         // The division, and the three operations of a pole.
@@ -66,19 +67,14 @@ impl Form {
     /// The variable, for the reader; s is the phase in half periods (turns), or in arcs.
     pub(crate) fn variable(self, parity: Parity) -> String {
         let square = square(parity);
+        let neither = parity == Parity::Neither;
         match self {
-            Self::Plain => square.to_owned(),
-            Self::Centred { centre } if parity == Parity::Neither => format!("2s + {}", 1.0 - centre),
-            Self::Centred { centre } => format!("8s² − {centre}"),
+            Self::Powers { shift: 0.0 } => square.to_owned(),
+            Self::Powers { shift } if neither => format!("s − {}", -4.0 * shift - 0.5),
+            Self::Powers { shift } => format!("s² − {}", -shift),
+            Self::Normalised if neither => "2s".to_owned(),
+            Self::Normalised => "8s² − 1".to_owned(),
             Self::Adapted { chunk } => format!("{square}, adapted in blocks of {chunk}"),
-        }
-    }
-
-    /// The centre of the centred variable, which the division by a pole needs in any case.
-    pub(crate) fn centre(self) -> f64 {
-        match self {
-            Self::Plain | Self::Adapted { .. } => 1.0,
-            Self::Centred { centre } => centre,
         }
     }
 }

@@ -89,7 +89,7 @@ impl Aim {
             Some(variant.form.cost(terms, variant.divided) + signs)
         };
         let kernels: Option<f64> = self.curves.iter().zip(approximations).map(one).sum();
-        Some(kernels? + variant.form.variables(variant.divided))
+        Some(kernels? + variant.form.variables())
     }
 
     /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them, one waiting for

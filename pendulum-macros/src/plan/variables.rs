@@ -1,7 +1,7 @@
 //! What kernels are functions of: the phase from the nearest anchor, its square, and the signs.
 
 use crate::plan::moebius::Moebius;
-use crate::plan::reduction::{Origin, Phase, Reduction};
+use crate::plan::reduction::{Origin, Phase, Reduction, offset_by};
 use crate::program::{Builder, Id, Op};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
@@ -101,50 +101,40 @@ impl Variables {
 }
 
 impl Variables {
-    /// 8p − `centre`, of a phase in anchors.
-    pub(crate) fn centred(&self, b: &mut Builder, centre: f64) -> Id {
+    /// 8p − 1, of a phase in anchors.
+    pub(crate) fn normalised(&self, b: &mut Builder) -> Id {
         let eighth = self.unit * self.unit * 8.0;
-        let centred = match self.source {
+        let one = b.constant(1.0);
+        let normalised = match self.source {
             Source::Square => {
                 let eighth = b.exact(eighth.hi, eighth.lo);
                 let scaled = b.mul(self.square, eighth);
-                let offset = b.constant(centre);
-                b.sub(scaled, offset)
+                b.sub(scaled, one)
             }
             Source::Below { below, .. } => {
                 let eighth = b.exact(eighth.hi, eighth.lo);
                 let scaled = b.mul(below, eighth);
-                let top = b.constant(2.0 - centre);
-                b.sub(top, scaled)
+                b.sub(one, scaled)
             }
             Source::Linear { .. } => {
                 let doubled = self.unit * 2.0;
                 let doubled = b.exact(doubled.hi, doubled.lo);
-                let scaled = b.mul(self.distance, doubled);
-                let offset = b.constant(centre - 1.0);
-                b.sub(scaled, offset)
+                b.mul(self.distance, doubled)
             }
-            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -centre),
+            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -1.0),
         };
-        b.name(centred, "u")
+        b.name(normalised, "u")
     }
 
     /// p + `shift`.
-    pub(crate) fn shifted(&self, b: &mut Builder, shift: f64) -> Id {
+    pub(crate) fn shifted(&self, b: &mut Builder, shift: Double) -> Id {
         match self.source {
-            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift),
-            Source::Linear { half } => {
-                let offset = half + Double::new(shift);
-                let offset = b.exact(offset.hi, offset.lo);
-                b.add(self.distance, offset)
-            }
-            _ if shift == 0.0 => self.square,
-            Source::Square => {
-                let shift = b.constant(shift);
-                b.add(self.square, shift)
-            }
+            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift.hi),
+            Source::Linear { half } => offset_by(b, self.distance, half + shift),
+            _ if shift == Double::ZERO => self.square,
+            Source::Square => offset_by(b, self.square, shift),
             Source::Below { below, quarter } => {
-                let top = quarter + Double::new(shift);
+                let top = quarter + shift;
                 let top = b.exact(top.hi, top.lo);
                 b.sub(top, below)
             }

@@ -1,4 +1,4 @@
-//! Polynomials with adapted coefficients: three operations for two terms instead of four.
+//! Polynomials in blocks, with adapted coefficients: three operations for two terms instead of four.
 //!
 //! With y = p + c and w = y², write a polynomial as E(w) + y·O(w). Where all roots α of O are real, dividing it by w −
 //! α leaves a number β and no multiple of y, and the quotient is of the same kind. So it equals
@@ -8,26 +8,26 @@
 //! a multiplication and two additions for two terms, of which w − α waits for nothing (Knuth, *The Art of Computer
 //! Programming* 2, 4.6.4, theorem E). Some c makes the roots real (Eve 1964). What it costs is conditioning: the
 //! factors may be large where the value is small. Hence c is chosen among many by estimated rounding, and long
-//! polynomials are cut into blocks, Σ Bⱼ(y)·y^(chunk·j), each of which is adapted. The proof of the rounding is that of
-//! any program.
+//! polynomials are cut into blocks, Σ Bⱼ(y)·y^(chunk·j), each of which is adapted; or, where that is not enough, only
+//! those blocks of four are that are small beside the first. The proof of the rounding is that of any program.
 
 mod shifts;
 
 pub(crate) use shifts::Choices;
 
 use super::estrin::estrin;
-use super::form::square;
 use crate::program::{Builder, Id};
-use crate::series::Parity;
 use pendulum_runtime::double::Double;
-use shifts::{divide, roots, value};
+use shifts::{divide, roots};
 
-/// A polynomial in y = p + c.
+/// A polynomial in y, in blocks of so many terms.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Adapted {
-    pub(crate) shift: f64,
+pub(crate) struct Blocks {
     chunk: usize,
-    blocks: Vec<Block>,
+    /// The first two terms, if they are added last: they are the largest, and are rounded with once, not with every
+    /// block. The first block is without them then.
+    lead: Vec<Double>,
+    rest: Vec<Block>,
     /// Bounds its distance from the polynomial that it was made of.
     pub(crate) mismatch: f64,
 }
@@ -35,10 +35,13 @@ pub(crate) struct Adapted {
 /// One block: z, and the (α, β) in the order of evaluation.
 #[derive(Clone, Debug, PartialEq)]
 struct Block {
-    /// Powers of y, lowest first: at most three.
+    /// Powers of y, lowest first: at most three, or all.
     head: Vec<Double>,
     factors: Vec<(Double, Double)>,
 }
+
+/// The least number of terms that adapting saves an operation of.
+pub(crate) const LEAST: usize = 4;
 
 /// The chain of dependent operations, in cycles, of a polynomial of `terms` in blocks of `chunk`, given y: four
 /// operations of a block's head or two of a factor at a time; then the blocks are joined.
@@ -64,32 +67,45 @@ pub(crate) fn operations(terms: usize, chunk: usize) -> usize {
     whole * block(chunk) + block(rest) + 2 * (blocks - 1) + powers as usize
 }
 
-impl Adapted {
+impl Blocks {
     /// Adapts a polynomial, given in powers of y, for |y| ≤ `reach`.
-    pub(crate) fn new(powers: &[Double], shift: f64, chunk: usize, reach: f64) -> Option<Self> {
-        let blocks = powers.chunks(chunk).map(Block::new).collect::<Option<Vec<Block>>>()?;
-        let expanded = blocks.iter().flat_map(Block::expanded);
-        let differences: Vec<f64> = powers.iter().zip(expanded).map(|(c, found)| (*c - found).hi.abs()).collect();
-        let mismatch = value(&differences, reach);
-        mismatch.is_finite().then_some(Self { shift, chunk, blocks, mismatch })
+    pub(crate) fn adapted(powers: &[Double], chunk: usize, reach: f64) -> Option<Self> {
+        let rest = powers.chunks(chunk).map(Block::adapted).collect::<Option<Vec<Block>>>()?;
+        let mismatch = mismatch(powers, &rest, reach);
+        mismatch.is_finite().then_some(Self { chunk, lead: Vec::new(), rest, mismatch })
     }
 
-    /// For the reader.
-    pub(crate) fn variable(&self, parity: Parity) -> String {
-        let square = square(parity);
-        if self.shift == 0.0 { square.to_owned() } else { format!("{square} + c") }
+    /// The same with the largest terms as they are: blocks are adapted only where their rounding is nothing beside that
+    /// of the first two terms.
+    pub(crate) fn careful(powers: &[Double], reach: f64) -> Self {
+        let (lead, others) = powers.split_at(powers.len().min(2));
+        let (first, small) = others.split_at(others.len().min(2));
+        let size = magnitude(lead, reach);
+        let plain = |powers: &[Double]| Block { head: powers.to_vec(), factors: Vec::new() };
+        let block = |(powers, index): (&[Double], i32)| {
+            let weight = reach.powi(LEAST as i32 * index);
+            let adapted = Block::adapted(powers).filter(|block| block.magnitude(reach) * weight <= size / 8.0);
+            adapted.unwrap_or_else(|| plain(powers))
+        };
+        let rest: Vec<Block> = std::iter::once(plain(first)).chain(small.chunks(LEAST).zip(1..).map(block)).collect();
+        let mismatch = mismatch(others, &rest, reach) * reach * reach;
+        Self { chunk: LEAST, lead: lead.to_vec(), rest, mismatch }
     }
 
     /// For the reader: how it is evaluated.
     pub(crate) fn describe(&self) -> String {
-        match self.blocks.len() {
-            1 => ", coefficients adapted".to_owned(),
-            _ => format!(", coefficients adapted in blocks of {}", self.chunk),
+        let adapted = self.rest.iter().any(|block| !block.factors.is_empty());
+        match (adapted, self.rest.len()) {
+            (false, _) => String::new(),
+            (true, _) if !self.lead.is_empty() => ", the small coefficients adapted".to_owned(),
+            (true, 1) => ", coefficients adapted".to_owned(),
+            (true, _) => format!(", coefficients adapted in blocks of {}", self.chunk),
         }
     }
 
     pub(crate) fn negate(&mut self) {
-        for block in &mut self.blocks {
+        self.lead.iter_mut().for_each(|c| *c = -*c);
+        for block in &mut self.rest {
             block.head.iter_mut().for_each(|c| *c = -*c);
             block.factors.iter_mut().for_each(|(_, beta)| *beta = -*beta);
         }
@@ -98,25 +114,57 @@ impl Adapted {
     /// Evaluates it at y.
     pub(crate) fn lower(&self, b: &mut Builder, y: Id) -> Id {
         const POWERS: [&str; 8] = ["y", "w", "w2", "w4", "w8", "w16", "w32", "w64"];
+        let lead = (!self.lead.is_empty()).then(|| powers_of(b, y, &self.lead));
+        if let (Some(lead), true) = (lead, self.rest[0].head.is_empty()) {
+            return lead;
+        }
         b.name(y, POWERS[0]);
         let w = b.mul(y, y);
         b.name(w, POWERS[1]);
-        let values: Vec<Id> = self.blocks.iter().map(|block| block.lower(b, y, w)).collect();
-        if values.len() == 1 {
-            return values[0];
+        let mut values: Vec<Id> = self.rest.iter().map(|block| block.lower(b, y, w)).collect();
+        if lead.is_some() {
+            values[0] = b.mul(values[0], w);
         }
         let level = self.chunk.ilog2() as usize;
-        let power = POWERS[2..=level].iter().fold(w, |power, name| {
-            let square = b.mul(power, power);
-            b.name(square, name)
-        });
-        estrin(b, power, &values, &POWERS[level..])
+        let mut sum = values[0];
+        if values.len() > 1 {
+            let power = POWERS[2..=level].iter().fold(w, |power, name| {
+                let square = b.mul(power, power);
+                b.name(square, name)
+            });
+            sum = estrin(b, power, &values, &POWERS[level..]);
+        }
+        lead.map_or(sum, |lead| b.add(lead, sum))
+    }
+}
+
+/// What blocks with such factors and heads differ by from a polynomial, for |y| ≤ `reach`.
+fn mismatch(powers: &[Double], blocks: &[Block], reach: f64) -> f64 {
+    let expanded = blocks.iter().flat_map(Block::expanded);
+    let differences: Vec<Double> = powers.iter().zip(expanded).map(|(c, found)| *c - found).collect();
+    magnitude(&differences, reach)
+}
+
+/// The largest sum of the powers of |y| ≤ `reach`, whatever the signs.
+fn magnitude(powers: &[Double], reach: f64) -> f64 {
+    powers.iter().rev().fold(0.0, |sum, c| sum * reach + c.hi.abs())
+}
+
+/// Few powers one after the other, which do without w; four by pairs.
+fn powers_of(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
+    let coefficients: Vec<Id> = coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
+    match coefficients.split_last() {
+        Some((&last, rest)) if coefficients.len() < LEAST => rest.iter().rev().fold(last, |value, &c| {
+            let product = b.mul(value, y);
+            b.add(product, c)
+        }),
+        _ => estrin(b, y, &coefficients, &[]),
     }
 }
 
 impl Block {
     /// Divides by one factor after the other, the smallest root first: it stands last in the evaluation.
-    fn new(powers: &[Double]) -> Option<Self> {
+    fn adapted(powers: &[Double]) -> Option<Self> {
         let rough: Vec<f64> = powers.iter().map(|c| c.hi).collect();
         let mut left = powers.to_vec();
         let mut factors = Vec::new();
@@ -126,6 +174,13 @@ impl Block {
         }
         factors.reverse();
         Some(Self { head: left, factors })
+    }
+
+    /// The sum of the magnitudes that it is evaluated by: what it is rounded by, in units of rounding.
+    fn magnitude(&self, reach: f64) -> f64 {
+        let factor = |alpha: Double| reach * reach + alpha.hi.abs();
+        let head = magnitude(&self.head, reach);
+        self.factors.iter().fold(head, |size, &(alpha, beta)| size * factor(alpha) + beta.hi.abs())
     }
 
     /// Its powers of y.
@@ -140,12 +195,7 @@ impl Block {
     }
 
     fn lower(&self, b: &mut Builder, y: Id, w: Id) -> Id {
-        let head: Vec<Id> = self.head.iter().map(|c| b.exact(c.hi, c.lo)).collect();
-        let Some((&last, rest)) = head.split_last() else { return b.constant(0.0) };
-        let z = rest.iter().rev().fold(last, |value, &c| {
-            let product = b.mul(value, y);
-            b.add(product, c)
-        });
+        let z = powers_of(b, y, &self.head);
         self.factors.iter().fold(z, |value, &(alpha, beta)| {
             let [minus_alpha, beta] = [-alpha, beta].map(|c| b.exact(c.hi, c.lo));
             let factor = b.add(w, minus_alpha);
@@ -206,7 +256,7 @@ mod tests {
                 let powers = sample(terms);
                 let Some(Choices { best: choice, .. }) = Choices::new(&powers, chunk) else { continue };
                 let shifted = crate::chebyshev::shift(&powers, Double::new(-choice.shift));
-                let adapted = Adapted::new(&shifted, choice.shift, chunk, 1.0).unwrap();
+                let adapted = Blocks::adapted(&shifted, chunk, 1.0).unwrap();
                 assert!(adapted.mismatch < 1e-25, "{terms} {chunk}: {}", adapted.mismatch);
                 let mut b = Builder::new(Float::F64);
                 let y = b.input();
@@ -220,6 +270,51 @@ mod tests {
                     assert!(error <= choice.rounding * f64::EPSILON, "{terms} {chunk} {p}: {error:e} {choice:?}");
                 }
             }
+        }
+    }
+
+    /// Evaluated with care, it is wrong by little more than the rounding of its first two terms, in about as many
+    /// operations.
+    #[test]
+    fn with_care() {
+        for terms in 2..=24 {
+            let powers = crate::chebyshev::shift(&sample(terms), Double::new(0.125));
+            let careful = Blocks::careful(&powers, 0.125);
+            assert!(careful.mismatch < 1e-31, "{terms}: {:e}", careful.mismatch);
+            let mut b = Builder::new(Float::F64);
+            let y = b.input();
+            let result = careful.lower(&mut b, y);
+            let program = b.finish(vec![result]);
+            let adapted = careful.rest.iter().filter(|block| !block.factors.is_empty()).count();
+            let (found, expected) = (program.operations(), operations(terms, LEAST) + usize::from(terms > 2));
+            let blocks = terms / LEAST;
+            assert_eq!(found + adapted, expected + blocks, "{terms}");
+            assert!(terms < 8 || adapted + 1 >= blocks.saturating_sub(1), "{terms}: {adapted}");
+            for y in [-0.125, -0.07, 0.0, 0.1, 0.125] {
+                let exact = powers.iter().rev().fold(Double::ZERO, |sum, c| sum * y + *c);
+                let error = (Double::new(program.run(y)[0]) - exact).hi.abs();
+                let most = 1.5 * f64::EPSILON * magnitude(&powers[..2], 0.125);
+                assert!(error <= most, "{terms} {y}: {error:e} {most:e}");
+            }
+        }
+    }
+
+    /// Where adapting would cost digits it is let be: a block whose last coefficient is nearly nought.
+    #[test]
+    fn blocks_that_are_left() {
+        let adapted = |last: f64| {
+            let small = [1e-3, 2e-3, 1e-3, last];
+            let powers: Vec<Double> = [2.0, 1.0, 1.0, 1.0].into_iter().chain(small).map(Double::new).collect();
+            let blocks = Blocks::careful(&powers, 1.0);
+            let factors: Vec<usize> = blocks.rest.iter().map(|block| block.factors.len()).collect();
+            assert_eq!(blocks.lead, powers[..2]);
+            assert_eq!(factors[0], 0);
+            factors[1] == 1
+        };
+        for (last, expected) in
+            [(2e-3, true), (-1e-3, true), (1.2e-5, true), (9e-6, false), (1e-9, false), (0.0, false)]
+        {
+            assert_eq!(adapted(last), expected, "{last:e}");
         }
     }
 }

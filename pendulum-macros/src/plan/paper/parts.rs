@@ -104,7 +104,7 @@ impl Sum {
         let base = |curve: &Curve| {
             let approximation = Approximation::entire(curve, precision / 16.0);
             let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
-            approximation.in_powers(terms, Form::Plain, reduction, true)
+            approximation.in_powers(terms, Form::Powers { shift: 0.0 }, reduction, true)
         };
         let one = scene.motion.omega.context().integer(1);
         let cosine = base(&Curve::cosine(&one));
@@ -187,7 +187,7 @@ impl Whole {
         let approximation = self.approximation.as_ref()?;
         let terms = approximation.terms_for(truncation, reduction.overshoot)?;
         let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms)).collect();
-        let cost = |form: &Form| form.cost(terms, false) + form.variables(false);
+        let cost = |form: &Form| form.cost(terms, false) + form.variables();
         forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
         forms.into_iter().find_map(|form| {
             let mut polynomial = approximation.polynomial(terms, form, reduction, true, left)?;

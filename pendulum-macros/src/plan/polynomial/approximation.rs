@@ -10,7 +10,8 @@
 use super::Polynomial;
 use super::pole::Pole;
 use crate::chebyshev::{CosineTable, Interpolation, scale, shift, to_powers};
-use crate::plan::adapted::{Adapted, Choices};
+use crate::parse::Float;
+use crate::plan::adapted::{Blocks, Choices};
 use crate::plan::curve::Curve;
 use crate::plan::form::Form;
 use crate::plan::moebius::Moebius;
@@ -149,56 +150,6 @@ impl Approximation {
         }
     }
 
-    /// The polynomial with that many terms, in the variable of `form` (p + `shift` if adapted) scaled to the
-    /// reduction's unit.
-    fn shifted_powers(
-        &self,
-        terms: usize,
-        form: Form,
-        shifted: f64,
-        reduction: &Reduction,
-        alternates: bool,
-    ) -> Polynomial {
-        let powers = self.powers(terms);
-        let eighth = self.area(reduction) * 8.0;
-        let mut coefficients = match form {
-            Form::Centred { centre } => shift(&powers, Double::new(centre - 1.0)),
-            Form::Plain | Form::Adapted { .. } => scale(shift(&powers, -Double::ONE - eighth * shifted), eighth),
-        };
-        if self.parity == Parity::Odd {
-            for coefficient in &mut coefficients {
-                *coefficient = *coefficient * reduction.unit;
-            }
-        }
-        let lost = self.lost_to_underflow(terms, form, reduction);
-        let truncation = self.truncation(terms, reduction.overshoot) + lost;
-        let (pole, parity, map) = (self.pole, self.parity, self.map);
-        Polynomial { form, pole, parity, map, alternates, coefficients, adapted: None, truncation }
-    }
-
-    /// What coefficients that are too small for two words change: infinite where the powers of the unit are. Powers of
-    /// a phase in units of time are of any size, and an amplitude may be 1e-300.
-    fn lost_to_underflow(&self, terms: usize, form: Form, reduction: &Reduction) -> f64 {
-        let eighth = if let Form::Centred { .. } = form { 1.0 } else { (self.area(reduction) * 8.0).hi };
-        let (highest, widest) = (eighth.powi(terms as i32), 1e280);
-        if !(1.0 / widest..widest).contains(&highest) {
-            return f64::INFINITY;
-        }
-        // Of 8p ≤ 2.
-        let weight = self.weight() * if self.parity == Parity::Odd { 1.0 / reduction.unit.hi } else { 1.0 };
-        weight * UNDERFLOW * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
-    }
-
-    /// As [`Self::polynomial`], evaluated by its powers.
-    pub(crate) fn in_powers(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
-        self.shifted_powers(terms, form, 0.0, reduction, alternates)
-    }
-
-    /// In powers of 8p − 1.
-    fn powers(&self, terms: usize) -> Vec<Double> {
-        to_powers(&self.series[..terms.min(self.series.len())])
-    }
-
     /// The polynomial with that many terms, evaluated as `form` says; `None` if its coefficients can't be adapted
     /// without rounding by more than about `limit`.
     pub(crate) fn polynomial(
@@ -213,18 +164,78 @@ impl Approximation {
             return Some(self.in_powers(terms, form, reduction, alternates));
         };
         let choice = self.choices(terms, chunk)?.within(limit / (reduction.float.unit() * self.weight()))?;
-        let quarter = (Double::new(0.25) / self.area(reduction)).hi;
-        let shift = reduction.float.round(choice.shift * 4.0 * quarter);
-        let mut polynomial = self.shifted_powers(terms, form, shift, reduction, alternates);
-        let reach = shift.abs().max((shift + quarter).abs()) * 1.01;
-        if !polynomial.is_moderate(quarter, reduction.float) {
+        let variable = self.variable(form, choice.shift, reduction);
+        let coefficients = self.powers_of(terms, variable, reduction);
+        if !is_moderate(&coefficients, self.quarter(reduction), reduction.float) {
             return None;
         }
-        let adapted = Adapted::new(&polynomial.coefficients, shift, chunk, reach)?;
+        let blocks = Blocks::adapted(&coefficients, chunk, variable.reach)?;
+        Some(self.evaluated(form, variable, coefficients, blocks, reduction, alternates))
+    }
+
+    /// The same by powers, which always are: of p if no other form is asked for.
+    pub(crate) fn in_powers(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
+        let shift = if let Form::Powers { shift } = form { shift } else { 0.0 };
+        let variable = self.variable(form, shift, reduction);
+        let coefficients = self.powers_of(terms, variable, reduction);
+        let blocks = Blocks::careful(&coefficients, variable.reach);
+        self.evaluated(form, variable, coefficients, blocks, reduction, alternates)
+    }
+
+    fn evaluated(
+        &self,
+        form: Form,
+        Variable { shift, area, .. }: Variable,
+        coefficients: Vec<Double>,
+        blocks: Blocks,
+        reduction: &Reduction,
+        alternates: bool,
+    ) -> Polynomial {
         let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
-        polynomial.truncation += adapted.mismatch * self.weight() / unit;
-        polynomial.adapted = Some(adapted);
-        Some(polynomial)
+        let poles = self.pole.map_or(1.0, |pole| pole.unit(self.area(reduction)).hi);
+        let lost = blocks.mismatch + lost_to_underflow(coefficients.len(), area);
+        let lost = if lost.is_finite() { lost * self.weight() * poles / unit } else { f64::INFINITY };
+        let truncation = self.truncation(coefficients.len(), reduction.overshoot) + lost;
+        let pole = self.pole.map(|pole| pole.scaled(self.area(reduction)));
+        let (parity, map) = (self.parity, self.map);
+        Polynomial { form, shift, pole, parity, map, alternates, coefficients, blocks, truncation }
+    }
+
+    /// The variable of a form, which shifts p by so much.
+    fn variable(&self, form: Form, shift: f64, reduction: &Reduction) -> Variable {
+        if form == Form::Normalised {
+            // 8p − 1.
+            return Variable { shift: -Double::ONE, area: Double::new(0.125), reach: 1.01 };
+        }
+        let area = self.area(reduction);
+        let quarter = self.quarter(reduction);
+        if shift == 0.0 {
+            return Variable { shift: Double::ZERO, area, reach: quarter * 1.01 };
+        }
+        // A number of the type of the results, so that it is exact: over an arc its sum with half the arc is.
+        let half = if self.parity == Parity::Neither { Double::new(0.5) / reduction.unit } else { Double::ZERO };
+        let shift = Double::new(reduction.float.round((half + Double::new(shift) / area).hi)) - half;
+        Variable { shift, area, reach: shift.hi.abs().max((shift.hi + quarter).abs()) * 1.01 }
+    }
+
+    /// What p = ¼ is in units of the reduction.
+    fn quarter(&self, reduction: &Reduction) -> f64 {
+        (Double::new(0.25) / self.area(reduction)).hi
+    }
+
+    /// Coefficients of the powers of the variable, of what is divided by poles and multiplied by odd phases in units of
+    /// the reduction.
+    fn powers_of(&self, terms: usize, Variable { shift: c, area, .. }: Variable, reduction: &Reduction) -> Vec<Double> {
+        let eighth = area * 8.0;
+        let coefficients = scale(shift(&self.powers(terms), -Double::ONE - eighth * c), eighth);
+        let odd = if self.parity == Parity::Odd { reduction.unit } else { Double::ONE };
+        let factor = odd / self.pole.map_or(Double::ONE, |pole| pole.unit(self.area(reduction)));
+        coefficients.into_iter().map(|c| c * factor).collect()
+    }
+
+    /// In powers of 8p − 1.
+    fn powers(&self, terms: usize) -> Vec<Double> {
+        to_powers(&self.series[..terms.min(self.series.len())])
     }
 
     /// The shifts, looked for once.
@@ -238,6 +249,36 @@ impl Approximation {
         let odd = if self.parity == Parity::Odd { 0.5 } else { 1.0 };
         odd / self.pole.map_or(1.0, Pole::least)
     }
+}
+
+/// The variable of a polynomial: p/`area` + `shift`, and its largest magnitude.
+#[derive(Clone, Copy, Debug)]
+struct Variable {
+    shift: Double,
+    area: Double,
+    reach: f64,
+}
+
+/// What coefficients that are too small for two words change in a sum of so many powers: infinite where the powers of
+/// the unit are. Powers of a phase in units of time are of any size, and an amplitude may be 1e-300.
+fn lost_to_underflow(terms: usize, area: Double) -> f64 {
+    let eighth = 8.0 * area.hi;
+    let (highest, widest) = (eighth.powi(terms as i32), 1e280);
+    if !(1.0 / widest..widest).contains(&highest) {
+        return f64::INFINITY;
+    }
+    // Of 8p ≤ 2.
+    UNDERFLOW * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
+}
+
+/// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes
+/// of 1e-268 and periods of 1e150 have plans, but not by adapted coefficients.
+fn is_moderate(coefficients: &[Double], quarter: f64, float: Float) -> bool {
+    let widest = if float == Float::F64 { 1e12 } else { 1e3 };
+    let largest = coefficients
+        .iter()
+        .fold((0.0, 1.0), |(most, power): (f64, f64), c| (most.max((c.hi * power).abs()), power * quarter));
+    (1.0 / widest..widest).contains(&quarter) && (1e-150..1e150).contains(&largest.0)
 }
 
 /// 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot); there |Tⱼ| ≤ cosh(j·arcosh(1 + ε)) ≤ cosh(j·√(2ε)).

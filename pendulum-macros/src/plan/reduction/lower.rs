@@ -176,9 +176,9 @@ impl Reduction {
             let fourth = cross(b, (tail, r3), (t, r4));
             b.name(fourth, "fourth")
         });
-        // The second is there last.
-        let others = b.add(first, third);
-        let sum = b.add(others, second);
+        // The first is there last.
+        let others = b.add(second, third);
+        let sum = b.add(first, others);
         let (magic, n) = self.round(b, sum);
         let count = b.add(eights, n);
         let remainder = self.sum_of_parts(b, n, [first, second, third], fourth);
@@ -273,7 +273,7 @@ fn is_half(offset: Double) -> bool {
 }
 
 /// x + offset, if there is any.
-fn offset_by(b: &mut Builder, x: Id, offset: Double) -> Id {
+pub(crate) fn offset_by(b: &mut Builder, x: Id, offset: Double) -> Id {
     if offset == Double::ZERO {
         return x;
     }

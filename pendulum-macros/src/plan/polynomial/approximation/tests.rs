@@ -4,12 +4,16 @@ use super::*;
 use crate::parse::Float;
 use crate::plan::aim::Task;
 use crate::plan::tests::scene;
+use crate::plan::variables::{Source, Variables};
+use crate::program::Builder;
+
+const PLAIN: Form = Form::Powers { shift: 0.0 };
 
 impl Polynomial {
     /// At the phase s from an anchor, in anchors.
     fn at(&self, s: Double) -> Double {
-        let (p, centre) = (s * s, self.form.centre());
-        let x = if let Form::Centred { .. } = self.form { p * 8.0 - Double::new(centre) } else { p };
+        let p = s * s;
+        let x = if self.form == Form::Normalised { p * 8.0 } else { p } + self.shift;
         let sum = self.coefficients.iter().rev().fold(Double::ZERO, |sum, c| sum * x + *c);
         let over = self.pole.map_or(Double::ONE, |pole| pole.at(p * 8.0 - Double::ONE));
         sum / over * if self.parity == Parity::Odd { s } else { Double::ONE }
@@ -56,7 +60,8 @@ fn truncation_errors() {
                 let approximation = Approximation::new(curve, power, 1e-20).unwrap();
                 let reduction = Reduction { overshoot, ..reduction.clone() };
                 for terms in [3, 6, 11] {
-                    let polynomial = approximation.in_powers(terms, Form::Centred { centre: 1.25 }, &reduction, false);
+                    let polynomial =
+                        approximation.in_powers(terms, Form::Powers { shift: -0.15625 }, &reduction, false);
                     let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, overshoot));
                     let most = if overshoot == 0.0 { 2.5 } else { most };
                     let about = format!("{text} {index} {power} {terms} {overshoot}: {seen:e} of {bound:e}");
@@ -77,7 +82,7 @@ fn interpolation_errors() {
             let precise = Approximation::new(curve, *power, 1e-20).unwrap();
             for negligible in [1e-3, 1e-7] {
                 let approximation = Approximation::new(curve, *power, negligible).unwrap();
-                let polynomial = approximation.in_powers(approximation.terms(), Form::Plain, &reduction, false);
+                let polynomial = approximation.in_powers(approximation.terms(), PLAIN, &reduction, false);
                 let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, 0.0));
                 let about = format!("{text} {index} {negligible}: {seen:e} of {bound:e}");
                 assert!(seen <= bound && bound <= 1.01 * negligible, "{about}");
@@ -105,9 +110,9 @@ fn poles() {
         // On the circle |s| = radius the magnitude is largest where p is real and negative, or positive.
         for radius in [0.5, 0.8] {
             let magnitude = |angle: f64| {
-                let p = 8.0 * radius * radius;
-                let (re, im) = (p * angle.cos() - pole.place, p * angle.sin());
-                let (re, im) = (re * re - im * im + pole.height_squared, 2.0 * re * im);
+                let p = radius * radius;
+                let (re, im) = (p * angle.cos() - pole.place.hi, p * angle.sin());
+                let (re, im) = (re * re - im * im + pole.height_squared.hi, 2.0 * re * im);
                 re.hypot(im).powi(power)
             };
             let seen = (0..=720).map(|i| magnitude(f64::from(i).to_radians() / 2.0)).fold(0.0, f64::max);
@@ -115,8 +120,8 @@ fn poles() {
             assert!(seen <= most * (1.0 + 1e-12) && most <= 1.001 * seen, "{strip} {radius}: {most} for {seen}");
         }
         // It vanishes at s = ½ ± i·strip.
-        let (re, im) = (8.0 * (0.25 - strip * strip) - pole.place, 8.0 * strip);
-        assert!((re * re - im * im + pole.height_squared).hypot(2.0 * re * im) < 1e-6, "{pole:?}");
+        let (re, im) = (0.25 - strip * strip - pole.place.hi, strip);
+        assert!((re * re - im * im + pole.height_squared.hi).hypot(2.0 * re * im) < 1e-7, "{pole:?}");
     }
 }
 
@@ -131,12 +136,8 @@ fn too_many_points() {
 /// Adapted coefficients are for numbers whose powers stay far from overflow and underflow.
 #[test]
 fn moderate_polynomials() {
-    let (curves, reduction) = curves("theta0 = 1");
-    let approximation = Approximation::new(&curves[0].0, 0, 1e-20).unwrap();
     let moderate = |coefficient: f64, terms: usize, quarter: f64, float: Float| {
-        let polynomial = approximation.in_powers(2, Form::Plain, &reduction, true);
-        let coefficients = vec![Double::new(coefficient); terms];
-        Polynomial { coefficients, ..polynomial }.is_moderate(quarter, float)
+        is_moderate(&vec![Double::new(coefficient); terms], quarter, float)
     };
     for (coefficient, terms, quarter, float, expected) in [
         (1.0, 5, 0.25, Float::F64, true),
@@ -253,29 +254,21 @@ fn units_without_bounds() {
     let approximation = Approximation::new(&curves[0].0, 0, 1e-9).unwrap();
     for (unit, bounded) in [(1e-200, false), (1e200, false), (1e-20, true), (1e20, true)] {
         let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-        let polynomial = approximation.in_powers(4, Form::Plain, &reduction, true);
+        let polynomial = approximation.in_powers(4, PLAIN, &reduction, true);
         let truncation = if bounded { approximation.truncation(4, reduction.overshoot) } else { f64::INFINITY };
         assert_eq!(polynomial.truncation, truncation, "{unit:e}");
     }
 }
 
-/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units squared; of an odd curve it is
-/// s/unit that it is multiplied with.
+/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units of the variable.
 #[test]
 fn underflow_of_coefficients() {
-    let (curves, reduction) = curves("theta0 = 7π/8");
-    for (index, power) in [(0, 0), (1, 0), (1, 1)] {
-        let approximation = Approximation::new(&curves[index].0, power, 1e-9).unwrap();
-        for unit in [1.0, 0.01, 30.0_f64] {
-            let widest = 0.25 / (unit * unit);
-            let sum: f64 = (0..5).map(|j| widest.powi(j)).sum();
-            let times = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
-            let least = UNDERFLOW * (sum * times * approximation.weight());
-            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            let found = approximation.lost_to_underflow(5, Form::Plain, &reduction);
-            // Numbers so small have few digits.
-            assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{index} {unit}: {found:e} {least:e}");
-        }
+    for area in [1.0, 1e-4, 900.0] {
+        let widest: f64 = 0.25 / area;
+        let least = UNDERFLOW * (0..5).map(|j| widest.powi(j)).sum::<f64>();
+        let found = lost_to_underflow(5, Double::new(area));
+        // Numbers so small have few digits.
+        assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{area}: {found:e} {least:e}");
     }
 }
 
@@ -299,21 +292,56 @@ fn adapted_polynomials() {
                 )
                 .unwrap()
         };
-        let place = adapted(1.0).adapted.unwrap().shift;
+        let place = adapted(1.0).shift.hi;
         for unit in [0.25, 3.0] {
             let polynomial = adapted(unit);
-            let found = polynomial.adapted.as_ref().unwrap();
-            assert!((found.shift * unit * unit - place).abs() < 1e-15, "{text} {index}: {} {place}", found.shift);
-            let reach = found.shift.abs().max((found.shift + 0.25 / (unit * unit)).abs());
-            let least = Adapted::new(&polynomial.coefficients, found.shift, chunk, reach).unwrap().mismatch;
-            assert!(least > 0.0 && found.mismatch >= least, "{text} {index}: {:e} {least:e}", found.mismatch);
-            assert!(found.mismatch <= least * 1.02f64.powi(terms as i32), "{text} {index}");
+            let (shift, found) = (polynomial.shift.hi, polynomial.blocks.mismatch);
+            assert!((shift * unit * unit - place).abs() < 1e-15, "{text} {index}: {shift} {place}");
+            let reach = shift.abs().max((shift + 0.25 / (unit * unit)).abs());
+            let least = Blocks::adapted(&polynomial.coefficients, chunk, reach).unwrap().mismatch;
+            assert!(least > 0.0 && found >= least, "{text} {index}: {found:e} {least:e}");
+            assert!(found <= least * 1.02f64.powi(terms as i32), "{text} {index}");
             // It counts with the truncation, which is as small where no term is left out.
             if chunk == 4 {
                 let odd = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
+                let poles = unit.powi(4 * curves[index].1);
                 let added = polynomial.truncation - approximation.truncation(terms, reduction.overshoot);
-                let times = added / (found.mismatch * approximation.weight() * odd);
+                let times = added / (found * approximation.weight() * odd * poles);
                 assert!((0.99..1.01).contains(&times), "{text} {index}: {times}");
+            }
+        }
+    }
+}
+
+/// With another unit of the phase, and in any form, polynomials over poles have the same values.
+#[test]
+fn values_in_other_units() {
+    for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 7π/8", 2), ("velocity0 = 2.1", 1)] {
+        let (curves, reduction) = curves(text);
+        let approximation = Approximation::new(&curves[index].0, curves[index].1, 1e-18).unwrap();
+        let value = |unit: f64, form: Form, s: f64| {
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let polynomial = approximation.polynomial(approximation.terms(), form, &reduction, false, 1.0)?;
+            let mut b = Builder::new(Float::F64);
+            let input = b.input();
+            let (source, square) = (Source::Square, b.mul(input, input));
+            let [distance, magnitude, magic, count] = [input; 4];
+            let unit = reduction.unit;
+            let variables = Variables { distance, magnitude, square, unit, source, side: None, magic, count };
+            let result = polynomial.magnitude(&mut b, &variables);
+            Some(b.finish(vec![result]).run(s / unit.hi)[0])
+        };
+        for form in Form::ALL {
+            for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
+                let exact = curves[index].0.at(Double::new(s)).hi;
+                let Some(value) = value(unit, form, s) else {
+                    assert!(matches!(form, Form::Adapted { .. }), "{text} {index} {form:?}");
+                    continue;
+                };
+                // Plain powers are ill-conditioned, adapted ones more so.
+                let most = if matches!(form, Form::Powers { shift: ..0.0 } | Form::Normalised) { 1e-14 } else { 1e-11 };
+                let error = (value - exact).abs();
+                assert!(error <= most, "{text} {index} {form:?} {unit} {s}: {error:e}");
             }
         }
     }
