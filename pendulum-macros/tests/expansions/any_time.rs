@@ -71,7 +71,7 @@ impl Forever {
         let second = tail * 0.2696762979030609 + head * 2.691128875298432e-9;
         let third = tail * 2.691128875298432e-9 + head * -1.1005039832999035e-16;
         let fourth = tail * -1.1005039832999035e-16 + t * -3.230523974410337e-24;
-        let magic = first + (second + third) + 6755399441055744.0;
+        let magic = first + third + second + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_2 = s * s;

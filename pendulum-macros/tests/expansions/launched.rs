@@ -74,7 +74,7 @@ impl Pushed {
         let first = v - (v + 5.404319552844595e16 - 5.404319552844595e16);
         let second = tail * 0.8935671746730804 + head * 6.892897808086218e-9;
         let third = tail * 6.892897808086218e-9 + t * -1.217444702784476e-16;
-        let magic = first + (second + third) + 0.05858762081443536 + 6755399441055744.0;
+        let magic = first + third + second + 0.05858762081443536 + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
         let v_2 = first - n;
         let v_3 = v_2 + second;
@@ -105,7 +105,7 @@ impl Pushed {
         let first = v - (v + 5.404319552844595e16 - 5.404319552844595e16);
         let second = tail * 0.8935671746730804 + head * 6.892897808086218e-9;
         let third = tail * 6.892897808086218e-9 + t * -1.217444702784476e-16;
-        let magic = first + (second + third) + 0.05858762081443536 + 6755399441055744.0;
+        let magic = first + third + second + 0.05858762081443536 + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
         let v_2 = first - n;
         let v_3 = v_2 + second;
