@@ -10,7 +10,9 @@ pub(crate) enum Form {
     /// Powers of p + `shift`, of which blocks of four are [`adapted`] where that loses nothing: well conditioned in the
     /// middle of the interval or near the end where the curve bends; without a shift an operation less.
     Powers { shift: f64 },
-    /// Powers of 8p − 1, as well conditioned: where powers of p, the square of a time, would overflow.
+    /// The same with the largest terms added last: rounded less, and slower in calls one by one.
+    Careful { shift: f64 },
+    /// Powers of 8p − 1, likewise, as well conditioned: where powers of p, the square of a time, would overflow.
     Normalised,
     /// Powers of p + c, by [`adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
     /// rounding.
@@ -24,13 +26,15 @@ pub(super) fn square(parity: Parity) -> &'static str {
 
 impl Form {
     /// All that are tried.
-    pub(crate) const ALL: [Self; 7] = [
+    pub(crate) const ALL: [Self; 9] = [
         Self::Adapted { chunk: 16 },
         Self::Adapted { chunk: 8 },
         Self::Adapted { chunk: 4 },
         Self::Powers { shift: 0.0 },
         Self::Powers { shift: -0.125 },
         Self::Powers { shift: -0.15625 },
+        Self::Careful { shift: -0.125 },
+        Self::Careful { shift: -0.15625 },
         Self::Normalised,
     ];
 
@@ -43,7 +47,7 @@ impl Form {
     pub(crate) fn variables(self) -> f64 {
         match self {
             Self::Powers { shift: 0.0 } | Self::Adapted { chunk: ..=4 } => 1.0,
-            Self::Powers { .. } | Self::Adapted { .. } => 2.0,
+            Self::Powers { .. } | Self::Careful { .. } | Self::Adapted { .. } => 2.0,
             Self::Normalised => 3.0,
         }
     }
@@ -54,8 +58,9 @@ impl Form {
     pub(crate) fn cost(self, terms: usize, divided: bool) -> f64 {
         let (operations, chain) = match self {
             // The first block isn't adapted.
-            Self::Powers { .. } | Self::Normalised => {
-                (adapted::operations(terms, adapted::LEAST) + 1, adapted::chain(terms, adapted::LEAST))
+            Self::Powers { .. } | Self::Careful { .. } | Self::Normalised => {
+                let last = if let Self::Powers { .. } = self { 0 } else { adapted::STEP / 2 };
+                (adapted::operations(terms, adapted::LEAST) + 1, adapted::chain(terms, adapted::LEAST) + last)
             }
             Self::Adapted { chunk } => (adapted::operations(terms, chunk), adapted::chain(terms, chunk)),
         };
@@ -70,6 +75,7 @@ impl Form {
         let neither = parity == Parity::Neither;
         match self {
             Self::Powers { shift: 0.0 } => square.to_owned(),
+            Self::Careful { shift } => format!("{}, the largest terms last", Self::Powers { shift }.variable(parity)),
             Self::Powers { shift } if neither => format!("s − {}", -4.0 * shift - 0.5),
             Self::Powers { shift } => format!("s² − {}", -shift),
             Self::Normalised if neither => "2s".to_owned(),

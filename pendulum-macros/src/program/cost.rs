@@ -18,9 +18,11 @@ impl Program {
         self.lanes_lost() * sum
     }
 
-    /// The same where loops over arrays and single calls count alike: in those there is no vector to share.
+    /// The same where loops over arrays, calls one by one, and calls of which each waits for the one before count alike,
+    /// the last two without a vector to share: the geometric mean of the three.
     pub(crate) fn cost_of_calls_too(&self) -> f64 {
-        self.cost() / self.lanes_lost().sqrt()
+        let lost = self.lanes_lost();
+        self.cost() / lost * libm::cbrt(lost)
     }
 
     fn lanes_lost(&self) -> f64 {

@@ -76,30 +76,32 @@ impl Blocks {
     }
 
     /// The same with the largest terms as they are: blocks are adapted only where their rounding is nothing beside that
-    /// of the first two terms.
-    pub(crate) fn careful(powers: &[Double], reach: f64) -> Self {
-        let (lead, others) = powers.split_at(powers.len().min(2));
-        let (first, small) = others.split_at(others.len().min(2));
-        let size = magnitude(lead, reach);
+    /// of the first two terms, which may be added last.
+    pub(crate) fn careful(powers: &[Double], largest_last: bool, reach: f64) -> Self {
+        let (largest, others) = powers.split_at(powers.len().min(2));
+        let size = magnitude(largest, reach);
         let plain = |powers: &[Double]| Block { head: powers.to_vec(), factors: Vec::new() };
         let block = |(powers, index): (&[Double], i32)| {
             let weight = reach.powi(LEAST as i32 * index);
-            let adapted = Block::adapted(powers).filter(|block| block.magnitude(reach) * weight <= size / 8.0);
+            let adapted = Block::adapted(powers).filter(|block| block.magnitude(reach) * weight <= size / 32.0);
             adapted.unwrap_or_else(|| plain(powers))
         };
+        let (first, small) = powers.split_at(powers.len().min(LEAST));
+        let (lead, first) = if largest_last { (largest, &others[..others.len().min(2)]) } else { (&[][..], first) };
         let rest: Vec<Block> = std::iter::once(plain(first)).chain(small.chunks(LEAST).zip(1..).map(block)).collect();
-        let mismatch = mismatch(others, &rest, reach) * reach * reach;
-        Self { chunk: LEAST, lead: lead.to_vec(), rest, mismatch }
+        let lost = mismatch(&powers[lead.len()..], &rest, reach) * reach.powi(lead.len() as i32);
+        Self { chunk: LEAST, lead: lead.to_vec(), rest, mismatch: lost }
     }
 
     /// For the reader: how it is evaluated.
     pub(crate) fn describe(&self) -> String {
-        let adapted = self.rest.iter().any(|block| !block.factors.is_empty());
-        match (adapted, self.rest.len()) {
-            (false, _) => String::new(),
-            (true, _) if !self.lead.is_empty() => ", the small coefficients adapted".to_owned(),
-            (true, 1) => ", coefficients adapted".to_owned(),
-            (true, _) => format!(", coefficients adapted in blocks of {}", self.chunk),
+        let adapted = |block: &Block| !block.factors.is_empty() || block.head.len() < LEAST;
+        let all = self.rest.iter().all(adapted);
+        match self.rest.len() {
+            _ if self.rest.iter().all(|block| block.factors.is_empty()) => String::new(),
+            _ if !all || !self.lead.is_empty() => ", the small coefficients adapted".to_owned(),
+            1 => ", coefficients adapted".to_owned(),
+            _ => format!(", coefficients adapted in blocks of {}", self.chunk),
         }
     }
 
@@ -279,7 +281,7 @@ mod tests {
     fn with_care() {
         for terms in 2..=24 {
             let powers = crate::chebyshev::shift(&sample(terms), Double::new(0.125));
-            let careful = Blocks::careful(&powers, 0.125);
+            let careful = Blocks::careful(&powers, true, 0.125);
             assert!(careful.mismatch < 1e-31, "{terms}: {:e}", careful.mismatch);
             let mut b = Builder::new(Float::F64);
             let y = b.input();
@@ -305,14 +307,13 @@ mod tests {
         let adapted = |last: f64| {
             let small = [1e-3, 2e-3, 1e-3, last];
             let powers: Vec<Double> = [2.0, 1.0, 1.0, 1.0].into_iter().chain(small).map(Double::new).collect();
-            let blocks = Blocks::careful(&powers, 1.0);
+            let blocks = Blocks::careful(&powers, true, 1.0);
             let factors: Vec<usize> = blocks.rest.iter().map(|block| block.factors.len()).collect();
             assert_eq!(blocks.lead, powers[..2]);
             assert_eq!(factors[0], 0);
             factors[1] == 1
         };
-        for (last, expected) in
-            [(2e-3, true), (-1e-3, true), (1.2e-5, true), (9e-6, false), (1e-9, false), (0.0, false)]
+        for (last, expected) in [(2e-3, true), (-1e-3, true), (5e-5, true), (3e-5, false), (1e-9, false), (0.0, false)]
         {
             assert_eq!(adapted(last), expected, "{last:e}");
         }

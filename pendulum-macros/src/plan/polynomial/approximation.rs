@@ -175,10 +175,11 @@ impl Approximation {
 
     /// The same by powers, which always are: of p if no other form is asked for.
     pub(crate) fn in_powers(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
-        let shift = if let Form::Powers { shift } = form { shift } else { 0.0 };
+        let shift = if let Form::Powers { shift } | Form::Careful { shift } = form { shift } else { 0.0 };
         let variable = self.variable(form, shift, reduction);
         let coefficients = self.powers_of(terms, variable, reduction);
-        let blocks = Blocks::careful(&coefficients, variable.reach);
+        let largest_last = !matches!(form, Form::Powers { .. });
+        let blocks = Blocks::careful(&coefficients, largest_last, variable.reach);
         self.evaluated(form, variable, coefficients, blocks, reduction, alternates)
     }
 
