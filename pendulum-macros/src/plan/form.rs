@@ -74,13 +74,20 @@ impl Form {
         let square = square(parity);
         let neither = parity == Parity::Neither;
         match self {
-            Self::Powers { shift: 0.0 } => square.to_owned(),
-            Self::Careful { shift } => format!("{}, the largest terms last", Self::Powers { shift }.variable(parity)),
-            Self::Powers { shift } if neither => format!("s − {}", -4.0 * shift - 0.5),
-            Self::Powers { shift } => format!("s² − {}", -shift),
+            Self::Powers { shift: 0.0 } | Self::Adapted { .. } => square.to_owned(),
+            Self::Powers { shift } | Self::Careful { shift } if neither => format!("s − {}", -4.0 * shift - 0.5),
+            Self::Powers { shift } | Self::Careful { shift } => format!("s² − {}", -shift),
             Self::Normalised if neither => "2s".to_owned(),
             Self::Normalised => "8s² − 1".to_owned(),
-            Self::Adapted { chunk } => format!("{square}, adapted in blocks of {chunk}"),
+        }
+    }
+
+    /// How it is evaluated, for the reader.
+    pub(crate) fn scheme(self) -> String {
+        match self {
+            Self::Powers { .. } => String::new(),
+            Self::Careful { .. } | Self::Normalised => ", the largest terms added last".to_owned(),
+            Self::Adapted { chunk } => format!(", adapted in blocks of {chunk}"),
         }
     }
 }

@@ -28,7 +28,7 @@ impl Variant {
     /// For the reader.
     pub(super) fn describe(self, parity: Parity) -> String {
         let poles = if self.divided { " over the nearest poles" } else { "" };
-        format!("a polynomial in {}{poles}", self.form.variable(parity))
+        format!("a polynomial in {}{poles}{}", self.form.variable(parity), self.form.scheme())
     }
 }
 

@@ -105,7 +105,7 @@ impl Variables {
     pub(crate) fn normalised(&self, b: &mut Builder) -> Id {
         let eighth = self.unit * self.unit * 8.0;
         let one = b.constant(1.0);
-        let normalised = match self.source {
+        match self.source {
             Source::Square => {
                 let eighth = b.exact(eighth.hi, eighth.lo);
                 let scaled = b.mul(self.square, eighth);
@@ -122,8 +122,7 @@ impl Variables {
                 b.mul(self.distance, doubled)
             }
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -1.0),
-        };
-        b.name(normalised, "u")
+        }
     }
 
     /// p + `shift`.

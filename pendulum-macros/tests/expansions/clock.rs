@@ -18,7 +18,7 @@
 /// * theta: polynomial of 14 terms in s², coefficients adapted in blocks of 4; proven error ≤ 3.161e-10 rad (2.7e-10 of truncation, 4.7e-11 of phase, 8.2e-15 of rounding); 33 operations
 /// * velocity: polynomial of 15 terms in s², coefficients adapted in blocks of 4; proven error ≤ 2.456e-10 rad·ω (2.2e-10 of truncation, 2.4e-11 of phase, 1.1e-14 of rounding); 37 operations
 /// * not a polynomial in s² for `theta`: it costs about 1.0 operations more
-/// * not a polynomial in s², adapted in blocks of 4 over the nearest poles for `velocity`: it costs about 1.0 operations more
+/// * not a polynomial in s² over the nearest poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
 /// * not pieces, phase by one product with the rate: it costs about 88 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 58 operations

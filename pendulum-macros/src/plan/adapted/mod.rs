@@ -95,14 +95,16 @@ impl Blocks {
 
     /// For the reader: how it is evaluated.
     pub(crate) fn describe(&self) -> String {
-        let adapted = |block: &Block| !block.factors.is_empty() || block.head.len() < LEAST;
-        let all = self.rest.iter().all(adapted);
-        match self.rest.len() {
-            _ if self.rest.iter().all(|block| block.factors.is_empty()) => String::new(),
-            _ if !all || !self.lead.is_empty() => ", the small coefficients adapted".to_owned(),
+        let last = if self.lead.is_empty() { "" } else { ", the largest added last" };
+        let whole = |block: &Block| block.factors.is_empty();
+        let adapted = match self.rest.len() {
+            _ if self.rest.iter().all(whole) => String::new(),
+            // The first block is the largest.
+            2.. if whole(&self.rest[0]) => ", the small coefficients adapted".to_owned(),
             1 => ", coefficients adapted".to_owned(),
             _ => format!(", coefficients adapted in blocks of {}", self.chunk),
-        }
+        };
+        format!("{last}{adapted}")
     }
 
     pub(crate) fn negate(&mut self) {

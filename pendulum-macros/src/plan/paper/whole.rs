@@ -326,7 +326,7 @@ pub(super) mod tests {
         let mut random = Random::new(8);
         for (text, how) in [
             ("theta0 = 7π/8, method = fourier, tol = 1.2e-2, omega = 30", "replaced"),
-            ("theta0 = -7π/8, method = fourier, tol = 1.15e-2, omega = 7", "replaced"),
+            ("theta0 = -7π/8, method = fourier, tol = 1.2e-2, omega = 7", "replaced"),
             ("theta0 = 7π/8, n = 4, omega = 30", "32 polynomials"),
             ("theta0 = -7π/8, n = 4, omega = 7, t_max = 2", "32 polynomials"),
         ] {

@@ -11,7 +11,7 @@ mod pole;
 pub(crate) use approximation::Approximation;
 
 use super::adapted::Blocks;
-use super::form::{Form, square};
+use super::form::Form;
 use super::moebius::Moebius;
 use super::variables::Variables;
 use crate::program::{Builder, Id};
@@ -74,20 +74,13 @@ impl Polynomial {
     }
 
     /// For the reader.
-    fn variable(&self) -> String {
-        match self.form {
-            Form::Adapted { .. } if self.shift == Double::ZERO => square(self.parity).to_owned(),
-            Form::Adapted { .. } => format!("{} + c", square(self.parity)),
-            form => form.variable(self.parity),
-        }
-    }
-
-    /// For the reader.
     pub(crate) fn describe(&self) -> String {
         let terms = self.coefficients.len();
         let over = self.pole.map_or(String::new(), |pole| format!(" over one of {}", pole.terms()));
-        let (variable, how) = (self.variable(), self.blocks.describe());
+        let adapted = matches!(self.form, Form::Adapted { .. });
+        let shift = if adapted && self.shift != Double::ZERO { " + c" } else { "" };
+        let (variable, how) = (self.form.variable(self.parity), self.blocks.describe());
         let image = self.map.map_or(String::new(), |map| format!(", s² replaced by {}", map.describe()));
-        format!("polynomial of {terms} terms in {variable}{over}{image}{how}")
+        format!("polynomial of {terms} terms in {variable}{shift}{over}{image}{how}")
     }
 }
