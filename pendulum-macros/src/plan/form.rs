@@ -1,6 +1,7 @@
 //! The forms of a polynomial: its variable, the scheme of its evaluation, and what that costs.
 
 use super::adapted;
+use crate::parse::Float;
 use crate::program::cost::QUOTIENT;
 use crate::series::Parity;
 
@@ -12,7 +13,8 @@ pub(crate) enum Form {
     Powers { shift: f64 },
     /// The same with the largest terms added last: rounded less, and slower in calls one by one.
     Careful { shift: f64 },
-    /// Powers of 8p − 1, likewise, as well conditioned: where powers of p, the square of a time, would overflow.
+    /// Powers of 8p − 1, likewise, as well conditioned: where powers of p, the square of a time, would overflow, or
+    /// underflow.
     Normalised,
     /// Powers of p + c, by [`adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
     /// rounding.
@@ -38,9 +40,14 @@ impl Form {
         Self::Normalised,
     ];
 
-    /// Whether no smaller blocks hold as many terms.
-    pub(crate) fn suits(self, terms: usize) -> bool {
-        !matches!(self, Self::Adapted { chunk: chunk @ 5.. } if terms <= chunk / 2)
+    /// Whether it is one for so many terms: where no smaller blocks hold as many, and where powers of numbers up to an
+    /// eighth don't underflow often, which is slow. In `f32` the sixteenth does for one time in thirty.
+    pub(crate) fn suits(self, terms: usize, float: Float) -> bool {
+        match self {
+            Self::Adapted { chunk } => chunk <= 4 || terms > chunk / 2,
+            Self::Powers { .. } | Self::Careful { .. } => float == Float::F64 || terms <= 16,
+            Self::Normalised => true,
+        }
     }
 
     /// Operations that make the variables of p: y, of which small blocks mostly do without a shift, and its square.
@@ -75,6 +82,7 @@ impl Form {
         let neither = parity == Parity::Neither;
         match self {
             Self::Powers { shift: 0.0 } | Self::Adapted { .. } => square.to_owned(),
+            Self::Powers { shift: -0.125 } | Self::Careful { shift: -0.125 } if neither => "s".to_owned(),
             Self::Powers { shift } | Self::Careful { shift } if neither => format!("s − {}", -4.0 * shift - 0.5),
             Self::Powers { shift } | Self::Careful { shift } => format!("s² − {}", -shift),
             Self::Normalised if neither => "2s".to_owned(),

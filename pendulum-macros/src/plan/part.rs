@@ -83,8 +83,9 @@ impl Aim {
         }
         let left = self.share(self.limit - self.phase_error(reduction));
         let one = |(curve, approximation): (&Curve, &Approximation)| {
-            let terms =
-                approximation.terms_for(left, reduction.overshoot).filter(|&terms| variant.form.suits(terms))?;
+            let terms = approximation
+                .terms_for(left, reduction.overshoot)
+                .filter(|&terms| variant.form.suits(terms, reduction.float))?;
             let signs = if curve.alternates && reduction.origin == Origin::Lowest { 1.3 } else { 0.0 };
             Some(variant.form.cost(terms, variant.divided) + signs)
         };

@@ -186,7 +186,7 @@ impl Whole {
     fn single(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
         let approximation = self.approximation.as_ref()?;
         let terms = approximation.terms_for(truncation, reduction.overshoot)?;
-        let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms)).collect();
+        let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms, reduction.float)).collect();
         let cost = |form: &Form| form.cost(terms, false) + form.variables();
         forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
         forms.into_iter().find_map(|form| {
