@@ -1,6 +1,6 @@
 //! The forms of a polynomial: its variable, the scheme of its evaluation, and what that costs.
 
-use super::adapted;
+use super::blocks;
 use crate::parse::Float;
 use crate::program::cost::QUOTIENT;
 use crate::series::Parity;
@@ -8,16 +8,15 @@ use crate::series::Parity;
 /// The variable of the polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Form {
-    /// Powers of p + `shift`, of which blocks of four are [`adapted`] where that loses nothing: well conditioned in the
-    /// middle of the interval or near the end where the curve bends; without a shift an operation less.
+    /// Powers of p + `shift`, of which blocks of four are adapted where that loses nothing ([`blocks`]): well conditioned
+    /// about the middle of the interval or nearer to the end where the curve bends; without a shift an operation less.
     Powers { shift: f64 },
     /// The same with the largest terms added last: rounded less, and slower in calls one by one.
     Careful { shift: f64 },
     /// Powers of 8p − 1, likewise, as well conditioned: where powers of p, the square of a time, would overflow, or
     /// underflow.
     Normalised,
-    /// Powers of p + c, by [`adapted`] coefficients in blocks of `chunk` terms: the fewest operations, the most
-    /// rounding.
+    /// Powers of p + c, by adapted coefficients in blocks of `chunk` terms: the fewest operations, the most rounding.
     Adapted { chunk: usize },
 }
 
@@ -66,10 +65,10 @@ impl Form {
         let (operations, chain) = match self {
             // The first block isn't adapted.
             Self::Powers { .. } | Self::Careful { .. } | Self::Normalised => {
-                let last = if let Self::Powers { .. } = self { 0 } else { adapted::STEP / 2 };
-                (adapted::operations(terms, adapted::LEAST) + 1, adapted::chain(terms, adapted::LEAST) + last)
+                let last = if let Self::Powers { .. } = self { 0 } else { blocks::STEP / 2 };
+                (blocks::operations(terms, blocks::LEAST) + 1, blocks::chain(terms, blocks::LEAST) + last)
             }
-            Self::Adapted { chunk } => (adapted::operations(terms, chunk), adapted::chain(terms, chunk)),
+            Self::Adapted { chunk } => (blocks::operations(terms, chunk), blocks::chain(terms, chunk)),
         };
         // The division, and the three operations of a pole.
         let (quotient, wait) = if divided { (QUOTIENT + 3.0, DIVISION) } else { (0.0, 0) };

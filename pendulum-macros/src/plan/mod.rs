@@ -1,11 +1,11 @@
 //! [`Scene`] → [`Plan`]: the cheapest program found that provably keeps the promise.
 
-mod adapted;
 mod aim;
 mod alternatives;
 mod arc;
 mod arcsine;
 mod bias;
+mod blocks;
 mod cosines;
 pub(crate) mod curve;
 mod estrin;

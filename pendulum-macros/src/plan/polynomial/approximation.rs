@@ -11,7 +11,7 @@ use super::Polynomial;
 use super::pole::Pole;
 use crate::chebyshev::{CosineTable, Interpolation, scale, shift, to_powers};
 use crate::parse::Float;
-use crate::plan::adapted::{Blocks, Choices};
+use crate::plan::blocks::{Blocks, Choices};
 use crate::plan::curve::Curve;
 use crate::plan::form::Form;
 use crate::plan::moebius::Moebius;

@@ -10,7 +10,7 @@ mod pole;
 
 pub(crate) use approximation::Approximation;
 
-use super::adapted::Blocks;
+use super::blocks::Blocks;
 use super::form::Form;
 use super::moebius::Moebius;
 use super::variables::Variables;
