@@ -10,6 +10,7 @@ use super::pieces::Piecewise;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use super::{Part, Plan, Refusal, alternatives, kernel, verify};
+use crate::parse::Float;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
@@ -207,7 +208,7 @@ impl Prospect {
         // Its operations wait for one another: each takes longer than those of polynomials do.
         let passage = |reduction| {
             let passage = candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum());
-            Candidate { cost: WAITING * passage.cost, ..passage }
+            Candidate { cost: waiting(scene.float) * passage.cost, ..passage }
         };
         let passages = from_lowest.filter(|_| passes).map(passage);
         let in_pieces = pieces.iter().flat_map(|pieces| {
@@ -221,8 +222,14 @@ impl Prospect {
     }
 }
 
-/// How much longer operations of a passage take than those of polynomials: measured in loops over arrays.
-const WAITING: f64 = 1.45;
+/// How much longer operations of a passage take than those of polynomials: measured in loops over arrays, without and
+/// with AVX2.
+fn waiting(float: Float) -> f64 {
+    match float {
+        Float::F64 => 1.45,
+        Float::F32 => 2.1,
+    }
+}
 
 /// The reduction and the variables, without any kernel.
 fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {

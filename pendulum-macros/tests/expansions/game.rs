@@ -16,7 +16,7 @@
 /// * position: sin(θ/2) by a polynomial of 6 terms in s² + c, coefficients adapted, cos(θ/2) by a polynomial of 7 terms in s² + c, coefficients adapted, squared; proven error ≤ 7.016e-5 lengths (1.0e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 34 operations
 /// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
 /// * not a polynomial in s², adapted in blocks of 4 for `position`: it costs about 3.0 operations more
-/// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 182 operations
+/// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 263 operations
 /// * not `harmonic`: it is wrong by about 1e-1
 /// * not `series`: 4 harmonics, about 34 operations
 /// * not `fourier`: about 5 harmonics, the arcsine of whose sum bends more than θ does
