@@ -67,7 +67,8 @@ macro_rules! plan {
     }};
 }
 
-/// Three amplitudes, coarse and for a hundred periods or in full precision at any time, and a rotation.
+/// Three amplitudes, coarse and for a hundred periods or in full precision at any time, and a rotation; the largest
+/// terms added last, and a table of pieces.
 pub fn plans() -> Vec<Plan> {
     use std::f64::consts::PI;
     vec![
@@ -82,5 +83,7 @@ pub fn plans() -> Vec<Plan> {
         plan!("rotation, 2.5ω at the bottom, any time": [velocity0 = 2.5]; wrapped, MAX_WRAPPED_ERROR, largest PI),
         plan!("7π/8, any time": [theta0 = 7π/8]; velocity, MAX_VELOCITY_ERROR,
             largest 2.0 * (7.0 * PI / 16.0).sin()),
+        plan!("0.9π, any time": [theta0 = 0.9π]; acceleration, MAX_ACCELERATION_ERROR, largest 1.0),
+        plan!("0.999999π, any time": [theta0 = 0.999999π]; theta, MAX_ERROR, largest 0.999_999 * PI),
     ]
 }
