@@ -195,7 +195,9 @@ impl Approximation {
         let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
         let poles = self.pole.map_or(1.0, |pole| pole.unit(self.area(reduction)).hi);
         let lost = blocks.mismatch + lost_to_underflow(coefficients.len(), area);
-        let lost = if lost.is_finite() { lost * self.weight() * poles / unit } else { f64::INFINITY };
+        // Farther from 1 the second word of a pole's unit would lose bits.
+        let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
+        let lost = if bounded { lost * self.weight() * poles / unit } else { f64::INFINITY };
         let truncation = self.truncation(coefficients.len(), reduction.overshoot) + lost;
         let pole = self.pole.map(|pole| pole.scaled(self.area(reduction)));
         let (parity, map) = (self.parity, self.map);

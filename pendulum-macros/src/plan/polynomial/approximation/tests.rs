@@ -247,16 +247,31 @@ fn truncation_beyond_the_end() {
     }
 }
 
-/// Where powers of the unit underflow or overflow there is no bound.
+/// Where powers of the unit underflow or overflow there is no bound, unless the variable is normalised; nor where those
+/// of poles do.
 #[test]
 fn units_without_bounds() {
-    let (curves, reduction) = curves("theta0 = 1");
-    let approximation = Approximation::new(&curves[0].0, 0, 1e-9).unwrap();
-    for (unit, bounded) in [(1e-200, false), (1e200, false), (1e-20, true), (1e20, true)] {
-        let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-        let polynomial = approximation.in_powers(4, PLAIN, &reduction, true);
-        let truncation = if bounded { approximation.truncation(4, reduction.overshoot) } else { f64::INFINITY };
-        assert_eq!(polynomial.truncation, truncation, "{unit:e}");
+    let (curves, reduction) = curves("theta0 = 7π/8");
+    for (index, power, form, within, beyond) in [
+        (0, 0, PLAIN, 30, Some(40)),
+        (0, 0, Form::Normalised, 150, None),
+        (1, 0, Form::Normalised, 150, None),
+        (1, 1, PLAIN, 30, Some(40)),
+        (1, 1, Form::Normalised, 60, Some(65)),
+        (2, 2, Form::Normalised, 30, Some(35)),
+    ] {
+        let approximation = Approximation::new(&curves[index].0, power, 1e-9).unwrap();
+        let excess = |exponent: i32| {
+            let reduction = Reduction { unit: Double::new(10f64.powi(exponent)), ..reduction.clone() };
+            let found = approximation.in_powers(4, form, &reduction, true).truncation;
+            found / approximation.truncation(4, reduction.overshoot)
+        };
+        for sign in [1, -1] {
+            assert!((1.0..1.001).contains(&excess(sign * within)), "{index} {power} {form:?} {sign}");
+            if let Some(beyond) = beyond {
+                assert_eq!(excess(sign * beyond), f64::INFINITY, "{index} {power} {form:?} {sign}");
+            }
+        }
     }
 }
 
