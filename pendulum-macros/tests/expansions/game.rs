@@ -63,7 +63,7 @@ impl Lamp {
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f32 = 7.292951e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
-    pub const MAX_POSITION_ERROR: f32 = 7.0160524e-5;
+    pub const MAX_POSITION_ERROR: f32 = 7.016053e-5;
     /// θ(t), rad; NaN if t is not finite. 17 operations.
     #[inline(always)]
     #[must_use]
@@ -76,7 +76,7 @@ impl Lamp {
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
         let y = p - 0.40625;
         let w = y * y;
-        let result = ((-53.390053 * y - 87.40962) * (w + 0.5024183) + 61.660236)
+        let result = ((-87.40962 - 53.390053 * y) * (w + 0.5024183) + 61.660236)
             * (w + 0.2029289) - 4.547996;
         f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
     }
@@ -92,11 +92,11 @@ impl Lamp {
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
         let y = p + 0.0625;
         let w = y * y;
-        let half_sine = ((-108.77086 * y + 110.85209) * (w + 0.14138316) - 30.334295)
+        let half_sine = ((110.85209 - 108.77086 * y) * (w + 0.14138316) - 30.334295)
             * (w + 0.08208813) + 2.1499972;
         let y_2 = p - 0.25;
         let w_2 = y_2 * y_2;
-        let half_cosine = (((-259.7864 * y_2 - 184.51187) * y_2 - 19.036827)
+        let half_cosine = ((-19.036827 - 184.51187 * y_2 - 259.7864 * w_2)
             * (w_2 - 0.0610918) - 7.3712487) * (w_2 - 4.435978e-5) + 0.9997235;
         let v_2 = half_sine * half_cosine;
         let x_2 = v_2 + v_2;

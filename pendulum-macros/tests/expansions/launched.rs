@@ -13,7 +13,7 @@
 ///
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
 /// * theta: polynomial of 6 terms in s², coefficients adapted; proven error ≤ 3.730e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 5.2e-15 of rounding); 52 operations
-/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.886e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 5.3e-16 of rounding); 55 operations
+/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.886e-7 rad·ω² (4.9e-7 of truncation, 6.6e-15 of phase, 5.4e-16 of rounding); 55 operations
 /// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
 /// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
 /// * not pieces, phase by exact products with the rate in 3 words: it costs about 150 operations
@@ -63,7 +63,7 @@ impl Pushed {
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 3.7296691290518716e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.88631502082861e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 4.886315020942526e-7;
     /// θ(t), rad; NaN if t is not finite. 52 operations.
     #[inline(always)]
     #[must_use]
@@ -90,7 +90,7 @@ impl Pushed {
         let v_9 = s * s;
         let y = if 0.2500009536752261_f64 < v_9 { 0.2500009536752261_f64 } else { v_9 };
         let w = y * y;
-        let result = ((2.168637214712001 * y - 5.103848096429926)
+        let result = ((-5.103848096429926 + 2.168637214712001 * y)
             * (w + 2.4308371409494347) + 10.131299015035149) * (w - 0.9089520529196106)
             - 1.0517415758942732;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
@@ -122,9 +122,9 @@ impl Pushed {
         let p = if 0.2500009536752261_f64 < v_9 { 0.2500009536752261_f64 } else { v_9 };
         let y = p - 0.375;
         let w = y * y;
-        let result = (((-778.645022161528 * y - 968.3907237723347) * y
-            - 223.8944276347536) * (w + 0.18553289723015637) - 45.63480108102437)
-            * (w - 0.11187254164043381) - 6.6189819462163735;
+        let result = ((-223.8944276347536 - 968.3907237723347 * y - 778.645022161528 * w)
+            * (w + 0.18553289723015637) - 45.63480108102437) * (w - 0.11187254164043381)
+            - 6.6189819462163735;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
 }

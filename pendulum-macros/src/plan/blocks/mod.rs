@@ -118,10 +118,14 @@ impl Blocks {
     /// Evaluates it at y.
     pub(crate) fn lower(&self, b: &mut Builder, y: Id) -> Id {
         const POWERS: [&str; 8] = ["y", "w", "w2", "w4", "w8", "w16", "w32", "w64"];
-        let lead = (!self.lead.is_empty()).then(|| powers_of(b, y, &self.lead));
-        if let (Some(lead), true) = (lead, self.rest[0].head.is_empty()) {
-            return lead;
+        if let [short] = &self.rest[..]
+            && self.lead.len() + short.head.len() < LEAST
+            && short.factors.is_empty()
+        {
+            let coefficients = [&self.lead[..], &short.head].concat();
+            return one_by_one(b, y, &coefficients);
         }
+        let lead = (!self.lead.is_empty()).then(|| by_pairs(b, y, &self.lead));
         b.name(y, POWERS[0]);
         let w = b.mul(y, y);
         b.name(w, POWERS[1]);
@@ -154,16 +158,21 @@ fn magnitude(powers: &[Double], reach: f64) -> f64 {
     powers.iter().rev().fold(0.0, |sum, c| sum * reach + c.hi.abs())
 }
 
-/// Few powers one after the other, which do without w; four by pairs.
-fn powers_of(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
+/// Few powers, which do without w, by Horner's rule.
+fn one_by_one(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
     let coefficients: Vec<Id> = coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
-    match coefficients.split_last() {
-        Some((&last, rest)) if coefficients.len() < LEAST => rest.iter().rev().fold(last, |value, &c| {
-            let product = b.mul(value, y);
-            b.add(product, c)
-        }),
-        _ => estrin(b, y, &coefficients, &[]),
-    }
+    let step = |value, c| {
+        let product = b.mul(value, y);
+        b.add(product, c)
+    };
+    let value = coefficients.into_iter().rev().reduce(step);
+    value.unwrap_or_else(|| b.constant(0.0))
+}
+
+/// Powers up to the third by those of y and w: as many operations, and three cycles less to wait.
+fn by_pairs(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
+    let coefficients: Vec<Id> = coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
+    estrin(b, y, &coefficients, &[])
 }
 
 impl Block {
@@ -199,7 +208,7 @@ impl Block {
     }
 
     fn lower(&self, b: &mut Builder, y: Id, w: Id) -> Id {
-        let z = powers_of(b, y, &self.head);
+        let z = by_pairs(b, y, &self.head);
         self.factors.iter().fold(z, |value, &(alpha, beta)| {
             let [minus_alpha, beta] = [-alpha, beta].map(|c| b.exact(c.hi, c.lo));
             let factor = b.add(w, minus_alpha);
@@ -290,7 +299,7 @@ mod tests {
             let result = careful.lower(&mut b, y);
             let program = b.finish(vec![result]);
             let adapted = careful.rest.iter().filter(|block| !block.factors.is_empty()).count();
-            let (found, expected) = (program.operations(), operations(terms, LEAST) + usize::from(terms > 2));
+            let (found, expected) = (program.operations(), operations(terms, LEAST) + usize::from(terms > 3));
             let blocks = terms / LEAST;
             assert_eq!(found + adapted, expected + blocks, "{terms}");
             assert!(terms < 8 || adapted + 1 >= blocks.saturating_sub(1), "{terms}: {adapted}");
