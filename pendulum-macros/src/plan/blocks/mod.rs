@@ -140,9 +140,25 @@ impl Blocks {
                 let square = b.mul(power, power);
                 b.name(square, name)
             });
+            self.early(b, power, &mut values);
             sum = estrin(b, power, &values, &POWERS[level..]);
         }
         lead.map_or(sum, |lead| b.add(lead, sum))
+    }
+
+    /// Adds a short last block, which is there before the others are, to the first, where a power of `power` by squaring
+    /// serves.
+    fn early(&self, b: &mut Builder, power: Id, values: &mut Vec<Id>) {
+        let short = self.rest.last().is_some_and(|block| block.factors.is_empty() && block.head.len() < LEAST);
+        let others = values.len() - 1;
+        if !short || others < 2 || !others.is_power_of_two() {
+            return;
+        }
+        if let Some(last) = values.pop() {
+            let power = (0..others.ilog2()).fold(power, |power, _| b.mul(power, power));
+            let last = b.mul(last, power);
+            values[0] = b.add(values[0], last);
+        }
     }
 }
 
