@@ -1,7 +1,7 @@
 //! What kernels are functions of: the phase from the nearest anchor, its square, and the signs.
 
 use crate::plan::moebius::Moebius;
-use crate::plan::reduction::{Origin, Phase, Reduction, offset_by};
+use crate::plan::reduction::{Origin, Phase, Reduction};
 use crate::program::{Builder, Id, Op};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
@@ -129,9 +129,9 @@ impl Variables {
     pub(crate) fn shifted(&self, b: &mut Builder, shift: Double) -> Id {
         match self.source {
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift.hi),
-            Source::Linear { half } => offset_by(b, self.distance, half + shift),
+            Source::Linear { half } => b.offset(self.distance, half + shift),
             _ if shift == Double::ZERO => self.square,
-            Source::Square => offset_by(b, self.square, shift),
+            Source::Square => b.offset(self.square, shift),
             Source::Below { below, quarter } => {
                 let top = quarter + shift;
                 let top = b.exact(top.hi, top.lo);

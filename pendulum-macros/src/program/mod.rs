@@ -192,6 +192,15 @@ impl Builder {
         self.exact(value, 0.0)
     }
 
+    /// x + offset, if there is any.
+    pub(crate) fn offset(&mut self, x: Id, offset: Double) -> Id {
+        if offset == Double::ZERO {
+            return x;
+        }
+        let offset = self.exact(offset.hi, offset.lo);
+        self.add(x, offset)
+    }
+
     pub(crate) fn add(&mut self, a: Id, b: Id) -> Id {
         self.push(Op::Add(a, b))
     }

@@ -74,7 +74,7 @@ impl Reduction {
 
     /// The magic sum of x + offset, and the nearest integer.
     fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
-        let x = offset_by(b, x, self.offset() * self.scale);
+        let x = b.offset(x, self.offset() * self.scale);
         let constant = b.float().magic() * self.scale / self.parts;
         let constant = b.constant(constant);
         let magic = b.add(x, constant);
@@ -86,7 +86,7 @@ impl Reduction {
     /// The phase, origins counted from the one numbered 0.
     fn numbered(&self, b: &mut Builder, remainder: Id, magic: Id, count: Id) -> Phase {
         let first = Double::new(self.first_number() * self.scale);
-        let [magic, count] = [magic, count].map(|sum| offset_by(b, sum, first));
+        let [magic, count] = [magic, count].map(|sum| b.offset(sum, first));
         if self.scale == 1.0 {
             return Phase { remainder, magic, count };
         }
@@ -131,7 +131,7 @@ impl Reduction {
             let whole = b.mul(n, word);
             remainder = b.sub(remainder, whole);
         }
-        let remainder = offset_by(b, remainder, offset);
+        let remainder = b.offset(remainder, offset);
         self.numbered(b, remainder, magic, count)
     }
 
@@ -217,10 +217,10 @@ impl Reduction {
     fn less(&self, b: &mut Builder, parts: &[Id], n: Id) -> Id {
         let offset = self.offset();
         let (before, after) = if is_half(offset) { (offset, Double::ZERO) } else { (Double::ZERO, offset) };
-        let n = offset_by(b, n, -before * self.scale);
+        let n = b.offset(n, -before * self.scale);
         let rest = b.sub(parts[0], n);
         let rest = parts[1..].iter().fold(rest, |rest, &part| b.add(rest, part));
-        offset_by(b, rest, after * self.scale)
+        b.offset(rest, after * self.scale)
     }
 
     /// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴, and that multiple: adding 1.5·2⁵⁵ rounds to one.
@@ -270,15 +270,6 @@ impl Reduction {
 /// Whether it is a multiple of ½.
 fn is_half(offset: Double) -> bool {
     offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0
-}
-
-/// x + offset, if there is any.
-pub(crate) fn offset_by(b: &mut Builder, x: Id, offset: Double) -> Id {
-    if offset == Double::ZERO {
-        return x;
-    }
-    let offset = b.exact(offset.hi, offset.lo);
-    b.add(x, offset)
 }
 
 /// a·b + c·d.

@@ -14,7 +14,6 @@ mod lower;
 mod words;
 
 pub(crate) use clock::Clock;
-pub(crate) use lower::offset_by;
 
 use crate::parse::Float;
 use crate::program::{Builder, Id};
