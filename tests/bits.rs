@@ -91,6 +91,10 @@ fn generated() -> String {
         f32 velocity { theta0 = 7π/8, tol = 1e-4, t_max = 100 }
         f32 position { theta0 = 2, tol = 1e-4 }
         f32 theta { theta0 = 7π/8, n = 4 }
+        f64 theta { theta0 = 0.95π }
+        f64 position { theta0 = 7π/8 }
+        f32 acceleration { theta0 = 0.9π }
+        f32 theta { theta0 = 0.999999π }
     }
 }
 
