@@ -130,7 +130,6 @@ impl Variables {
         match self.source {
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift.hi),
             Source::Linear { half } => b.offset(self.distance, half + shift),
-            _ if shift == Double::ZERO => self.square,
             Source::Square => b.offset(self.square, shift),
             Source::Below { below, quarter } => {
                 let top = quarter + shift;
