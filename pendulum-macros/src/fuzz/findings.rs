@@ -32,6 +32,14 @@ fn tolerances_far_out_of_reach() {
     refused("velocity0 = -(2 - 1e-207), tol = 1e-39, float = f32", "the best is");
 }
 
+/// A phase too coarse for pieces was taken as a proof that no finer one would do.
+#[test]
+fn pieces_of_a_finer_phase() {
+    for tol in ["3.8186716e-14", "3e-14", "1.9e-14", "1e-14", "7e-15"] {
+        planned(&format!("θ0 = 170.66deg, tol = {tol}, method = fourier"));
+    }
+}
+
 /// `judge` asks for the tolerance that the message offers.
 #[test]
 fn the_best_tolerance_can_be_had() {

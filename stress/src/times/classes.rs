@@ -238,7 +238,7 @@ fn paper(all: &mut Vec<Class>) {
     }
     pendula::pendulum! {
         struct Whole;
-        theta0 = 1π/2, n = 2
+        theta0 = 1π/3, n = 2
     }
     pendula::pendulum! {
         struct ByArcsine;
@@ -274,7 +274,7 @@ fn paper(all: &mut Vec<Class>) {
     );
     against(
         "n = 2 as one polynomial, against θ̂",
-        "1π/2",
+        "1π/3",
         (Whole::THETA0, Whole::MAX_ERROR),
         (2, any),
         over(Whole::theta),

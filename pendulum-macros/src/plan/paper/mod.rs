@@ -270,7 +270,8 @@ impl Sum {
                 let promises = wanted.iter().map(|wanted| self.promise(scene, &wanted.curve));
                 parts.iter().zip(promises).all(|(part, promise)| error(part.bound) <= promise)
             };
-            if !kept(|bound| bound.truncation + bound.evaluation) {
+            // What computes the arcsine as well is made for what the phase leaves: of a finer one it may be better.
+            if !kept(|bound| bound.truncation + bound.evaluation) && !wanted.iter().any(Wanted::is_whole) {
                 hopeless.push(reduction.origin);
             }
             if kept(Bound::total) && parts.iter().all(|part| is_useful(part, scene)) {

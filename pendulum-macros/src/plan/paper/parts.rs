@@ -36,6 +36,11 @@ struct Whole {
 }
 
 impl Wanted {
+    /// Whether one polynomial or many can stand for the arcsine of the sum.
+    pub(super) fn is_whole(&self) -> bool {
+        self.whole.as_ref().is_some_and(|whole| whole.approximation.is_some() || whole.pieces.is_some())
+    }
+
     /// Whether there are pieces for reductions that can count them.
     pub(super) fn has_pieces(&self) -> bool {
         self.whole.as_ref().is_some_and(|whole| whole.pieces.is_some())
