@@ -54,7 +54,7 @@ impl Harmonics {
             let (sum, arcsine) = (folded.describe(), arcsine.terms());
             return format!("{terms} harmonics folded into a {sum}, an arcsine by a polynomial of {arcsine} terms");
         }
-        let cosine = self.cosine.coefficients.len();
+        let cosine = self.cosine.terms();
         let arcsine = self
             .arcsine
             .as_ref()

@@ -104,7 +104,7 @@ impl Kernel {
     /// Terms of the (first) polynomial, or harmonics.
     pub(crate) fn terms(&self) -> usize {
         match self {
-            Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.coefficients.len(),
+            Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.terms(),
             Self::Pieces(pieces) => pieces.terms(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Hyperbolic(hyperbolic) => hyperbolic.terms(),

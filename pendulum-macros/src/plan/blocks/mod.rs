@@ -93,6 +93,17 @@ impl Blocks {
         Self { chunk: LEAST, lead: lead.to_vec(), rest, mismatch: lost }
     }
 
+    pub(crate) fn terms(&self) -> usize {
+        let of_rest = self.rest.iter().map(|block| block.head.len() + 2 * block.factors.len());
+        self.lead.len() + of_rest.sum::<usize>()
+    }
+
+    /// Powers of y.
+    #[cfg(test)]
+    pub(crate) fn powers(&self) -> Vec<Double> {
+        self.lead.iter().copied().chain(self.rest.iter().flat_map(Block::expanded)).collect()
+    }
+
     /// For the reader: how it is evaluated.
     pub(crate) fn describe(&self) -> String {
         let last = if self.lead.is_empty() { "" } else { ", the largest added last" };

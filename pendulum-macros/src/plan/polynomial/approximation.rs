@@ -170,7 +170,7 @@ impl Approximation {
             return None;
         }
         let blocks = Blocks::adapted(&coefficients, chunk, variable.reach)?;
-        Some(self.evaluated(form, variable, coefficients, blocks, reduction, alternates))
+        Some(self.evaluated(form, variable, blocks, reduction, alternates))
     }
 
     /// The same by powers, which always are: of p if no other form is asked for.
@@ -180,28 +180,27 @@ impl Approximation {
         let coefficients = self.powers_of(terms, variable, reduction);
         let largest_last = !matches!(form, Form::Powers { .. });
         let blocks = Blocks::careful(&coefficients, largest_last, variable.reach);
-        self.evaluated(form, variable, coefficients, blocks, reduction, alternates)
+        self.evaluated(form, variable, blocks, reduction, alternates)
     }
 
     fn evaluated(
         &self,
         form: Form,
         Variable { shift, area, .. }: Variable,
-        coefficients: Vec<Double>,
         blocks: Blocks,
         reduction: &Reduction,
         alternates: bool,
     ) -> Polynomial {
         let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
         let poles = self.pole.map_or(1.0, |pole| pole.unit(self.area(reduction)).hi);
-        let lost = blocks.mismatch + lost_to_underflow(coefficients.len(), area);
+        let lost = blocks.mismatch + lost_to_underflow(blocks.terms(), area);
         // Farther from 1 the second word of a pole's unit would lose bits.
         let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
         let lost = if bounded { lost * self.weight() * poles / unit } else { f64::INFINITY };
-        let truncation = self.truncation(coefficients.len(), reduction.overshoot) + lost;
+        let truncation = self.truncation(blocks.terms(), reduction.overshoot) + lost;
         let pole = self.pole.map(|pole| pole.scaled(self.area(reduction)));
         let (parity, map) = (self.parity, self.map);
-        Polynomial { form, shift, pole, parity, map, alternates, coefficients, blocks, truncation }
+        Polynomial { form, shift, pole, parity, map, alternates, blocks, truncation }
     }
 
     /// The variable of a form, which shifts p by so much.

@@ -29,9 +29,7 @@ pub(crate) struct Polynomial {
     pub(crate) parity: Parity,
     map: Option<Moebius>,
     pub(crate) alternates: bool,
-    /// Powers of the form's variable, lowest first.
-    pub(crate) coefficients: Vec<Double>,
-    /// How they are evaluated.
+    /// The coefficients of the form's variable, as they are evaluated.
     blocks: Blocks,
     /// sup |approximation − curve|.
     pub(crate) truncation: f64,
@@ -68,14 +66,17 @@ impl Polynomial {
         if from_top { self.parity == Parity::Odd } else { self.alternates }
     }
 
+    pub(crate) fn terms(&self) -> usize {
+        self.blocks.terms()
+    }
+
     pub(crate) fn negate(&mut self) {
-        self.coefficients.iter_mut().for_each(|c| *c = -*c);
         self.blocks.negate();
     }
 
     /// For the reader.
     pub(crate) fn describe(&self) -> String {
-        let terms = self.coefficients.len();
+        let terms = self.terms();
         let over = self.pole.map_or(String::new(), |pole| format!(" over one of {}", pole.terms()));
         let adapted = matches!(self.form, Form::Adapted { .. });
         let shift = if adapted && self.shift != Double::ZERO { " + c" } else { "" };

@@ -14,7 +14,7 @@ impl Polynomial {
     fn at(&self, s: Double) -> Double {
         let p = s * s;
         let x = if self.form == Form::Normalised { p * 8.0 } else { p } + self.shift;
-        let sum = self.coefficients.iter().rev().fold(Double::ZERO, |sum, c| sum * x + *c);
+        let sum = self.blocks.powers().iter().rev().fold(Double::ZERO, |sum, c| sum * x + *c);
         let over = self.pole.map_or(Double::ONE, |pole| pole.at(p * 8.0 - Double::ONE));
         sum / over * if self.parity == Parity::Odd { s } else { Double::ONE }
     }
@@ -313,7 +313,10 @@ fn adapted_polynomials() {
             let (shift, found) = (polynomial.shift.hi, polynomial.blocks.mismatch);
             assert!((shift * unit * unit - place).abs() < 1e-15, "{text} {index}: {shift} {place}");
             let reach = shift.abs().max((shift + 0.25 / (unit * unit)).abs());
-            let least = Blocks::adapted(&polynomial.coefficients, chunk, reach).unwrap().mismatch;
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let variable = Variable { shift: polynomial.shift, area: approximation.area(&reduction), reach };
+            let powers = approximation.powers_of(terms, variable, &reduction);
+            let least = Blocks::adapted(&powers, chunk, reach).unwrap().mismatch;
             assert!(least > 0.0 && found >= least, "{text} {index}: {found:e} {least:e}");
             assert!(found <= least * 1.02f64.powi(terms as i32), "{text} {index}");
             // It counts with the truncation, which is as small where no term is left out.
