@@ -331,36 +331,56 @@ fn adapted_polynomials() {
     }
 }
 
+/// The value of a polynomial at the phase s from an anchor, in anchors.
+fn evaluated(polynomial: &Polynomial, unit: Double, s: f64) -> f64 {
+    let mut b = Builder::new(Float::F64);
+    let input = b.input();
+    let (source, square) = (Source::Square, b.mul(input, input));
+    let [distance, magnitude, magic, count] = [input; 4];
+    let variables = Variables { distance, magnitude, square, unit, source, side: None, magic, count };
+    let result = polynomial.magnitude(&mut b, &variables);
+    b.finish(vec![result]).run(s / unit.hi)[0]
+}
+
 /// With another unit of the phase, and in any form, polynomials over poles have the same values.
 #[test]
 fn values_in_other_units() {
     for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 7π/8", 2), ("velocity0 = 2.1", 1)] {
         let (curves, reduction) = curves(text);
         let approximation = Approximation::new(&curves[index].0, curves[index].1, 1e-18).unwrap();
-        let value = |unit: f64, form: Form, s: f64| {
-            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            let polynomial = approximation.polynomial(approximation.terms(), form, &reduction, false, 1.0)?;
-            let mut b = Builder::new(Float::F64);
-            let input = b.input();
-            let (source, square) = (Source::Square, b.mul(input, input));
-            let [distance, magnitude, magic, count] = [input; 4];
-            let unit = reduction.unit;
-            let variables = Variables { distance, magnitude, square, unit, source, side: None, magic, count };
-            let result = polynomial.magnitude(&mut b, &variables);
-            Some(b.finish(vec![result]).run(s / unit.hi)[0])
-        };
         for form in Form::ALL {
             for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
-                let exact = curves[index].0.at(Double::new(s)).hi;
-                let Some(value) = value(unit, form, s) else {
+                let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+                let polynomial = approximation.polynomial(approximation.terms(), form, &reduction, false, 1.0);
+                let Some(polynomial) = polynomial else {
                     assert!(matches!(form, Form::Adapted { .. }), "{text} {index} {form:?}");
                     continue;
                 };
                 // Plain powers are ill-conditioned, adapted ones more so.
-                let most = if matches!(form, Form::Powers { shift: ..0.0 } | Form::Normalised) { 1e-14 } else { 1e-11 };
-                let error = (value - exact).abs();
+                let most = if matches!(form, Form::Adapted { .. } | PLAIN) { 1e-11 } else { 1e-14 };
+                let exact = curves[index].0.at(Double::new(s)).hi;
+                let error = (evaluated(&polynomial, reduction.unit, s) - exact).abs();
                 assert!(error <= most, "{text} {index} {form:?} {unit} {s}: {error:e}");
             }
+        }
+    }
+}
+
+/// Of the image of p, whatever the unit and the form: 1 + T₁ + … of what goes from −1 to 1 with it.
+#[test]
+fn values_of_the_image() {
+    let (_, reduction) = curves("theta0 = 1");
+    let map = Moebius { place: 0.5 };
+    let approximation = Approximation::known(Some(map), vec![Double::ONE; 6], 0.0);
+    for form in Form::ALL {
+        for (unit, s) in [(1.0, 0.3), (0.25, 0.4), (8.0, 0.45), (1.0, 0.0)] {
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let Some(polynomial) = approximation.polynomial(6, form, &reduction, false, 1.0) else { continue };
+            let image = s * s * 0.75 / (s * s + 0.5);
+            let angle = (8.0 * image - 1.0_f64).acos();
+            let expected: f64 = (0..6).map(|j| (f64::from(j) * angle).cos()).sum();
+            let found = evaluated(&polynomial, reduction.unit, s);
+            assert!((found - expected).abs() < 1e-12, "{form:?} {unit} {s}: {found} {expected}");
         }
     }
 }
