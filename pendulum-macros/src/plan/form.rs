@@ -21,7 +21,7 @@ pub(crate) enum Form {
 }
 
 /// What stands for the square of the phase, for the reader.
-pub(super) fn square(parity: Parity) -> &'static str {
+fn square(parity: Parity) -> &'static str {
     if parity == Parity::Neither { "s + ½" } else { "s²" }
 }
 

@@ -127,7 +127,7 @@ fn real_roots(powers: &[f64]) -> Option<Vec<f64>> {
     ends.windows(2).map(|ends| root_between(powers, ends[0], ends[1])).collect()
 }
 
-pub(super) fn value(powers: &[f64], x: f64) -> f64 {
+fn value(powers: &[f64], x: f64) -> f64 {
     powers.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 

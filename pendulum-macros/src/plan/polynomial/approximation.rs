@@ -228,21 +228,21 @@ impl Approximation {
     /// Coefficients of the powers of the variable, of what is divided by poles and multiplied by odd phases in units of
     /// the reduction.
     fn powers_of(&self, terms: usize, Variable { shift: c, area, .. }: Variable, reduction: &Reduction) -> Vec<Double> {
-        let eighth = area * 8.0;
-        let coefficients = scale(shift(&self.powers(terms), -Double::ONE - eighth * c), eighth);
         let odd = if self.parity == Parity::Odd { reduction.unit } else { Double::ONE };
         let factor = odd / self.pole.map_or(Double::ONE, |pole| pole.unit(self.area(reduction)));
-        coefficients.into_iter().map(|c| c * factor).collect()
+        self.shifted(terms, c, area).into_iter().map(|c| c * factor).collect()
     }
 
-    /// In powers of 8p − 1.
-    fn powers(&self, terms: usize) -> Vec<Double> {
-        to_powers(&self.series[..terms.min(self.series.len())])
+    /// In powers of p/`area` + `c`.
+    fn shifted(&self, terms: usize, c: Double, area: Double) -> Vec<Double> {
+        let eighth = area * 8.0;
+        let powers = to_powers(&self.series[..terms.min(self.series.len())]);
+        scale(shift(&powers, -Double::ONE - eighth * c), eighth)
     }
 
     /// The shifts, looked for once.
     fn choices(&self, terms: usize, chunk: usize) -> Option<Choices> {
-        let look = || Choices::new(&scale(shift(&self.powers(terms), -Double::ONE), Double::new(8.0)), chunk);
+        let look = || Choices::new(&self.shifted(terms, Double::ZERO, Double::ONE), chunk);
         *self.choices.borrow_mut().entry((terms, chunk)).or_insert_with(look)
     }
 
