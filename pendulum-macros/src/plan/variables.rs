@@ -121,14 +121,14 @@ impl Variables {
                 let doubled = b.exact(doubled.hi, doubled.lo);
                 b.mul(self.distance, doubled)
             }
-            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -1.0),
+            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -Double::ONE),
         }
     }
 
     /// p + `shift`.
     pub(crate) fn shifted(&self, b: &mut Builder, shift: Double) -> Id {
         match self.source {
-            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift.hi),
+            Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift),
             Source::Linear { half } => b.offset(self.distance, half + shift),
             Source::Square => b.offset(self.square, shift),
             Source::Below { below, quarter } => {
@@ -149,9 +149,10 @@ impl Variables {
     }
 
     /// factor·P + `offset`.
-    fn less_quotient(&self, b: &mut Builder, divisor: Id, map: Moebius, factor: f64, offset: f64) -> Id {
+    fn less_quotient(&self, b: &mut Builder, divisor: Id, map: Moebius, factor: f64, offset: Double) -> Id {
         let dividend = Double::new(factor * map.scale()) / (self.unit * self.unit);
-        let (dividend, top) = (b.exact(dividend.hi, dividend.lo), b.constant(factor * map.end() + offset));
+        let top = Double::new(factor * map.end()) + offset;
+        let [dividend, top] = [dividend, top].map(|constant| b.exact(constant.hi, constant.lo));
         let quotient = b.div(dividend, divisor);
         b.sub(top, quotient)
     }
