@@ -151,9 +151,12 @@ pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
 /// Coefficients in powers of x of Σ cⱼ (x + by)ʲ, by repeated synthetic division.
 pub(crate) fn shift<T: Copy + Add<Output = T> + Mul<Output = T>>(powers: &[T], by: T) -> Vec<T> {
     let mut shifted = powers.to_vec();
-    for i in 0..shifted.len() {
-        for j in (i..shifted.len() - 1).rev() {
-            shifted[j] = shifted[j] + shifted[j + 1] * by;
+    let Some((&last, others)) = powers.split_last() else { return shifted };
+    for i in 0..others.len() {
+        let mut higher = last;
+        for coefficient in shifted[i..others.len()].iter_mut().rev() {
+            higher = *coefficient + higher * by;
+            *coefficient = higher;
         }
     }
     shifted

@@ -20,6 +20,31 @@ pub(crate) enum Form {
     Adapted { chunk: usize },
 }
 
+/// How a polynomial comes to be over its poles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Division {
+    /// It has none.
+    None,
+    /// The phase that it is multiplied with is divided.
+    OfPhase,
+    /// Its value is divided.
+    OfValue,
+    /// It is multiplied with the inverse, as another one is.
+    Shared,
+}
+
+impl Division {
+    /// Its cost, and the cycles that it is waited for. A pole takes three operations.
+    fn cost(self) -> (f64, usize) {
+        match self {
+            Self::None => (0.0, 0),
+            Self::OfPhase => (QUOTIENT + 3.0, 0),
+            Self::OfValue => (QUOTIENT + 3.0, DIVISION),
+            Self::Shared => (0.5 * (QUOTIENT + 3.0) + 1.0, 0),
+        }
+    }
+}
+
 /// What stands for the square of the phase, for the reader.
 fn square(parity: Parity) -> &'static str {
     if parity == Parity::Neither { "s + ½" } else { "s²" }
@@ -61,7 +86,7 @@ impl Form {
     /// Estimated cost of a polynomial of that many terms, given the variables: see [`Program::cost`].
     ///
     /// [`Program::cost`]: crate::program::Program::cost
-    pub(crate) fn cost(self, terms: usize, divided: bool) -> f64 {
+    pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
         let (operations, chain) = match self {
             // The first block isn't adapted.
             Self::Powers { .. } | Self::Careful { .. } | Self::Normalised => {
@@ -70,8 +95,7 @@ impl Form {
             }
             Self::Adapted { chunk } => (blocks::operations(terms, chunk), blocks::chain(terms, chunk)),
         };
-        // The division, and the three operations of a pole.
-        let (quotient, wait) = if divided { (QUOTIENT + 3.0, DIVISION) } else { (0.0, 0) };
+        let (quotient, wait) = division.cost();
         operations as f64 + quotient + WAITING * (chain + wait).saturating_sub(HIDDEN) as f64
     }
 

@@ -170,7 +170,7 @@ const MOST_HALVED: usize = 200;
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
 fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Polynomial) -> Vec<Id> {
-    let (half_sine, half_cosine) = (sine.magnitude(b, variables), cosine.magnitude(b, variables));
+    let (half_sine, half_cosine) = (sine.one_of_two(b, variables), cosine.one_of_two(b, variables));
     b.name(half_sine, "half_sine");
     b.name(half_cosine, "half_cosine");
     let product = b.mul(half_sine, half_cosine);

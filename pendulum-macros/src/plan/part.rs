@@ -2,7 +2,7 @@
 
 use super::aim::{Aim, Task};
 use super::curve::Curve;
-use super::form::Form;
+use super::form::{Division, Form};
 use super::hyperbolic::{Hyperbolic, Passage};
 use super::kernel::Kernel;
 use super::pieces::Piecewise;
@@ -54,6 +54,9 @@ impl Approximations {
     }
 }
 
+/// Operations that make a position of sin(θ/2) and cos(θ/2).
+const SQUARING: f64 = 5.0;
+
 impl Aim {
     /// The truncation allowed to each of the curves.
     fn share(&self, left: f64) -> f64 {
@@ -87,10 +90,18 @@ impl Aim {
                 .terms_for(left, reduction.overshoot)
                 .filter(|&terms| variant.form.suits(terms, reduction.float))?;
             let signs = if curve.alternates && reduction.origin == Origin::Lowest { 1.3 } else { 0.0 };
-            Some(variant.form.cost(terms, variant.divided) + signs)
+            let (odd, of_two) = (curve.parity() == Parity::Odd, self.curves.len() > 1);
+            let division = match (variant.divided, of_two, odd) {
+                (false, ..) => Division::None,
+                (true, true, _) => Division::Shared,
+                (true, false, true) => Division::OfPhase,
+                (true, false, false) => Division::OfValue,
+            };
+            let phase = if odd { 1.0 } else { 0.0 };
+            Some(variant.form.cost(terms, division) + phase + signs)
         };
         let kernels: Option<f64> = self.curves.iter().zip(approximations).map(one).sum();
-        Some(kernels? + variant.form.variables())
+        Some(kernels? + variant.form.variables() + if self.curves.len() > 1 { SQUARING } else { 0.0 })
     }
 
     /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them, one waiting for

@@ -241,7 +241,7 @@ fn bounds_are_close_to_errors() {
         ("theta0 = 3, velocity0 = -2.5, tol = 1e-7, t_max = 0.3", 1.2),
         ("velocity0 = 3, tol = 1e-7, t_max = 0.3, outputs = [wrapped]", 1.2),
         ("theta0 = 2, omega = 1e9, tol = 1e-9, t_max = 1e-9", 1.2),
-        ("theta0 = 2, velocity0 = 1e-20, omega = 1e-20, tol = 1e-9, t_max = 1e20, outputs = [velocity]", 1.2),
+        ("theta0 = 2, velocity0 = 1e-20, omega = 1e-20, tol = 1e-9, t_max = 6e19, outputs = [velocity]", 1.2),
         ("velocity0 = -1e9, omega = 1e9, tol = 1e-3, t_max = 1e-9, float = f32, outputs = [acceleration]", 1.2),
         ("theta0 = 2, tol = 1e-6, t_max = 1e4, method = series", 1.2),
         ("theta0 = 2, tol = 1e-6, t_max = 1e4, method = fourier", 1.5),

@@ -238,7 +238,8 @@ fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
     let t = b.input();
     let phase = reduction.lower(&mut b, t);
     let variables = Variables::lower(&mut b, phase, reduction, odd);
-    b.finish(vec![variables.square, variables.magic])
+    let distance = odd.then_some(variables.distance);
+    b.finish([variables.square, variables.magic].into_iter().chain(distance).collect())
 }
 
 /// Named by how the first output is computed.

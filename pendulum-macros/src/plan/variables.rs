@@ -53,15 +53,16 @@ impl Variables {
 
     fn from_anchor(b: &mut Builder, phase: Phase, reduction: &Reduction, odd: bool) -> Self {
         let half = reduction.half();
-        let (distance, square) = if odd {
-            let clamped = clamp(b, phase.remainder, half);
-            let clamped = b.name(clamped, "clamped");
-            (clamped, b.mul(clamped, clamped))
-        } else {
-            let square = b.mul(phase.remainder, phase.remainder);
-            (phase.remainder, at_most(b, square, half * half))
-        };
+        let square = b.mul(phase.remainder, phase.remainder);
+        let square = at_most(b, square, half * half);
         b.name(square, "p");
+        // Not what is squared: an operation more, and the square waits for one less.
+        let distance = if odd {
+            let clamped = clamp(b, phase.remainder, half);
+            b.name(clamped, "clamped")
+        } else {
+            phase.remainder
+        };
         let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
         Self { distance, magnitude: distance, square, unit, source: Source::Square, side: None, magic, count }
     }

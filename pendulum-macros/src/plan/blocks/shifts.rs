@@ -21,8 +21,14 @@ impl Choices {
     /// The shifts tried, in 32nds: the square of the phase goes from 0 to ¼.
     const SHIFTS: std::ops::RangeInclusive<i32> = -26..=16;
 
+    /// More terms than a polynomial has that adapted blocks serve: longer ones are of curves that bend too much.
+    const MOST_TERMS: usize = 48;
+
     /// For `powers` of p between 0 and ¼, lowest first.
     pub(crate) fn new(powers: &[Double], chunk: usize) -> Option<Self> {
+        if powers.len() > Self::MOST_TERMS {
+            return None;
+        }
         let rough: Vec<f64> = powers.iter().map(|c| c.hi).collect();
         let choice = |step: i32| {
             let shift = f64::from(step) / 32.0;

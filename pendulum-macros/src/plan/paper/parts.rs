@@ -5,7 +5,7 @@ use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::curve::{Curve, SwingCurves};
-use crate::plan::form::Form;
+use crate::plan::form::{Division, Form};
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::pieces::Piecewise;
@@ -192,7 +192,7 @@ impl Whole {
         let approximation = self.approximation.as_ref()?;
         let terms = approximation.terms_for(truncation, reduction.overshoot)?;
         let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms, reduction.float)).collect();
-        let cost = |form: &Form| form.cost(terms, false) + form.variables();
+        let cost = |form: &Form| form.cost(terms, Division::None) + form.variables();
         forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
         forms.into_iter().find_map(|form| {
             let mut polynomial = approximation.polynomial(terms, form, reduction, true, left)?;

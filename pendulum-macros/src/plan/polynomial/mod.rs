@@ -49,16 +49,33 @@ impl Polynomial {
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
     pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
+        let over_poles = |b: &mut Builder, value| self.pole.map_or(value, |pole| pole.divide(b, value, variables));
+        if self.parity != Parity::Odd {
+            let value = self.value(b, variables);
+            return over_poles(b, value);
+        }
+        // The phase is divided while the polynomial is evaluated: nothing waits for it.
+        let factor = over_poles(b, variables.distance);
+        let value = self.value(b, variables);
+        b.mul(factor, value)
+    }
+
+    /// The same, one of two with the same poles: one division serves both.
+    pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
+        let one = b.constant(1.0);
+        let inverse = self.pole.map(|pole| pole.divide(b, one, variables));
+        let phase = (self.parity == Parity::Odd).then_some(variables.distance);
+        let factors = [phase, inverse].into_iter().flatten();
+        let factor = factors.reduce(|phase, inverse| b.mul(phase, inverse));
+        let value = self.value(b, variables);
+        factor.map_or(value, |factor| b.mul(factor, value))
+    }
+
+    /// Of the variable alone.
+    fn value(&self, b: &mut Builder, variables: &Variables) -> Id {
         let variables = &self.map.map_or(*variables, |map| variables.mapped(b, map));
         let y = if self.form == Form::Normalised { variables.normalised(b) } else { variables.shifted(b, self.shift) };
-        let mut value = self.blocks.lower(b, y);
-        if let Some(pole) = self.pole {
-            value = pole.divide(b, value, variables);
-        }
-        if self.parity == Parity::Odd {
-            value = b.mul(variables.distance, value);
-        }
-        value
+        self.blocks.lower(b, y)
     }
 
     /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.

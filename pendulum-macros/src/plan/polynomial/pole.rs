@@ -4,8 +4,11 @@ use crate::plan::variables::Variables;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
-/// ((p − place)² + height²)^power, which vanishes at the nearest pair of singularities. θ̇ has simple poles there, θ̈
-/// and the position double ones, θ itself logarithms, which dividing doesn't remove.
+/// (−height² − (p − place)²)^power, which vanishes at the nearest pair of singularities. θ̇, sin(θ/2) and cos(θ/2) have
+/// simple poles there, θ̈ double ones, θ itself logarithms, which dividing doesn't remove.
+///
+/// Negative, since a polynomial ends with the sum of a product and a constant: were this another, compilers would pair
+/// the two, and the division, which is to be done meanwhile, would wait for the polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pole {
     pub(super) place: Double,
@@ -33,11 +36,11 @@ impl Pole {
     /// At 8p − 1 = u.
     pub(super) fn at(self, u: Double) -> Double {
         let distance = (u + Double::ONE) * 0.125 - self.place;
-        let single = distance * distance + self.height_squared;
+        let single = -(distance * distance + self.height_squared);
         (1..self.power).fold(single, |product, _| product * single)
     }
 
-    /// The least value for 0 ≤ p ≤ ¼.
+    /// The least magnitude for 0 ≤ p ≤ ¼.
     pub(super) fn least(self) -> f64 {
         let distance = (-self.place.hi).max(self.place.hi - 0.25).max(0.0);
         (distance * distance + self.height_squared.hi).powi(self.power) * (1.0 - 1e-3)
@@ -49,12 +52,12 @@ impl Pole {
         (distance * distance + self.height_squared.hi).powi(self.power)
     }
 
-    /// Divides `value`.
+    /// Divides `value` by it.
     pub(super) fn divide(self, b: &mut Builder, value: Id, variables: &Variables) -> Id {
         let distance = variables.shifted(b, -self.place);
         let square = b.mul(distance, distance);
-        let height = b.exact(self.height_squared.hi, self.height_squared.lo);
-        let mut divisor = b.add(square, height);
+        let minus_height = b.exact(-self.height_squared.hi, -self.height_squared.lo);
+        let mut divisor = b.sub(minus_height, square);
         let single = b.name(divisor, "d");
         for _ in 1..self.power {
             divisor = b.mul(divisor, single);
