@@ -157,19 +157,22 @@ impl FourierAnalysis {
     fn largest(&self, terms: usize, f: impl Fn(&Sample) -> f64) -> f64 {
         let points = SAMPLES * (terms + 1);
         let step = 0.25 / points as f64;
-        let at = |z: f64| f(&self.sample(terms, z));
-        let (mut before, mut here) = (at(0.0), at(step));
-        let mut best = before;
-        for i in 1..=points {
-            // One step beyond the turning point the function is its own mirror image.
-            let after = if i < points { at(step * (i + 1) as f64) } else { before };
-            if here >= before && here >= after {
-                let z = step * i as f64;
-                best = best.max(here).max(refine(&at, z - step, (z + step).min(0.25)));
+        let at = |index: usize| f(&self.sample(terms, step * index as f64));
+        // One step beyond the turning point the function is its own mirror image. Mostly it is largest there.
+        let (mut after, mut here) = (at(points - 1), at(points));
+        let mut best = f64::NEG_INFINITY;
+        for index in (1..=points).rev() {
+            let before = at(index - 1);
+            // A parabola through three samples rises above the middle one by an eighth of this at most.
+            let rise = (here - before) + (here - after);
+            if here >= before && here >= after && here + rise > best {
+                let z = step * index as f64;
+                let near = |z: f64| f(&self.sample(terms, z));
+                best = best.max(here).max(refine(&near, z - step, (z + step).min(0.25)));
             }
-            (before, here) = (here, after);
+            (here, after) = (before, here);
         }
-        best
+        best.max(here)
     }
 
     /// Everything at z turns from the zero crossing, 0 ≤ z ≤ ¼.
