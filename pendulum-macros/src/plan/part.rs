@@ -6,7 +6,7 @@ use super::form::{Division, Form};
 use super::hyperbolic::{Hyperbolic, Passage};
 use super::kernel::Kernel;
 use super::pieces::Piecewise;
-use super::polynomial::{Approximation, Polynomial};
+use super::polynomial::{Approximation, Pole, Polynomial, pade};
 use super::reduction::{Origin, Reduction};
 use super::supremum::norm;
 use super::turning::Turning;
@@ -44,8 +44,12 @@ impl Approximations {
         // Over an arc, that may be any number of digits; but there it costs nothing.
         let blurred = |curve: &Curve| if curve.is_arc() { 0.0 } else { aim.truncation.min(curve.largest) };
         let negligible = |curve: &Curve| (blurred(curve) * 2f64.powi(-30)).max(aim.floor() / 128.0);
-        let all = |power| aim.curves.iter().filter_map(|c| Approximation::new(c, power, negligible(c))).collect();
-        Self { plain: all(0), divided: if aim.power > 0 { all(aim.power) } else { Vec::new() } }
+        let over = |pole| aim.curves.iter().filter_map(|c| Approximation::over(c, pole, negligible(c))).collect();
+        let plain: Vec<Approximation> = over(None);
+        let nearest = aim.curves.first().filter(|_| aim.power > 0).map(|curve| Pole::new(curve.strip(), aim.power));
+        let pole = nearest
+            .map(|nearest| if aim.power == 1 { pade::best(&plain, nearest, aim.share(aim.limit)) } else { nearest });
+        Self { plain, divided: if pole.is_some() { over(pole) } else { Vec::new() } }
     }
 
     /// Those of a candidate; outputs without poles have no choice.

@@ -47,7 +47,11 @@ pub(crate) struct Approximation {
 impl Approximation {
     /// Interpolates `curve` so well that the error left is below `negligible`; `None` if that takes too many points.
     pub(crate) fn new(curve: &Curve, power: i32, negligible: f64) -> Option<Self> {
-        let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+        Self::over(curve, (power > 0).then(|| Pole::new(curve.strip(), power)), negligible)
+    }
+
+    /// The same with poles of any place divided out.
+    pub(crate) fn over(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Self> {
         let negligible = negligible * pole.map_or(1.0, Pole::least);
         let interpolation = enough_points(curve, pole, negligible)?;
         Some(Self::with_points(curve, pole, negligible, &interpolation))
@@ -139,6 +143,15 @@ impl Approximation {
 
     pub(crate) fn terms(&self) -> usize {
         self.series.len()
+    }
+
+    /// Its coefficients, of what is left over its poles and divided by an odd curve's phase.
+    pub(super) fn series(&self) -> &[Double] {
+        &self.series
+    }
+
+    pub(super) fn parity(&self) -> Parity {
+        self.parity
     }
 
     /// p per unit of the polynomial's variable.

@@ -6,6 +6,7 @@
 //! polynomial about the lowest point.
 
 mod approximation;
+pub(crate) mod pade;
 mod pole;
 
 pub(crate) use approximation::Approximation;
@@ -17,7 +18,7 @@ use super::variables::Variables;
 use crate::program::{Builder, Id};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
-use pole::Pole;
+pub(crate) use pole::Pole;
 
 /// A polynomial, or a quotient, to be evaluated.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,17 +10,33 @@ use pendulum_runtime::double::Double;
 /// Negative, since a polynomial ends with the sum of a product and a constant: were this another, compilers would pair
 /// the two, and the division, which is to be done meanwhile, would wait for the polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Pole {
+pub(crate) struct Pole {
     pub(super) place: Double,
     pub(super) height_squared: Double,
     power: i32,
 }
 
 impl Pole {
-    /// Of a curve whose singularities are s = ½ ± i·strip. Numbers near the true ones serve as well: these are exact.
-    pub(super) fn new(strip: f64, power: i32) -> Self {
-        let round = |x: f64| Double::new(f64::from(x as f32));
-        Self { place: round(0.25 - strip * strip), height_squared: round(strip * strip), power }
+    /// Of a curve whose singularities are s = ½ ± i·strip. Numbers near the true ones serve as well: all are exact.
+    pub(crate) fn new(strip: f64, power: i32) -> Self {
+        Self::rounded(0.25 - strip * strip, strip * strip, power)
+    }
+
+    /// Of p² + `linear`·p + `constant`, if its zeros are not real.
+    pub(super) fn of(constant: f64, linear: f64) -> Option<Self> {
+        let place = -0.5 * linear;
+        let height_squared = constant - place * place;
+        (height_squared > 0.0 && height_squared < 1e3).then(|| Self::rounded(place, height_squared, 1))
+    }
+
+    fn rounded(place: f64, height_squared: f64, power: i32) -> Self {
+        let [place, height_squared] = [place, height_squared].map(|x| Double::new(f64::from(x as f32)));
+        Self { place, height_squared, power }
+    }
+
+    /// Those of p² + linear·p + constant, constant first, whatever the power.
+    pub(super) fn coefficients(self) -> [f64; 2] {
+        [self.place.hi * self.place.hi + self.height_squared.hi, -2.0 * self.place.hi]
     }
 
     /// The same of p in other units, of which `area` is one, but for the factor [`Self::unit`].
