@@ -20,27 +20,27 @@ pub(crate) enum Form {
     Adapted { chunk: usize },
 }
 
-/// How a polynomial comes to be over its poles.
+/// How a polynomial comes to be over its poles. In each case the division is done by the time that it is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Division {
     /// It has none.
     None,
     /// The phase that it is multiplied with is divided.
     OfPhase,
-    /// Its value is divided.
-    OfValue,
+    /// It is multiplied with the inverse.
+    Inverse,
     /// It is multiplied with the inverse, as another one is.
     Shared,
 }
 
 impl Division {
-    /// Its cost, and the cycles that it is waited for. A pole takes three operations.
-    fn cost(self) -> (f64, usize) {
+    /// Its cost: a pole takes three operations.
+    fn cost(self) -> f64 {
         match self {
-            Self::None => (0.0, 0),
-            Self::OfPhase => (QUOTIENT + 3.0, 0),
-            Self::OfValue => (QUOTIENT + 3.0, DIVISION),
-            Self::Shared => (0.5 * (QUOTIENT + 3.0) + 1.0, 0),
+            Self::None => 0.0,
+            Self::OfPhase => QUOTIENT + 3.0,
+            Self::Inverse => QUOTIENT + 4.0,
+            Self::Shared => 0.5 * (QUOTIENT + 3.0) + 1.0,
         }
     }
 }
@@ -95,8 +95,7 @@ impl Form {
             }
             Self::Adapted { chunk } => (blocks::operations(terms, chunk), blocks::chain(terms, chunk)),
         };
-        let (quotient, wait) = division.cost();
-        operations as f64 + quotient + WAITING * (chain + wait).saturating_sub(HIDDEN) as f64
+        operations as f64 + division.cost() + WAITING * chain.saturating_sub(HIDDEN) as f64
     }
 
     /// The variable, for the reader; s is the phase in half periods (turns), or in arcs.
@@ -128,5 +127,3 @@ impl Form {
 /// form, on x86-64.
 const WAITING: f64 = 0.5;
 const HIDDEN: usize = 20;
-/// Cycles that a division takes.
-const DIVISION: usize = 13;

@@ -27,7 +27,7 @@ pub(super) struct Variant {
 impl Variant {
     /// For the reader.
     pub(super) fn describe(self, parity: Parity) -> String {
-        let poles = if self.divided { " over the nearest poles" } else { "" };
+        let poles = if self.divided { " over poles" } else { "" };
         format!("a polynomial in {}{poles}{}", self.form.variable(parity), self.form.scheme())
     }
 }
@@ -44,15 +44,13 @@ impl Approximations {
         // Over an arc, that may be any number of digits; but there it costs nothing.
         let blurred = |curve: &Curve| if curve.is_arc() { 0.0 } else { aim.truncation.min(curve.largest) };
         let negligible = |curve: &Curve| (blurred(curve) * 2f64.powi(-30)).max(aim.floor() / 128.0);
-        let over = |pole| aim.curves.iter().filter_map(|c| Approximation::over(c, pole, negligible(c))).collect();
+        let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
         let plain: Vec<Approximation> = over(None);
-        let nearest = aim.curves.first().filter(|_| aim.power > 0).map(|curve| Pole::new(curve.strip(), aim.power));
-        let pole = nearest
-            .map(|nearest| if aim.power == 1 { pade::best(&plain, nearest, aim.share(aim.limit)) } else { nearest });
-        Self { plain, divided: if pole.is_some() { over(pole) } else { Vec::new() } }
+        let divided = aim.poles(&plain).map_or_else(Vec::new, |pole| over(Some(pole)));
+        Self { plain, divided }
     }
 
-    /// Those of a candidate; outputs without poles have no choice.
+    /// Those of a candidate; where no poles are worth it there is no choice.
     pub(super) fn choose(&self, divided: bool) -> &[Approximation] {
         if divided && !self.divided.is_empty() { &self.divided } else { &self.plain }
     }
@@ -61,7 +59,24 @@ impl Approximations {
 /// Operations that make a position of sin(θ/2) and cos(θ/2).
 const SQUARING: f64 = 5.0;
 
+/// Terms that poles have to save a curve that has none: each takes an operation and a half.
+const WORTH: usize = 3;
+
 impl Aim {
+    /// The poles to be divided out, if any: the nearest, or near them those that save more terms. θ has logarithms
+    /// there, but poles serve it as they serve other curves.
+    fn poles(&self, plain: &[Approximation]) -> Option<Pole> {
+        let curve = self.curves.first().filter(|curve| !curve.is_arc())?;
+        let nearest = Pole::new(curve.strip(), self.power.max(1));
+        if self.power > 1 {
+            return Some(nearest);
+        }
+        let limit = self.share(self.limit);
+        let (pole, terms) = pade::best(plain, nearest, limit)?;
+        let most = plain.first()?.terms_for(limit, 0.0).filter(|_| self.power == 0);
+        most.is_none_or(|most| terms + WORTH <= most).then_some(pole)
+    }
+
     /// The truncation allowed to each of the curves.
     fn share(&self, left: f64) -> f64 {
         left.min(self.truncation) / self.error((self.curves.len() as f64).sqrt())
@@ -74,7 +89,7 @@ impl Aim {
 
     /// The variants that might serve, and their cost in this reduction, cheapest first.
     pub(super) fn variants(&self, all: &Approximations, reduction: &Reduction) -> Vec<(Variant, f64)> {
-        let divisions: &[bool] = if self.power > 0 { &[false, true] } else { &[false] };
+        let divisions: &[bool] = if all.divided.is_empty() { &[false] } else { &[false, true] };
         let variants =
             Form::ALL.iter().flat_map(|&form| divisions.iter().map(move |&divided| Variant { form, divided }));
         let cost = |variant: Variant| Some((variant, self.estimate(all.choose(variant.divided), reduction, variant)?));
@@ -99,7 +114,7 @@ impl Aim {
                 (false, ..) => Division::None,
                 (true, true, _) => Division::Shared,
                 (true, false, true) => Division::OfPhase,
-                (true, false, false) => Division::OfValue,
+                (true, false, false) => Division::Inverse,
             };
             let phase = if odd { 1.0 } else { 0.0 };
             Some(variant.form.cost(terms, division) + phase + signs)

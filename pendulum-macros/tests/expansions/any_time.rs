@@ -12,8 +12,8 @@
 /// Planned for the full precision of `f64`, over 2⁵³ periods:
 ///
 /// * phase: exact products with the rate in 4 words, wrong by at most 1.1e-16 anchors
-/// * theta: polynomial of 17 terms in s² + c, coefficients adapted in blocks of 4; proven error ≤ 1.592e-15 rad (7.3e-17 of truncation, 5.8e-16 of phase, 9.4e-16 of rounding); 59 operations
-/// * not a polynomial in s² for `theta`: it costs about 1.0 operations more
+/// * theta: polynomial of 14 terms in s² + c over one of 3, coefficients adapted in blocks of 4; proven error ≤ 1.612e-15 rad (6.1e-18 of truncation, 5.8e-16 of phase, 1.0e-15 of rounding); 58 operations
+/// * not a polynomial in s² over poles for `theta`: it costs about 1.0 operations more
 /// * not pieces, phase by exact products with the rate in 4 words: it costs about 117 operations
 /// * not `harmonic`: it is wrong by about 5e-2
 /// * not `series`: 11 harmonics, about 74 operations
@@ -55,12 +55,12 @@ impl Forever {
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
-    pub const TERMS: usize = 17;
+    pub const TERMS: usize = 14;
     /// Operations that one call of the first function executes.
-    pub const OPERATIONS: usize = 59;
+    pub const OPERATIONS: usize = 58;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.5916329447029267e-15;
-    /// θ(t), rad; NaN if t is not finite. 59 operations.
+    pub const MAX_ERROR: f64 = 1.6115495067829546e-15;
+    /// θ(t), rad; NaN if t is not finite. 58 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
@@ -76,19 +76,20 @@ impl Forever {
         let s = first - n + second + third + fourth;
         let v_2 = s * s;
         let p = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
-        let y = p + 0.0625;
+        let v_3 = p + 0.00954559538513422;
+        let d = -0.2894105315208435 - v_3 * v_3;
+        let y = p - 0.15625;
         let w = y * y;
         let w2 = w * w;
         let w4 = w2 * w2;
-        let result = (-1.9700361621449383 + 9.870332365009808 * y)
-            * (w - 0.6838842409352377) + 0.6505982283628713
-            + 5114.066594397511 * (w4 * w4)
-            + ((-26.943459626833853 + 37.60288720266756 * y) * (w - 0.5338282033013544)
-                - 6.978032909318105) * w2
-            + ((1233.8144668762031 - 5669.86979008891 * y) * (w + 0.0755108587252532)
-                + 62.7313612870403
-                + ((32443.82295035798 - 19496.568206774737 * y)
-                    * (w + 1.5588442004284917) - 33508.49429783881) * w2) * w4;
+        let result = 1.0 / d
+            * ((0.16435345102400264 + 2.889908597254424 * y) * (w + 0.6130725086990148)
+                - 0.27050478467360234
+                + ((2.899314285561524 - 0.492430495496803 * y) * (w + 2.8067766233419844)
+                    - 10.370918535692603) * w2
+                + ((3.489608632029096 - 7.648079217643113 * y) * (w - 0.4492094273883639)
+                    - 2.1824709052620093
+                    + (-0.7723487803595143 + 10.31420102223766 * y) * w2) * w4);
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
 }

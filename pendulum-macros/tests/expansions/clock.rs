@@ -15,10 +15,10 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
-/// * theta: polynomial of 14 terms in s², coefficients adapted in blocks of 4; proven error ≤ 3.161e-10 rad (2.7e-10 of truncation, 4.7e-11 of phase, 8.2e-15 of rounding); 33 operations
-/// * velocity: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 5.198e-10 rad·ω (5.0e-10 of truncation, 2.4e-11 of phase, 3.9e-15 of rounding); 31 operations
-/// * not a polynomial in s² for `theta`: it costs about 1.0 operations more
-/// * not a polynomial in s² over the nearest poles, adapted in blocks of 16 for `velocity`: it costs about 0.5 operations more
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 9.441e-10 rad (9.0e-10 of truncation, 4.7e-11 of phase, 2.9e-14 of rounding); 29 operations
+/// * velocity: polynomial of 8 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.542e-10 rad·ω (4.3e-10 of truncation, 2.4e-11 of phase, 7.1e-15 of rounding); 26 operations
+/// * not a polynomial in s² over poles, adapted in blocks of 16 for `theta`: it costs about 0.5 operations more
+/// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
 /// * not pieces, phase by one product with the rate: it costs about 88 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 58 operations
@@ -60,14 +60,14 @@ impl Clock {
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
-    pub const TERMS: usize = 14;
+    pub const TERMS: usize = 9;
     /// Operations that one call of the first function executes.
-    pub const OPERATIONS: usize = 33;
+    pub const OPERATIONS: usize = 29;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 3.160831762616435e-10;
+    pub const MAX_ERROR: f64 = 9.441231885389635e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 5.197749357453237e-10;
-    /// θ(t), rad; NaN if t is not finite. 33 operations.
+    pub const MAX_VELOCITY_ERROR: f64 = 4.5420984195217575e-10;
+    /// θ(t), rad; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
@@ -77,19 +77,18 @@ impl Clock {
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
+        let v_2 = y - 0.18865548074245453;
+        let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
-        let w4 = w2 * w2;
-        let result = (-20.135950112739103 - 11.127692324514193 * y)
-            * (w + 0.6357246117222599) + 15.549812639059756
-            + ((306.09240999551116 - 150.4992295678894 * y) * (w - 1.6131181405842931)
-                + 559.0271598810305) * w2
-            + ((-690635.0533737267 + 2781078.1905812677 * y) * (w + 0.036526446489913114)
-                + 9617.734188685616 + (-5330028.505294716 + 3918014.176985177 * y) * w2)
-                * w4;
+        let result = 1.0 / d
+            * ((-2.954103940390827 + 0.8373570488401288 * y) * (w + 2.2724042455674227)
+                + 6.376550749077674 + 83.28867355374429 * (w2 * w2)
+                + ((-7.316130745540807 - 62.54356825341267 * y)
+                    * (w - 0.0878098025082964) + 7.340001934601612) * w2);
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
-    /// θ̇(t), rad per unit of t; NaN if t is not finite. 31 operations.
+    /// θ̇(t), rad per unit of t; NaN if t is not finite. 26 operations.
     #[inline(always)]
     #[must_use]
     pub const fn velocity(t: f64) -> f64 {
@@ -101,18 +100,16 @@ impl Clock {
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let v_2 = if 0.5_f64 < s { 0.5_f64 } else { s };
         let clamped = if v_2 < -0.5 { -0.5 } else { v_2 };
-        let v_3 = y - 0.1819573938846588;
-        let d = -0.06804260611534119 - v_3 * v_3;
+        let v_3 = y - 0.1819869726896286;
+        let d = -0.06803102046251297 - v_3 * v_3;
         let w = y * y;
-        let w2 = w * w;
         let result = clamped / d
-            * ((-4.345448725871443 + 1.8068156871352279 * y) * (w + 0.8573826650875831)
-                + 4.465119839439577 - 6.430118580914479 * (w2 * w2)
-                + ((2.5560295470700325 + 6.516457641235883 * y)
-                    * (w - 1.3675561580749278) + 8.643897800934402) * w2);
+            * ((((3.6973742062408896 + 1.3482512120238663 * y) * (w - 6.3999381293002475)
+                + 29.7118629515765) * (w - 0.5585415927321175) - 2.249491458975769)
+                * (w + 0.3213332117839283) + 2.5478814264570677);
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
-    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 55 operations.
+    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 48 operations.
     #[inline(always)]
     #[must_use]
     pub const fn state(t: f64) -> (f64, f64) {
@@ -124,23 +121,21 @@ impl Clock {
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let v_2 = if 0.5_f64 < s { 0.5_f64 } else { s };
         let clamped = if v_2 < -0.5 { -0.5 } else { v_2 };
+        let v_3 = y - 0.18865548074245453;
+        let d = -0.0867738276720047 - v_3 * v_3;
         let w = y * y;
         let w2 = w * w;
-        let w4 = w2 * w2;
-        let first_result = (-20.135950112739103 - 11.127692324514193 * y)
-            * (w + 0.6357246117222599) + 15.549812639059756
-            + ((306.09240999551116 - 150.4992295678894 * y) * (w - 1.6131181405842931)
-                + 559.0271598810305) * w2
-            + ((-690635.0533737267 + 2781078.1905812677 * y) * (w + 0.036526446489913114)
-                + 9617.734188685616 + (-5330028.505294716 + 3918014.176985177 * y) * w2)
-                * w4;
-        let v_3 = y - 0.1819573938846588;
-        let d = -0.06804260611534119 - v_3 * v_3;
-        let second_result = clamped / d
-            * ((-4.345448725871443 + 1.8068156871352279 * y) * (w + 0.8573826650875831)
-                + 4.465119839439577 - 6.430118580914479 * w4
-                + ((2.5560295470700325 + 6.516457641235883 * y)
-                    * (w - 1.3675561580749278) + 8.643897800934402) * w2);
+        let first_result = 1.0 / d
+            * ((-2.954103940390827 + 0.8373570488401288 * y) * (w + 2.2724042455674227)
+                + 6.376550749077674 + 83.28867355374429 * (w2 * w2)
+                + ((-7.316130745540807 - 62.54356825341267 * y)
+                    * (w - 0.0878098025082964) + 7.340001934601612) * w2);
+        let v_4 = y - 0.1819869726896286;
+        let d_2 = -0.06803102046251297 - v_4 * v_4;
+        let second_result = clamped / d_2
+            * ((((3.6973742062408896 + 1.3482512120238663 * y) * (w - 6.3999381293002475)
+                + 29.7118629515765) * (w - 0.5585415927321175) - 2.249491458975769)
+                * (w + 0.3213332117839283) + 2.5478814264570677);
         (
             f64::from_bits(first_result.to_bits() ^ (magic.to_bits() << 63)),
             f64::from_bits(second_result.to_bits() ^ (magic.to_bits() << 63)),

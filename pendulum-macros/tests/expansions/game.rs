@@ -13,9 +13,9 @@
 ///
 /// * phase: one product with the rate, wrong by at most 8.2e-6 anchors
 /// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 7.293e-5 rad (9.6e-6 of truncation, 5.8e-5 of phase, 5.7e-6 of rounding); 17 operations
-/// * position: sin(θ/2) by a polynomial of 6 terms in s² + c, coefficients adapted, cos(θ/2) by a polynomial of 7 terms in s² + c, coefficients adapted, squared; proven error ≤ 7.016e-5 lengths (1.0e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 34 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.898e-5 lengths (1.9e-5 of truncation, 5.8e-5 of phase, 2.1e-6 of rounding); 29 operations
 /// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
-/// * not a polynomial in s², adapted in blocks of 4 for `position`: it costs about 3.0 operations more
+/// * not a polynomial in s², adapted in blocks of 8 for `position`: it costs about 1.5 operations more
 /// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 263 operations
 /// * not `harmonic`: it is wrong by about 1e-1
 /// * not `series`: 4 harmonics, about 34 operations
@@ -63,7 +63,7 @@ impl Lamp {
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f32 = 7.292951e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
-    pub const MAX_POSITION_ERROR: f32 = 7.016053e-5;
+    pub const MAX_POSITION_ERROR: f32 = 7.8984565e-5;
     /// θ(t), rad; NaN if t is not finite. 17 operations.
     #[inline(always)]
     #[must_use]
@@ -80,7 +80,7 @@ impl Lamp {
             * (w + 0.2029289) - 4.547996;
         f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
     }
-    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 34 operations.
+    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]
     pub const fn position(t: f32) -> (f32, f32) {
@@ -89,18 +89,18 @@ impl Lamp {
         let n = magic - 12582912.0;
         let s = x - n;
         let v = s * s;
-        let p = if 0.25_f32 < v { 0.25_f32 } else { v };
-        let y = p + 0.0625;
+        let y = if 0.25_f32 < v { 0.25_f32 } else { v };
+        let v_2 = y - 0.087378345;
+        let d = -0.16257937 - v_2 * v_2;
+        let v_3 = 1.0 / d;
         let w = y * y;
-        let half_sine = ((110.85209 - 108.77086 * y) * (w + 0.14138316) - 30.334295)
-            * (w + 0.08208813) + 2.1499972;
-        let y_2 = p - 0.25;
-        let w_2 = y_2 * y_2;
-        let half_cosine = ((-19.036827 - 184.51187 * y_2 - 259.7864 * w_2)
-            * (w_2 - 0.0610918) - 7.3712487) * (w_2 - 4.435978e-5) + 0.9997235;
-        let v_2 = half_sine * half_cosine;
-        let x_2 = v_2 + v_2;
-        let y_3 = half_sine * half_sine - half_cosine * half_cosine;
-        (f32::from_bits(x_2.to_bits() ^ (magic.to_bits() << 31)), y_3)
+        let half_sine = v_3
+            * ((0.12554972 + 0.47950035 * y) * (w + 1.0668863) - 0.27717844);
+        let half_cosine = v_3
+            * ((0.42925617 - 0.3557273 * y) * (w + 1.3305721) - 0.66312236);
+        let v_4 = half_sine * half_cosine;
+        let x_2 = v_4 + v_4;
+        let y_2 = half_sine * half_sine - half_cosine * half_cosine;
+        (f32::from_bits(x_2.to_bits() ^ (magic.to_bits() << 31)), y_2)
     }
 }

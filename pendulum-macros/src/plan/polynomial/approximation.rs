@@ -45,13 +45,9 @@ pub(crate) struct Approximation {
 }
 
 impl Approximation {
-    /// Interpolates `curve` so well that the error left is below `negligible`; `None` if that takes too many points.
-    pub(crate) fn new(curve: &Curve, power: i32, negligible: f64) -> Option<Self> {
-        Self::over(curve, (power > 0).then(|| Pole::new(curve.strip(), power)), negligible)
-    }
-
-    /// The same with poles of any place divided out.
-    pub(crate) fn over(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Self> {
+    /// Interpolates `curve`, over `pole` if any, so well that the error left is below `negligible`; `None` if that takes
+    /// too many points.
+    pub(crate) fn new(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Self> {
         let negligible = negligible * pole.map_or(1.0, Pole::least);
         let interpolation = enough_points(curve, pole, negligible)?;
         Some(Self::with_points(curve, pole, negligible, &interpolation))

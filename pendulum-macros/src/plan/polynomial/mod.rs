@@ -50,24 +50,27 @@ impl Polynomial {
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
     pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let over_poles = |b: &mut Builder, value| self.pole.map_or(value, |pole| pole.divide(b, value, variables));
-        if self.parity != Parity::Odd {
-            let value = self.value(b, variables);
-            return over_poles(b, value);
-        }
-        // The phase is divided while the polynomial is evaluated: nothing waits for it.
-        let factor = over_poles(b, variables.distance);
-        let value = self.value(b, variables);
-        b.mul(factor, value)
+        self.times(b, variables, false)
     }
 
     /// The same, one of two with the same poles: one division serves both.
     pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let one = b.constant(1.0);
-        let inverse = self.pole.map(|pole| pole.divide(b, one, variables));
+        self.times(b, variables, true)
+    }
+
+    /// The polynomial times an odd curve's phase, over its poles. What is divided is the phase, or 1, while the
+    /// polynomial is evaluated: nothing waits for it.
+    fn times(&self, b: &mut Builder, variables: &Variables, one_of_two: bool) -> Id {
         let phase = (self.parity == Parity::Odd).then_some(variables.distance);
-        let factors = [phase, inverse].into_iter().flatten();
-        let factor = factors.reduce(|phase, inverse| b.mul(phase, inverse));
+        let factor = match (self.pole, phase) {
+            (None, phase) => phase,
+            (Some(pole), Some(phase)) if !one_of_two => Some(pole.divide(b, phase, variables)),
+            (Some(pole), phase) => {
+                let one = b.constant(1.0);
+                let inverse = pole.divide(b, one, variables);
+                Some(phase.map_or(inverse, |phase| b.mul(phase, inverse)))
+            }
+        };
         let value = self.value(b, variables);
         factor.map_or(value, |factor| b.mul(factor, value))
     }

@@ -20,6 +20,11 @@ impl Polynomial {
     }
 }
 
+/// The nearest poles of that power, if it is one.
+fn nearest(curve: &Curve, power: i32) -> Option<Pole> {
+    (power > 0).then(|| Pole::new(curve.strip(), power))
+}
+
 /// sup |polynomial − curve| for |s| ≤ ½ + `overshoot`.
 fn sampled(polynomial: &Polynomial, curve: &Curve, overshoot: f64) -> f64 {
     const SAMPLES: u32 = 120;
@@ -57,7 +62,7 @@ fn truncation_errors() {
         for (index, (curve, power)) in curves.iter().enumerate() {
             let variants = [0, *power].map(|power| [(power, 0.0), (power, 1e-4)]).concat();
             for (power, overshoot) in variants {
-                let approximation = Approximation::new(curve, power, 1e-20).unwrap();
+                let approximation = Approximation::new(curve, nearest(curve, power), 1e-20).unwrap();
                 let reduction = Reduction { overshoot, ..reduction.clone() };
                 for terms in [3, 6, 11] {
                     let polynomial =
@@ -79,9 +84,9 @@ fn interpolation_errors() {
     for text in ["theta0 = 1", "theta0 = 7π/8", "velocity0 = 2.1"] {
         let (curves, reduction) = curves(text);
         for (index, (curve, power)) in curves.iter().enumerate() {
-            let precise = Approximation::new(curve, *power, 1e-20).unwrap();
+            let precise = Approximation::new(curve, nearest(curve, *power), 1e-20).unwrap();
             for negligible in [1e-3, 1e-7] {
-                let approximation = Approximation::new(curve, *power, negligible).unwrap();
+                let approximation = Approximation::new(curve, nearest(curve, *power), negligible).unwrap();
                 let polynomial = approximation.in_powers(approximation.terms(), PLAIN, &reduction, false);
                 let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, 0.0));
                 let about = format!("{text} {index} {negligible}: {seen:e} of {bound:e}");
@@ -129,8 +134,8 @@ fn poles() {
 #[test]
 fn too_many_points() {
     let (curves, _) = curves("theta0 = π - 1e-6");
-    assert!(Approximation::new(&curves[0].0, 0, 1e-3).is_some());
-    assert!(Approximation::new(&curves[0].0, 0, 1e-20).is_none());
+    assert!(Approximation::new(&curves[0].0, None, 1e-3).is_some());
+    assert!(Approximation::new(&curves[0].0, None, 1e-20).is_none());
 }
 
 /// Adapted coefficients are for numbers whose powers stay far from overflow and underflow.
@@ -164,7 +169,7 @@ fn moderate_polynomials() {
 fn weights() {
     let (curves, _) = curves("theta0 = 7π/8");
     for (index, power, odd) in [(0, 0, 1.0), (1, 0, 0.5), (1, 1, 0.5), (2, 2, 1.0)] {
-        let approximation = Approximation::new(&curves[index].0, power, 1e-12).unwrap();
+        let approximation = Approximation::new(&curves[index].0, nearest(&curves[index].0, power), 1e-12).unwrap();
         let least = approximation.pole.map_or(1.0, Pole::least);
         assert_eq!(approximation.weight(), odd / least, "{index} {power}");
         assert_eq!(approximation.pole.is_some(), power > 0);
@@ -178,7 +183,8 @@ fn omitted_terms() {
     let (curves, _) = curves("theta0 = 7π/8");
     for (index, power) in [(0, 0), (1, 0), (1, 1), (2, 2)] {
         let truncation = |omitted: f64| {
-            let approximation = Approximation::new(&curves[index].0.clone().omitting(omitted), power, 1e-9).unwrap();
+            let curve = curves[index].0.clone().omitting(omitted);
+            let approximation = Approximation::new(&curve, nearest(&curve, power), 1e-9).unwrap();
             (approximation.truncation(approximation.terms(), 0.0), approximation.pole)
         };
         let ((less, pole), (more, _)) = (truncation(0.0), truncation(1.0));
@@ -200,7 +206,7 @@ fn omitted_terms() {
 #[test]
 fn terms_of_nearly_nothing() {
     let (curves, _) = curves("velocity0 = 1e6");
-    let approximation = Approximation::new(&curves[1].0, 0, 1.0).unwrap();
+    let approximation = Approximation::new(&curves[1].0, None, 1.0).unwrap();
     assert_eq!((approximation.terms(), approximation.terms_for(1.0, 0.0)), (2, Some(2)));
 }
 
@@ -210,7 +216,7 @@ fn dropped_terms() {
     let (curves, _) = curves("theta0 = 7π/8");
     for (index, power) in [(0, 0), (1, 1)] {
         let curve = &curves[index].0;
-        let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+        let pole = nearest(curve, power);
         let interpolation = Interpolation { points: 30, rho: 3.0, error: 1e-9 };
         let approximation = |negligible: f64| Approximation::with_points(curve, pole, negligible, &interpolation);
         let (long, short) = (approximation(0.0), approximation(1e-2));
@@ -233,7 +239,7 @@ fn truncation_beyond_the_end() {
     const BEYOND: f64 = 1e-3;
     let (curves, _) = curves("theta0 = 7π/8");
     for (index, odd) in [(0, 1.0), (1, 1.0 + 2.0 * BEYOND)] {
-        let approximation = Approximation::new(&curves[index].0, 0, 1e-9).unwrap();
+        let approximation = Approximation::new(&curves[index].0, None, 1e-9).unwrap();
         let last = approximation.terms() - 1;
         let term = |beyond: f64| approximation.truncation(last, beyond) - approximation.truncation(last + 1, beyond);
         let exact = |j: usize| (j as f64 * (1.0 + 8.0 * BEYOND * (1.0 + BEYOND)).acosh()).cosh();
@@ -260,7 +266,7 @@ fn units_without_bounds() {
         (1, 1, Form::Normalised, 60, Some(65)),
         (2, 2, Form::Normalised, 30, Some(35)),
     ] {
-        let approximation = Approximation::new(&curves[index].0, power, 1e-9).unwrap();
+        let approximation = Approximation::new(&curves[index].0, nearest(&curves[index].0, power), 1e-9).unwrap();
         let excess = |exponent: i32| {
             let reduction = Reduction { unit: Double::new(10f64.powi(exponent)), ..reduction.clone() };
             let found = approximation.in_powers(4, form, &reduction, true).truncation;
@@ -293,7 +299,8 @@ fn underflow_of_coefficients() {
 fn adapted_polynomials() {
     for (text, index, chunk) in [("theta0 = 1", 2, 16), ("velocity0 = 2.1", 1, 16), ("7π/8", 1, 4), ("7π/8", 2, 4)] {
         let (curves, reduction) = curves(&if chunk == 16 { text.to_owned() } else { format!("theta0 = {text}") });
-        let approximation = Approximation::new(&curves[index].0, curves[index].1, 1e-24).unwrap();
+        let approximation =
+            Approximation::new(&curves[index].0, nearest(&curves[index].0, curves[index].1), 1e-24).unwrap();
         let terms = if chunk == 16 { 9 } else { 40 };
         let adapted = |unit: f64| {
             let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
@@ -347,7 +354,8 @@ fn evaluated(polynomial: &Polynomial, unit: Double, s: f64) -> f64 {
 fn values_in_other_units() {
     for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 7π/8", 2), ("velocity0 = 2.1", 1)] {
         let (curves, reduction) = curves(text);
-        let approximation = Approximation::new(&curves[index].0, curves[index].1, 1e-18).unwrap();
+        let approximation =
+            Approximation::new(&curves[index].0, nearest(&curves[index].0, curves[index].1), 1e-18).unwrap();
         for form in Form::ALL {
             for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
                 let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
@@ -403,7 +411,7 @@ fn points_and_their_error() {
         let (curves, _) = curves(text);
         for (index, (curve, power)) in curves.iter().enumerate() {
             for power in [0, *power] {
-                let pole = (power > 0).then(|| Pole::new(curve.strip(), power));
+                let pole = nearest(curve, power);
                 let Interpolation { points, error, .. } = enough_points(curve, pole, 1e-12).unwrap();
                 let parts = (1..100).map(|part| f64::from(part) / 100.0 * curve.strip());
                 let best = parts.map(|height| (error / interpolation_error(curve, pole, height, points) - 1.0).abs());
