@@ -9,6 +9,7 @@
 
 use super::Polynomial;
 use super::pole::Pole;
+use super::tail;
 use crate::chebyshev::{CosineTable, Interpolation, scale, shift, to_powers};
 use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices};
@@ -40,6 +41,8 @@ pub(crate) struct Approximation {
     /// Points of interpolation, and ln ρ of the ellipse where the curve is bounded.
     points: usize,
     log_rho: f64,
+    /// What dropping all but so many terms changes, once it is known.
+    dropped: RefCell<BTreeMap<usize, f64>>,
     /// The shifts found, by terms and chunk.
     choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
 }
@@ -85,6 +88,7 @@ impl Approximation {
             remainder,
             points,
             log_rho: libm::log(rho),
+            dropped: RefCell::default(),
             choices: RefCell::default(),
         }
     }
@@ -92,19 +96,45 @@ impl Approximation {
     /// An even function of which the series and its error are known.
     pub(crate) fn known(map: Option<Moebius>, series: Vec<Double>, remainder: f64) -> Self {
         let (parity, pole, points, log_rho) = (Parity::Even, None, series.len(), f64::INFINITY);
-        Self { parity, pole, map, series, remainder, points, log_rho, choices: RefCell::default() }
+        Self {
+            parity,
+            pole,
+            map,
+            series,
+            remainder,
+            points,
+            log_rho,
+            dropped: RefCell::default(),
+            choices: RefCell::default(),
+        }
     }
 
     /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
-        self.without(terms..self.series.len(), overshoot) + self.least_truncation(overshoot)
+        let dropped = terms.min(self.series.len())..self.series.len();
+        let beyond = self.sum(dropped.clone(), |j| libm::cosh(j * growth(overshoot)) - 1.0);
+        let whole = self.without(dropped, overshoot);
+        let within = *self.dropped.borrow_mut().entry(terms).or_insert_with(|| self.supremum(terms));
+        // Of the margin is what the poles and the phase are beyond, as for the least value of poles.
+        let sharp = within * (1.0 + 1e-3) + beyond * self.outer_weight(overshoot);
+        whole.min(sharp) + self.least_truncation(overshoot)
     }
 
-    /// What dropping these terms changes.
+    /// What dropping all coefficients but so many changes on the interval.
+    fn supremum(&self, terms: usize) -> f64 {
+        let dropped: Vec<f64> = self.series.iter().skip(terms).map(|c| c.hi).collect();
+        tail::supremum(&dropped, terms, self.pole, self.parity)
+    }
+
+    /// What dropping these terms changes at most, whatever their signs.
     fn without(&self, dropped: Range<usize>, overshoot: f64) -> f64 {
         let growth = growth(overshoot);
-        let sum: f64 = dropped.map(|j| self.series[j].hi.abs() * libm::cosh(j as f64 * growth)).sum();
-        sum * self.outer_weight(overshoot)
+        self.sum(dropped, |j| libm::cosh(j * growth)) * self.outer_weight(overshoot)
+    }
+
+    /// The magnitudes of these coefficients, each weighted.
+    fn sum(&self, of: Range<usize>, weight: impl Fn(f64) -> f64) -> f64 {
+        of.map(|j| self.series[j].hi.abs() * weight(j as f64)).sum()
     }
 
     /// The error of the whole series. Its part due to the points is a sum of Tⱼ for j from their number on, in which
@@ -134,7 +164,8 @@ impl Approximation {
             enough = Some(terms);
             truncation += self.without(terms - 1..terms, overshoot);
         }
-        enough
+        // The magnitudes add up to more than what is left out.
+        enough.map(|terms| if terms > 2 && self.truncation(terms - 1, overshoot) <= limit { terms - 1 } else { terms })
     }
 
     pub(crate) fn terms(&self) -> usize {

@@ -8,6 +8,7 @@
 mod approximation;
 pub(crate) mod pade;
 mod pole;
+mod tail;
 
 pub(crate) use approximation::Approximation;
 

@@ -58,8 +58,13 @@ impl Pole {
 
     /// The least magnitude for 0 ≤ p ≤ ¼.
     pub(super) fn least(self) -> f64 {
-        let distance = (-self.place.hi).max(self.place.hi - 0.25).max(0.0);
-        (distance * distance + self.height_squared.hi).powi(self.power) * (1.0 - 1e-3)
+        self.least_between(0.0, 0.25) * (1.0 - 1e-3)
+    }
+
+    /// The least magnitude for p between these.
+    pub(super) fn least_between(self, low: f64, high: f64) -> f64 {
+        let distance = (low - self.place.hi).max(self.place.hi - high).max(0.0);
+        (distance * distance + self.height_squared.hi).powi(self.power)
     }
 
     /// Bounds the magnitude for |s| ≤ `radius`.

@@ -68,7 +68,7 @@ fn truncation_errors() {
                     let polynomial =
                         approximation.in_powers(terms, Form::Powers { shift: -0.15625 }, &reduction, false);
                     let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, overshoot));
-                    let most = if overshoot == 0.0 { 2.5 } else { most };
+                    let most = if overshoot == 0.0 { 1.2 } else { most };
                     let about = format!("{text} {index} {power} {terms} {overshoot}: {seen:e} of {bound:e}");
                     assert!(seen <= bound && bound <= most * seen, "{about}");
                 }
@@ -93,7 +93,7 @@ fn interpolation_errors() {
                 assert!(seen <= bound && bound <= 1.01 * negligible, "{about}");
                 let needed = precise.terms_for(negligible, 0.0).unwrap();
                 assert!(
-                    approximation.terms() <= 2 * needed,
+                    approximation.terms() <= 2 * needed + 1,
                     "{about}: {} terms, {needed} needed",
                     approximation.terms()
                 );
@@ -210,6 +210,10 @@ fn terms_of_nearly_nothing() {
     assert_eq!((approximation.terms(), approximation.terms_for(1.0, 0.0)), (2, Some(2)));
 }
 
+fn magnitudes(approximation: &Approximation, terms: usize) -> f64 {
+    approximation.without(terms..approximation.series.len(), 0.0) + approximation.least_truncation(0.0)
+}
+
 /// What is cut at once and what is cut later is the same error; and a little is added for the rounding of the sum.
 #[test]
 fn dropped_terms() {
@@ -223,11 +227,11 @@ fn dropped_terms() {
         let terms = short.terms();
         assert!(long.terms() == 30 && terms + 3 < 30);
         for terms in [terms, terms - 1] {
-            let (long, short) = (long.truncation(terms, 0.0), short.truncation(terms, 0.0));
+            let (long, short) = (magnitudes(&long, terms), magnitudes(&short, terms));
             assert!((long / short - 1.0).abs() < 1e-14, "{index}: {long:e} {short:e}");
         }
         let sum = short.series.iter().map(|c| c.hi.abs()).sum::<f64>() + short.remainder;
-        let excess = short.truncation(0, 0.0) / (sum * short.weight()) - 1.0;
+        let excess = magnitudes(&short, 0) / (sum * short.weight()) - 1.0;
         assert!((5e-13..2e-12).contains(&excess), "{index}: {excess:e}");
     }
 }

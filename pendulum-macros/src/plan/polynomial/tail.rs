@@ -1,0 +1,83 @@
+//! The supremum of what dropping coefficients leaves out. Their magnitudes add up to half as much again, where poles have
+//! made those vanish that were by far the largest.
+
+use super::pole::Pole;
+use crate::series::Parity;
+use std::f64::consts::PI;
+
+/// Angles at which the sum is evaluated.
+const CELLS: u32 = 128;
+
+/// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, over the poles and times an odd curve's phase, for |u| ≤ 1, where p = (1 + u)/8.
+///
+/// With u = cos φ the sum is one of cos jφ: between two angles it exceeds the larger of its values by at most h²/8 times
+/// its largest second derivative, h being their distance.
+pub(super) fn supremum(coefficients: &[f64], first: usize, pole: Option<Pole>, parity: Parity) -> f64 {
+    let h = PI / f64::from(CELLS);
+    let orders = (first..).map(|j| j as f64);
+    let second: f64 = coefficients.iter().zip(orders).map(|(c, j)| j * j * c.abs()).sum();
+    let between = h * h / 8.0 * second;
+    let at = |cell: u32| {
+        let u = libm::cos(h * f64::from(cell));
+        (((1.0 + u) / 8.0).max(0.0), sum(coefficients, first, u).abs())
+    };
+    let weight = |low: f64, high: f64| {
+        let phase = if parity == Parity::Odd { high.sqrt() } else { 1.0 };
+        phase / pole.map_or(1.0, |pole| pole.least_between(low, high))
+    };
+    let mut higher = at(0);
+    let mut largest = 0.0_f64;
+    for cell in 1..=CELLS {
+        let lower = at(cell);
+        largest = largest.max((higher.1.max(lower.1) + between) * weight(lower.0, higher.0));
+        higher = lower;
+    }
+    // The rounding of the above.
+    largest * (1.0 + 1e-9)
+}
+
+/// Σ cⱼTⱼ(u), j from `first` on, by Clenshaw's recurrence.
+fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
+    let step = |(next, after): (f64, f64), c: f64| (c + 2.0 * u * next - after, next);
+    let high = coefficients.iter().rev().fold((0.0, 0.0), |state, &c| step(state, c));
+    // Those before are nought.
+    let (next, after) = (1..first).fold(high, |state, _| step(state, 0.0));
+    if first == 0 { next - u * after } else { u * next - after }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pendulum_runtime::double::Double;
+
+    #[test]
+    fn sums_of_chebyshev_polynomials() {
+        for first in [0, 1, 2, 9] {
+            for u in [-1.0, -0.3, 0.0, 0.77, 1.0_f64] {
+                let t = |j: usize| (j as f64 * u.acos()).cos();
+                let expected = 2.0 * t(first) - 0.5 * t(first + 1) + 0.25 * t(first + 2);
+                let found = sum(&[2.0, -0.5, 0.25], first, u);
+                assert!((found - expected).abs() < 1e-13, "{first} {u}: {found} {expected}");
+            }
+        }
+    }
+
+    /// Never below what is found densely, and hardly above.
+    #[test]
+    fn suprema() {
+        let poles = [None, Some(Pole::new(0.26, 1)), Some(Pole::new(0.1, 2))];
+        for (pole, parity) in poles.into_iter().flat_map(|pole| [(pole, Parity::Even), (pole, Parity::Odd)]) {
+            for (coefficients, first) in [(vec![1.0], 2), (vec![1.0, 1.0, -0.5], 6), (vec![0.1, -1.0, 0.7, 0.3], 20)] {
+                let at = |i: u32| {
+                    let u = (f64::from(i) * PI / 1e5).cos();
+                    let phase = if parity == Parity::Odd { ((1.0 + u) / 8.0).max(0.0).sqrt() } else { 1.0 };
+                    let over = pole.map_or(1.0, |pole| pole.at(Double::new(u)).hi);
+                    (sum(&coefficients, first, u) * phase / over).abs()
+                };
+                let seen = (0..=100_000).map(at).fold(0.0, f64::max);
+                let bound = supremum(&coefficients, first, pole, parity);
+                assert!(seen <= bound && bound < 1.12 * seen, "{pole:?} {first}: {bound} for {seen}");
+            }
+        }
+    }
+}
