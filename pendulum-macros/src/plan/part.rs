@@ -68,13 +68,17 @@ impl Aim {
     fn poles(&self, plain: &[Approximation]) -> Option<Pole> {
         let curve = self.curves.first().filter(|curve| !curve.is_arc())?;
         let nearest = Pole::new(curve.strip(), self.power.max(1));
-        if self.power > 1 {
-            return Some(nearest);
-        }
         let limit = self.share(self.limit);
-        let (pole, terms) = pade::best(plain, nearest, limit)?;
-        let most = plain.first()?.terms_for(limit, 0.0).filter(|_| self.power == 0);
-        most.is_none_or(|most| terms + WORTH <= most).then_some(pole)
+        let best = || pade::best(plain, nearest, limit);
+        match self.power {
+            0 => {
+                let (pole, terms) = best()?;
+                let most = plain.first()?.terms_for(limit, 0.0);
+                most.is_none_or(|most| terms + WORTH <= most).then_some(pole)
+            }
+            1 => Some(best().map_or(nearest, |(pole, _)| pole)),
+            _ => Some(nearest),
+        }
     }
 
     /// The truncation allowed to each of the curves.
