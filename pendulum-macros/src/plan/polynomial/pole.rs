@@ -4,8 +4,9 @@ use crate::plan::variables::Variables;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
-/// (−height² − (p − place)²)^power, which vanishes at the nearest pair of singularities. θ̇, sin(θ/2) and cos(θ/2) have
-/// simple poles there, θ̈ double ones, θ itself logarithms, which dividing doesn't remove.
+/// (−height² − (p − place)²)^power, which vanishes at the nearest pair of singularities, or near it. θ̇, sin(θ/2) and
+/// cos(θ/2) have simple poles there, θ̈ double ones, θ itself logarithms, which dividing doesn't remove but which poles
+/// of other places stand for: see `pade.rs`.
 ///
 /// Negative, since a polynomial ends with the sum of a product and a constant: were this another, compilers would pair
 /// the two, and the division, which is to be done meanwhile, would wait for the polynomial.
