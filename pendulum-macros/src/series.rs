@@ -8,7 +8,7 @@ use pendulum_runtime::double::Double;
 /// Σ aₘ cos(mπs) or linear·s + Σ aₘ sin(mπs), s being the phase in anchors.
 #[derive(Clone, Debug)]
 pub(crate) struct Wave {
-    pub(crate) parity: Parity,
+    parity: Parity,
     linear: Double,
     constant: Double,
     /// (m, aₘ), m increasing.
@@ -34,8 +34,10 @@ struct Envelope {
     size: f64,
     power: i32,
     rate: f64,
-    step: u32,
 }
+
+/// From term to term m grows by this: all of a series are odd multiples of πs, or all are even.
+const STEP: u32 = 2;
 
 /// Relative to the first term, terms below this are omitted: far below the rounding of any output.
 const NEGLIGIBLE: f64 = 1e-23;
@@ -50,7 +52,6 @@ impl Wave {
             size: 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order),
             power: order - 1,
             rate: decay(&swing.elliptic) / 2.0,
-            step: 2,
         };
         let mut power = root; // q^(m/2)
         let terms = (1..).step_by(2).map(|m: u32| {
@@ -73,7 +74,7 @@ impl Wave {
         let mut power = swing.elliptic.nome.sqrt().to_double();
         let front = Double::PI * 2.0 / swing.elliptic.quarter.to_double();
         let growth = 1.0 / (1.0 - nome.hi);
-        let envelope = Envelope { size: front.hi * growth, power: 0, rate: decay(&swing.elliptic) / 2.0, step: 2 };
+        let envelope = Envelope { size: front.hi * growth, power: 0, rate: decay(&swing.elliptic) / 2.0 };
         let terms = (1..).step_by(2).map(|m: u32| {
             let size = front * power / (Double::ONE - power * power);
             power = power * nome;
@@ -87,7 +88,7 @@ impl Wave {
         let nome = swing.elliptic.nome.to_double();
         let mut power = nome;
         let front = Double::PI / (swing.elliptic.quarter.to_double() * 2.0);
-        let envelope = Envelope { size: front.hi * 4.0, power: 0, rate: decay(&swing.elliptic) / 2.0, step: 2 };
+        let envelope = Envelope { size: front.hi * 4.0, power: 0, rate: decay(&swing.elliptic) / 2.0 };
         let terms = (1..).map(|n: u32| {
             let size = front * power * 4.0 / (Double::ONE + power * power);
             power = power * nome;
@@ -104,7 +105,6 @@ impl Wave {
             size: 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order),
             power: order - 1,
             rate: decay(&rotation.elliptic) / 2.0,
-            step: 2,
         };
         let mut power = nome;
         let terms = (1..).map(|n: u32| {
@@ -157,7 +157,7 @@ impl Wave {
         let nome = elliptic.nome.to_double();
         let mut power = elliptic.nome.sqrt().to_double();
         let front = Double::PI * 2.0 / (&elliptic.modulus * &elliptic.quarter).to_double();
-        let envelope = Envelope { size: front.hi / (1.0 - nome.hi), power: 0, rate: decay(elliptic) / 2.0, step: 2 };
+        let envelope = Envelope { size: front.hi / (1.0 - nome.hi), power: 0, rate: decay(elliptic) / 2.0 };
         let terms = (1..).step_by(2).map(|m: u32| {
             let square = power * power;
             let size = front * power / if parity == Parity::Even { Double::ONE - square } else { Double::ONE + square };
@@ -182,7 +182,7 @@ impl Wave {
     pub(crate) fn cosine(scale: Double) -> Self {
         // Nothing is omitted, so any envelope above the term serves; this one, 10³⁰⁰e⁻⁶⁹⁰ = 2.2, is finite in any strip
         // that is looked at.
-        let envelope = Envelope { size: scale.hi.abs() * 1e300, power: 0, rate: 690.0, step: 2 };
+        let envelope = Envelope { size: scale.hi.abs() * 1e300, power: 0, rate: 690.0 };
         Self {
             parity: Parity::Even,
             linear: Double::ZERO,
@@ -229,9 +229,8 @@ impl Wave {
     /// The value at the phase s, |s| ≤ 1.5.
     pub(crate) fn at(&self, s: Double) -> Double {
         let (cosine, sine) = (cos_pi(s), sin_pi(s));
-        // Recurrence for cos(mπs), sin(mπs): rotation by one step of the series.
-        let step = self.envelope.step;
-        let turn = if step == 2 { (cosine * cosine - sine * sine, cosine * sine * 2.0) } else { (cosine, sine) };
+        // Recurrence for cos(mπs), sin(mπs): rotation by 2πs, one step of the series.
+        let turn = (cosine * cosine - sine * sine, cosine * sine * 2.0);
         let mut phase = match self.terms.first() {
             Some(&(2, _)) => turn,
             _ => (cosine, sine),
@@ -249,7 +248,7 @@ impl Wave {
         let angle = std::f64::consts::PI * s;
         let ((sine, cosine), (turn_sine, turn)) = (
             libm::sincos(f64::from(self.terms.first().map_or(1, |term| term.0)) * angle),
-            libm::sincos(f64::from(self.envelope.step) * angle),
+            libm::sincos(f64::from(STEP) * angle),
         );
         let (mut cosine, mut sine) = (cosine, sine);
         let mut sum = self.constant.hi + self.linear.hi * s;
@@ -291,7 +290,7 @@ impl Wave {
     }
 
     fn first_omitted(&self) -> u32 {
-        self.terms.last().map_or(1, |&(m, _)| m + self.envelope.step)
+        self.terms.last().map_or(1, |&(m, _)| m + STEP)
     }
 }
 
@@ -301,13 +300,13 @@ fn decay(elliptic: &Elliptic) -> f64 {
 }
 
 impl Envelope {
-    /// Bounds Σ |aₘ| exp(growth·m) over m = first, first + step, …
+    /// Bounds Σ |aₘ| exp(growth·m) over m = first, first + STEP, …
     fn tail(self, first: u32, growth: f64) -> f64 {
         let rate = self.rate - growth;
         if rate <= 0.0 {
             return f64::INFINITY;
         }
-        let step = f64::from(self.step);
+        let step = f64::from(STEP);
         let m = f64::from(first);
         // mᵖ grows by at most (1 + step/m)ᵖ a step.
         let ratio = libm::exp(-rate * step) * (1.0 + step / m).powi(self.power.max(0));

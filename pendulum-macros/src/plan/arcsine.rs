@@ -51,7 +51,7 @@ impl Arcsine {
         let single = b.mul(root, ratio);
         let four = b.constant(4.0 * sign);
         let fourfold = b.mul(single, four);
-        let pi = b.exact(sign * Double::PI.hi, sign * Double::PI.lo);
+        let pi = b.exact(Double::PI.scale(sign));
         b.sub(pi, fourfold)
     }
 

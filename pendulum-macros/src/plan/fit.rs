@@ -37,7 +37,7 @@ impl Fit {
         let error = interpolation_error(bound, rho, points);
         let table = CosineTable::new(points);
         let values: Vec<Double> = table.points().map(|u| function((u + Double::ONE) * (0.5 * end))).collect();
-        let series = table.coefficients(&values, points);
+        let series = table.coefficients(&values);
         let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error;
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
         let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));

@@ -173,7 +173,7 @@ impl Sum {
 
 /// u₁ and u₂ (absent for a single weight).
 fn clenshaw(b: &mut Builder, cosine: Id, weights: &[Double]) -> (Id, Option<Id>) {
-    let constants: Vec<Id> = weights.iter().map(|w| b.exact(w.hi, w.lo)).collect();
+    let constants: Vec<Id> = weights.iter().map(|&weight| b.exact(weight)).collect();
     let Some((&last, rest)) = constants.split_last() else { return (cosine, None) };
     let square = b.mul(cosine, cosine);
     let (four, two) = (b.constant(4.0), b.constant(2.0));

@@ -42,7 +42,7 @@ impl Turning {
             (true, None) => {
                 let mean = self.mean(b, variables.distance);
                 let angle = b.add(mean, angle);
-                let half = b.exact(self.direction * Double::PI.hi, self.direction * Double::PI.lo);
+                let half = b.exact(Double::PI.scale(self.direction));
                 b.sub(angle, half)
             }
         };
@@ -52,7 +52,7 @@ impl Turning {
     /// 2π·phase.
     fn mean(&self, b: &mut Builder, phase: Id) -> Id {
         let turn = Double::PI * self.unit * (2.0 * self.direction);
-        let turn = b.exact(turn.hi, turn.lo);
+        let turn = b.exact(turn);
         b.mul(phase, turn)
     }
 
@@ -60,8 +60,8 @@ impl Turning {
     /// before the top.
     fn other_side(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         let zero = b.constant(0.0);
-        let half = b.exact(Double::PI.hi, Double::PI.lo);
-        let minus = b.exact(-Double::PI.hi, -Double::PI.lo);
+        let half = b.exact(Double::PI);
+        let minus = b.exact(-Double::PI);
         // On the top itself the angle is −π, from either direction.
         let s = variables.distance;
         let (low, high) = if self.direction > 0.0 { (s, zero) } else { (zero, s) };
@@ -77,7 +77,7 @@ impl Turning {
         let count = b.convert(count, Float::F64);
         let angle = b.convert(angle, Float::F64);
         let turn = Double::PI * (2.0 * self.direction);
-        let (high, low) = (b.exact(turn.hi, 0.0), b.exact(turn.lo, 0.0));
+        let (high, low) = (b.constant(turn.hi), b.constant(turn.lo));
         let small = b.mul(count, low);
         let small = b.add(small, angle);
         let large = b.mul(count, high);
@@ -102,9 +102,9 @@ impl Turning {
 /// or after.
 pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let half = std::f64::consts::PI;
-    let (half, minus) = (b.exact(half, 0.0), b.exact(-half, 0.0));
+    let (half, minus) = (b.constant(half), b.constant(-half));
     let turn = Double::PI * 2.0;
-    let turn = b.exact(turn.hi, turn.lo);
+    let turn = b.exact(turn);
     let back = b.sub(angle, turn);
     let angle = b.push(Op::Select { a: angle, b: half, then: angle, otherwise: back });
     b.name(angle, "angle");

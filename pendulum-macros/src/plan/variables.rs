@@ -72,7 +72,7 @@ impl Variables {
         let distance = clamp(b, phase.remainder, reduction.half());
         b.name(distance, "clamped");
         let half = Double::new(0.5) / reduction.unit;
-        let half_id = b.exact(half.hi, half.lo);
+        let half_id = b.exact(half);
         let square = b.add(distance, half_id);
         let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
         let source = Source::Linear { half };
@@ -87,8 +87,7 @@ impl Variables {
         b.name(magnitude, "a");
         let whole = Double::ONE / reduction.unit;
         let quarter = whole * whole * 0.25;
-        let [whole_id, half_id, quarter_id] =
-            [whole, whole * 0.5, quarter].map(|constant| b.exact(constant.hi, constant.lo));
+        let [whole_id, half_id, quarter_id] = [whole, whole * 0.5, quarter].map(|constant| b.exact(constant));
         let other = b.sub(whole_id, magnitude);
         let product = b.mul(magnitude, other);
         b.name(product, "below");
@@ -108,18 +107,18 @@ impl Variables {
         let one = b.constant(1.0);
         match self.source {
             Source::Square => {
-                let eighth = b.exact(eighth.hi, eighth.lo);
+                let eighth = b.exact(eighth);
                 let scaled = b.mul(self.square, eighth);
                 b.sub(scaled, one)
             }
             Source::Below { below, .. } => {
-                let eighth = b.exact(eighth.hi, eighth.lo);
+                let eighth = b.exact(eighth);
                 let scaled = b.mul(below, eighth);
                 b.sub(one, scaled)
             }
             Source::Linear { .. } => {
                 let doubled = self.unit * 2.0;
-                let doubled = b.exact(doubled.hi, doubled.lo);
+                let doubled = b.exact(doubled);
                 b.mul(self.distance, doubled)
             }
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -Double::ONE),
@@ -134,7 +133,7 @@ impl Variables {
             Source::Square => b.offset(self.square, shift),
             Source::Below { below, quarter } => {
                 let top = quarter + shift;
-                let top = b.exact(top.hi, top.lo);
+                let top = b.exact(top);
                 b.sub(top, below)
             }
         }
@@ -143,7 +142,7 @@ impl Variables {
     /// With the image of p in place of p.
     pub(crate) fn mapped(&self, b: &mut Builder, map: Moebius) -> Self {
         let place = Double::new(map.place) / (self.unit * self.unit);
-        let place = b.exact(place.hi, place.lo);
+        let place = b.exact(place);
         let divisor = b.add(self.square, place);
         b.name(divisor, "d");
         Self { source: Source::Quotient { divisor, map }, ..*self }
@@ -153,7 +152,7 @@ impl Variables {
     fn less_quotient(&self, b: &mut Builder, divisor: Id, map: Moebius, factor: f64, offset: Double) -> Id {
         let dividend = Double::new(factor * map.scale()) / (self.unit * self.unit);
         let top = Double::new(factor * map.end()) + offset;
-        let [dividend, top] = [dividend, top].map(|constant| b.exact(constant.hi, constant.lo));
+        let [dividend, top] = [dividend, top].map(|constant| b.exact(constant));
         let quotient = b.div(dividend, divisor);
         b.sub(top, quotient)
     }

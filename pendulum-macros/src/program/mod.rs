@@ -175,10 +175,10 @@ impl Builder {
         self.name(t, "t")
     }
 
-    /// The number nearest to `value + rest`, whose distance from it is kept.
-    pub(crate) fn exact(&mut self, value: f64, rest: f64) -> Id {
-        let rounded = self.float.round(value);
-        self.push(Op::Constant { value: rounded, rest: (value - rounded) + rest })
+    /// The number of the float nearest to `value`, whose distance from it is kept.
+    pub(crate) fn exact(&mut self, value: Double) -> Id {
+        let rounded = self.float.round(value.hi);
+        self.push(Op::Constant { value: rounded, rest: (value.hi - rounded) + value.lo })
     }
 
     /// A number that stands for something within `slack` of it.
@@ -189,7 +189,7 @@ impl Builder {
 
     /// A number that is exact as it stands.
     pub(crate) fn constant(&mut self, value: f64) -> Id {
-        self.exact(value, 0.0)
+        self.exact(Double::new(value))
     }
 
     /// x + offset, if there is any.
@@ -197,7 +197,7 @@ impl Builder {
         if offset == Double::ZERO {
             return x;
         }
-        let offset = self.exact(offset.hi, offset.lo);
+        let offset = self.exact(offset);
         self.add(x, offset)
     }
 

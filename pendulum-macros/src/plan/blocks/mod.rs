@@ -187,7 +187,7 @@ fn magnitude(powers: &[Double], reach: f64) -> f64 {
 
 /// Few powers, which do without w, by Horner's rule.
 fn one_by_one(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
-    let coefficients: Vec<Id> = coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
+    let coefficients: Vec<Id> = coefficients.iter().map(|&c| b.exact(c)).collect();
     let step = |value, c| {
         let product = b.mul(value, y);
         b.add(product, c)
@@ -198,7 +198,7 @@ fn one_by_one(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
 
 /// Powers up to the third by those of y and w: as many operations, and three cycles less to wait.
 fn by_pairs(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
-    let coefficients: Vec<Id> = coefficients.iter().map(|c| b.exact(c.hi, c.lo)).collect();
+    let coefficients: Vec<Id> = coefficients.iter().map(|&c| b.exact(c)).collect();
     estrin(b, y, &coefficients, &[])
 }
 
@@ -237,7 +237,7 @@ impl Block {
     fn lower(&self, b: &mut Builder, y: Id, w: Id) -> Id {
         let z = by_pairs(b, y, &self.head);
         self.factors.iter().fold(z, |value, &(alpha, beta)| {
-            let [minus_alpha, beta] = [-alpha, beta].map(|c| b.exact(c.hi, c.lo));
+            let [minus_alpha, beta] = [-alpha, beta].map(|c| b.exact(c));
             let factor = b.add(w, minus_alpha);
             let product = b.mul(value, factor);
             b.add(product, beta)

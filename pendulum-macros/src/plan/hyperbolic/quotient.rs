@@ -49,7 +49,7 @@ struct Exponential {
 impl Hyperbolic {
     /// The exponential by powers of 2, 2⁻ʷ = 2⁻ʲ(1 + even − odd).
     fn exponential(&self, b: &mut Builder, magnitude: Id) -> Exponential {
-        let rate = b.exact(self.passage.rate.hi, self.passage.rate.lo);
+        let rate = b.exact(self.passage.rate);
         let w = b.mul(magnitude, rate);
         let furthest = b.constant(FURTHEST);
         let w = b.push(Op::Min { limit: furthest, x: w });
@@ -91,7 +91,7 @@ impl Hyperbolic {
         b.name(exponent, "image_exponent");
         let power = b.push(Op::PowerOfTwo { magic: exponent });
         b.name(power, "image_power");
-        let mantissa = b.exact(self.passage.image.hi, self.passage.image.lo);
+        let mantissa = b.exact(self.passage.image);
         let rising = b.add(even, odd);
         let one = b.constant(1.0);
         let rising = b.add(one, rising);

@@ -41,7 +41,7 @@ fn in_parts(sum: &Wave, parts: usize, negligible: f64) -> Option<Piecewise> {
         let phases: Vec<Double> = table.points().map(|u| piece.phase(u)).collect();
         let sines: Vec<Double> = phases.iter().map(|&s| sum.at(s)).collect();
         let values: Option<Vec<Double>> = sines.iter().map(|&y| twice_arcsine(y)).collect();
-        let own = table.coefficients(&values?, POINTS);
+        let own = table.coefficients(&values?);
         residual = residual.max(piece.residual(sum, &own, negligible)?);
         points.extend(phases.iter().zip(&sines).map(|(s, y)| Point { s: s.hi, y: y.hi.abs() }));
         series.push(own);
@@ -119,7 +119,7 @@ mod tests {
         for index in [0, 5, 16] {
             let piece = Piece { parts: 32, index };
             let angle = |u: Double| twice_arcsine(sum.at(piece.phase(u))).unwrap();
-            let mut series = table.coefficients(&table.points().map(angle).collect::<Vec<_>>(), POINTS);
+            let mut series = table.coefficients(&table.points().map(angle).collect::<Vec<_>>());
             let exact = piece.residual(&sum, &series, 1e-20).unwrap();
             assert!(exact < 1e-19, "{index}: {exact:e}");
             let epsilon = 1e-9;

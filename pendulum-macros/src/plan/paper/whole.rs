@@ -82,7 +82,7 @@ fn rough_terms(weights: &[Double], map: Option<Moebius>) -> Option<usize> {
 fn interpolant(sum: &Wave, map: Option<Moebius>, points: usize) -> Option<Vec<Double>> {
     let table = CosineTable::new(points);
     let values: Option<Vec<Double>> = table.points().map(|u| twice_arcsine(sum.at(phase(map, u)))).collect();
-    Some(table.coefficients(&values?, points))
+    Some(table.coefficients(&values?))
 }
 
 /// 2 arcsin y, by Newton's method on sin πx = y; `None` if |y| ≥ 1.

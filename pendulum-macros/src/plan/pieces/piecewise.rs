@@ -36,7 +36,7 @@ impl Piecewise {
         let table = CosineTable::new(points);
         let series = |index: usize| {
             let values: Vec<Double> = table.points().map(|u| curve.at(phase(parts, index, u))).collect();
-            table.coefficients(&values, points)
+            table.coefficients(&values)
         };
         Some(Self {
             series: (0..=parts / 2).map(series).collect(),

@@ -71,7 +71,7 @@ impl Approximation {
             if curve.parity() == Parity::Odd { value / s } else { value }
         };
         let values: Vec<Double> = table.points().map(sample).collect();
-        let mut series = table.coefficients(&values, points);
+        let mut series = table.coefficients(&values);
         // Near an anchor an odd curve's omitted terms are divided by s, of which the smallest sample is above
         // 1/(3·points).
         let omitted = curve.omitted() * if curve.parity() == Parity::Odd { 3.0 * points as f64 } else { 1.0 };

@@ -78,7 +78,7 @@ impl Pole {
     pub(super) fn divide(self, b: &mut Builder, value: Id, variables: &Variables) -> Id {
         let distance = variables.shifted(b, -self.place);
         let square = b.mul(distance, distance);
-        let minus_height = b.exact(-self.height_squared.hi, -self.height_squared.lo);
+        let minus_height = b.exact(-self.height_squared);
         let mut divisor = b.sub(minus_height, square);
         let single = b.name(divisor, "d");
         for _ in 1..self.power {

@@ -197,7 +197,7 @@ impl Reduction {
             return fourth.map_or(sum, |fourth| b.add(sum, fourth));
         }
         let offset = offset * self.scale;
-        let (head, low) = (b.exact(offset.hi, 0.0), b.constant(offset.lo));
+        let (head, low) = (b.constant(offset.hi), b.constant(offset.lo));
         let low = fourth.map_or(low, |fourth| b.add(fourth, low));
         let (mut sum, mut lost) = (b.sub(first, n), low);
         if self.origin == Origin::Lowest {
@@ -257,7 +257,7 @@ impl Reduction {
         let first = b.mul(head, r1);
         let second = cross(b, (tail, r1), (head, r2));
         let third = cross(b, (tail, r2), (t, r3));
-        let (launch, rest) = (b.exact(self.launch.hi, 0.0), b.constant(self.launch.lo));
+        let (launch, rest) = (b.constant(self.launch.hi), b.constant(self.launch.lo));
         let (sum, lost) = b.two_sum(first, launch);
         let (sum, lost_too) = b.two_sum(sum, second);
         let low = b.add(lost, lost_too);

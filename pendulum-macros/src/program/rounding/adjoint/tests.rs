@@ -3,6 +3,7 @@
 use super::*;
 use crate::parse::Float;
 use crate::program::Builder;
+use pendulum_runtime::double::Double;
 
 /// The slopes passed to four operands, given these values of them.
 fn passed(op: Op, slope: (f64, f64), known: &[Known]) -> Option<Vec<(f64, f64)>> {
@@ -89,7 +90,7 @@ fn selections_pass_to_the_branch_taken() {
 fn roundings_are_weighted_by_derivatives() {
     let mut b = Builder::new(Float::F64);
     let t = b.input();
-    let c = b.exact(0.25, 1e-12);
+    let c = b.exact(Double { hi: 0.25, lo: 1e-12 });
     let sum = b.add(t, c);
     let minus = b.constant(-3.0);
     let product = b.mul(sum, minus);
