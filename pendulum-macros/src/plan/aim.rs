@@ -1,9 +1,9 @@
 //! What each output has to keep, in every regime.
 
 use super::arc::Arc;
-use super::curve::{Curve, RotationCurves, SwingCurves};
+use super::curve::{Curve, Curves, RotationCurves, SwingCurves};
 use super::hyperbolic::{Hyperbolic, Passage};
-use super::reduction::{Clock, Reduction};
+use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime, Rotation, Separatrix, Swing};
 use crate::parse::{Float, Output};
@@ -63,20 +63,9 @@ impl Task {
     }
 
     fn swing(scene: &Scene, swing: &Swing) -> Self {
-        let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let aims = scene.outputs.iter().map(|&output| {
-            let (functions, power) = match output {
-                Output::Theta | Output::Wrapped => (vec![curves.theta()], 0),
-                Output::Velocity => (vec![curves.velocity()], 1),
-                Output::Acceleration => (vec![curves.acceleration()], 2),
-                Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
-            };
-            let steepest = if output == Output::Position { curves.theta() } else { functions[0].clone() };
-            Aim::new(scene, output, functions, power, &steepest)
-        });
         let direction = if swing.mirrored { -1.0 } else { 1.0 };
         Self {
-            aims: aims.collect(),
+            aims: aims(scene, &SwingCurves::new(swing, &scene.motion.omega)),
             rate: swing_rate(swing),
             launch: swing.launch.clone(),
             direction,
@@ -87,22 +76,11 @@ impl Task {
     }
 
     fn rotation(scene: &Scene, rotation: &Rotation) -> Self {
-        let curves = RotationCurves::new(rotation, &scene.motion.omega);
-        let aims = scene.outputs.iter().map(|&output| {
-            let (functions, power) = match output {
-                Output::Theta | Output::Wrapped => (vec![curves.angle()], 0),
-                Output::Velocity => (vec![curves.velocity()], 1),
-                Output::Acceleration => (vec![curves.acceleration()], 2),
-                Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
-            };
-            let steepest = if output == Output::Position { curves.angle() } else { functions[0].clone() };
-            Aim::new(scene, output, functions, power, &steepest)
-        });
         let direction = if rotation.mirrored { -1.0 } else { 1.0 };
         // The turn that passes the lowest point at t = 0 began at the top numbered 0.
         let half = rotation.launch.context().ratio(1, 2);
         Self {
-            aims: aims.collect(),
+            aims: aims(scene, &RotationCurves::new(rotation, &scene.motion.omega)),
             rate: rotation_rate(rotation),
             launch: &rotation.launch + half,
             direction,
@@ -127,15 +105,8 @@ impl Task {
         let direction = if separatrix.mirrored { -1.0 } else { 1.0 };
         // log₂ e.
         let rate = Double { hi: std::f64::consts::LOG2_E, lo: 2.035_527_374_093_103_3e-17 };
-        let passage = Passage {
-            rate,
-            sigma: 0.0,
-            image: Double::ZERO,
-            image_exponent: 0,
-            half: 700.0,
-            alternates: false,
-            direction,
-        };
+        let passage =
+            Passage { rate, sigma: 0.0, image: Double::ZERO, image_exponent: 0, alternates: false, direction };
         Self {
             aims: aims.collect(),
             rate: scene.motion.omega.clone(),
@@ -184,8 +155,7 @@ impl Task {
         if let Some(time) = &self.unreduced {
             return vec![time.clone()];
         }
-        let t_max = scene.t_max.as_ref().map(Real::to_f64);
-        let clock = Clock { rate: &self.rate, launch: self.launch.to_double(), t_max, float: scene.float };
+        let clock = Clock::new(scene, &self.rate, &self.launch);
         match &scene.motion.regime {
             Regime::Swing(swing) => clock.of_swing(swing),
             Regime::Rotation(_) => clock.reductions(),
@@ -196,7 +166,7 @@ impl Task {
     /// Turns within the horizon.
     pub(super) fn turns(&self, scene: &Scene) -> f64 {
         let horizon = scene.t_max.as_ref().map_or(f64::INFINITY, |t_max| (t_max * &self.rate).to_f64());
-        horizon.min(2f64.powi(54)) + 2.0
+        horizon.min(UNLIMITED) + 2.0
     }
 
     /// |θ̇| at the lowest point.
@@ -210,6 +180,21 @@ impl Task {
     }
 }
 
+/// What each output has to keep, made of these curves.
+fn aims(scene: &Scene, curves: &impl Curves) -> Vec<Aim> {
+    let aim = |&output: &Output| {
+        let (functions, power) = match output {
+            Output::Theta | Output::Wrapped => (vec![curves.angle()], 0),
+            Output::Velocity => (vec![curves.velocity()], 1),
+            Output::Acceleration => (vec![curves.acceleration()], 2),
+            Output::Position => (vec![curves.half_sine(), curves.half_cosine()], 1),
+        };
+        let steepest = if output == Output::Position { curves.angle() } else { functions[0].clone() };
+        Aim::new(scene, output, functions, power, &steepest)
+    };
+    scene.outputs.iter().map(aim).collect()
+}
+
 /// The passage through the lowest point: w = (πK/K′)·phase, in units of ln 2.
 fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Passage> {
     let context = elliptic.quarter.context();
@@ -221,7 +206,7 @@ fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Passage> {
     }
     let image_exponent = (-rate.hi).floor() as i32;
     let image = elliptic.nome_complementary.scale(-i64::from(image_exponent)).to_double();
-    Some(Passage { rate, sigma, image, image_exponent, half: 0.5, alternates: sigma > 0.0, direction })
+    Some(Passage { rate, sigma, image, image_exponent, alternates: sigma > 0.0, direction })
 }
 
 impl Aim {

@@ -1,6 +1,6 @@
 //! What the methods of the paper would have cost: for the documentation of the plan that was chosen.
 
-use super::curve::SwingCurves;
+use super::curve::{Curves, SwingCurves};
 use super::reduction::Reduction;
 use crate::motion::Regime;
 use crate::parse::{Method, Output};
@@ -16,7 +16,7 @@ pub(super) fn costs(scene: &Scene, reduction: &Reduction) -> Vec<String> {
     if scene.method.is_some() || !scene.outputs.contains(&Output::Theta) {
         return Vec::new();
     }
-    let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
     let aim = match scene.goal {
         Goal::Tolerance(tol) => tol,
         _ => scene.float.unit() * swing.amplitude.to_f64(),

@@ -4,6 +4,7 @@
 //! few terms. About the place where the pendulum is at t = 0, if that is an anchor or half-way between two, the motion
 //! is even or odd.
 
+use super::reduction::is_half;
 use crate::exact::Real;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
@@ -44,8 +45,7 @@ impl Arc {
 
     /// The number of halves of an anchor in its centre, if it is that of a symmetry.
     pub(super) fn halves(self) -> Option<i64> {
-        let halves = self.centre * 2.0;
-        (self.symmetric && halves.lo == 0.0 && halves.hi.fract() == 0.0).then_some(halves.hi as i64)
+        (self.symmetric && is_half(self.centre)).then_some((2.0 * self.centre.hi) as i64)
     }
 }
 

@@ -2,22 +2,23 @@
 
 use super::arc::Arc;
 use super::cosines::Cosines;
-use super::curve::SwingCurves;
+use super::curve::{Curves, SwingCurves};
 use super::supremum::by_halves;
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Method;
+use crate::program::rounding::products;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
-/// sup |θ0 cos πs − θ| over a horizon of less than a quarter of a period, of which no more than the phases that it meets
+/// sup |θ0 cos πs − θ| over a horizon of less than an eighth of a period, of which no more than the phases that it meets
 /// count; `None` where the horizon is longer, or θ has too many harmonics. `drift` bounds the difference of the phases.
 ///
 /// A longer sum may exceed the amplitude beyond the horizon, where its error over all phases has to stand for that.
 pub(super) fn of_cosine(rate: &Real, drift: f64, scene: &Scene, swing: &Swing) -> Option<f64> {
     let [low, high] = phases(scene, swing)?;
-    let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+    let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
     let terms = theta.terms();
     if terms.len() > MOST_TERMS {
         return None;
@@ -25,7 +26,7 @@ pub(super) fn of_cosine(rate: &Real, drift: f64, scene: &Scene, swing: &Swing) -
     let amplitude = swing.amplitude.to_double();
     let faster = 1.0 + (rate.to_f64() / crate::series::swing_rate(swing).to_f64() - 1.0).abs();
     let moved = amplitude.hi * of_moved_cosine(low.abs().max(high.abs()) * faster, drift);
-    let apart = difference(&[amplitude], terms);
+    let apart = difference(terms, &[amplitude]);
     let at_same_phase = by_halves([low, high], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(0));
     Some((at_same_phase + theta.omitted() + moved) * (1.0 + 1e-9))
 }
@@ -37,10 +38,14 @@ pub(super) fn of_moved_cosine(farthest: f64, drift: f64) -> f64 {
     2.0 * sine(farthest) * sine(0.5 * drift)
 }
 
-/// The difference of two sums of cosines is one.
-fn difference(weights: &[Double], terms: &[(u32, Double)]) -> Cosines {
+/// Σ aₘ cos(mπs) of a curve less Σ wₙ cos((2n−1)πs): one sum.
+fn difference(terms: &[(u32, Double)], weights: &[Double]) -> Cosines {
     let ours = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
-    Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (ours(index) - a).hi)))
+    Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (a - ours(index)).hi)))
+}
+
+fn sum_of(terms: &[(u32, Double)]) -> Cosines {
+    Cosines::new(terms.iter().map(|&(m, a)| (m, a.hi)))
 }
 
 /// The phases that the horizon meets, where they are less than from an anchor to a lowest point; the others are mirror
@@ -63,9 +68,9 @@ pub(super) fn of_velocity(
 ) -> f64 {
     let exact_rate = crate::series::swing_rate(swing).to_f64();
     let curves = SwingCurves::new(swing, &scene.motion.omega);
-    let theta = curves.theta();
+    let theta = curves.angle();
     let (ours, terms) = (Cosines::odd(weights), theta.terms());
-    let (steepest, exact) = (ours.magnitude(1), Cosines::new(terms.iter().map(|&(m, a)| (m, a.hi))));
+    let (steepest, exact) = (ours.magnitude(1), sum_of(terms));
     let [exact_steepest, exact_bend] = [1, 2].map(|order| exact.magnitude(order));
     if terms.len() > MOST_TERMS {
         let fastest = (&swing.elliptic.modulus * &scene.motion.omega).scale(1).to_f64();
@@ -77,7 +82,7 @@ pub(super) fn of_velocity(
         let sines = Sines::new(ours, exact, weights, &curves);
         by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
     } else {
-        let apart = difference(weights, terms);
+        let apart = difference(terms, weights);
         by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
     };
     let faster = (rate.to_f64() - exact_rate).abs() * steepest;
@@ -85,8 +90,9 @@ pub(super) fn of_velocity(
     ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
 }
 
-/// So near the top that θ has more harmonics the two velocities are as far apart as they are large.
-const MOST_TERMS: usize = 400;
+/// So near the top that θ has more harmonics, an approximation of it comes to be as far from it as they are large, and
+/// so does the derivative.
+pub(super) const MOST_TERMS: usize = 400;
 
 /// Cells of the half wave, and how many of them are halved: next to an overshoot the arcsine's derivative peaks within
 /// a millionth of the half wave.
@@ -107,10 +113,8 @@ struct Sines {
 impl Sines {
     fn new(ours: Cosines, theta: Cosines, weights: &[Double], curves: &SwingCurves) -> Self {
         let curve = curves.half_sine();
-        let whole = Cosines::new(curve.terms().iter().map(|&(m, a)| (m, a.hi)));
-        let ours_of = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
-        let rest = curve.terms().iter().enumerate().map(|(index, &(m, a))| (m, (a - ours_of(index)).hi));
-        Self { rest: Cosines::new(rest), ours, whole, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
+        let (whole, rest) = (sum_of(curve.terms()), difference(curve.terms(), weights));
+        Self { ours, whole, rest, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
     }
 
     /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is
@@ -125,16 +129,10 @@ impl Sines {
         let tangent = |y: f64, whole: f64| libm::tan(0.5 * (libm::asin(y) + libm::asin(whole)));
         let tangents = (tangent(sines.0, wholes.0), tangent(sines.1, wholes.1));
         let [rest, first] = [0, 1].map(|order| within(rest.range(order), order));
-        let second = product(product(theta.range(1), rest), tangents);
+        let second = products(products(theta.range(1), rest), tangents);
         let most = (2.0 * first.0 + second.0).abs().max((2.0 * first.1 + second.1).abs());
         most / ((1.0 - y.largest(0)) * (1.0 + y.largest(0))).sqrt()
     }
-}
-
-/// The interval of the products of numbers from two intervals.
-fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-    let corners = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
-    corners.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
 }
 
 #[cfg(test)]

@@ -93,9 +93,9 @@ impl Curve {
 
     /// sin πs.
     pub(crate) fn sine() -> Self {
-        let largest = std::f64::consts::PI;
+        let steepest = std::f64::consts::PI;
         let (wave, arc) = (Wave::sine(), Arc::WHOLE);
-        Self { wave, arc, alternates: true, largest: 1.0, slope: largest, moment: largest, unit: 1.0 }
+        Self { wave, arc, alternates: true, largest: 1.0, slope: steepest, moment: steepest, unit: 1.0 }
     }
 
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
@@ -111,6 +111,18 @@ impl Curve {
             unit: 1.0,
         }
     }
+}
+
+/// The functions of the phase that outputs are made of.
+pub(crate) trait Curves {
+    /// θ, or what it has beside uniform turns.
+    fn angle(&self) -> Curve;
+    fn velocity(&self) -> Curve;
+    fn acceleration(&self) -> Curve;
+    /// sin(θ/2) and cos(θ/2), or, of the angle from the top, cos and −sin of its half. What an error of the phase does
+    /// to a position is known from the angle.
+    fn half_sine(&self) -> Curve;
+    fn half_cosine(&self) -> Curve;
 }
 
 /// The curves of a swing.
@@ -150,36 +162,37 @@ impl<'a> SwingCurves<'a> {
         let slope = || Wave::swing(self.swing, 1, Double::ONE);
         self.moments.get_or_init(|| Moments::new(&slope(), self.rate().hi, 2.0 * self.modulus()))
     }
+}
 
-    /// θ; |θ̇| ≤ 2kω.
-    pub(crate) fn theta(&self) -> Curve {
+impl Curves for SwingCurves<'_> {
+    /// |θ̇| ≤ 2kω.
+    fn angle(&self) -> Curve {
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().angle];
         self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slopes, 1.0)
     }
 
-    /// θ̇.
-    pub(crate) fn velocity(&self) -> Curve {
+    fn velocity(&self) -> Curve {
         let omega = self.omega.to_double();
         let slopes = [self.largest_sine() / self.rate().hi, self.moments().velocity].map(|slope| omega.hi * slope);
         self.wave(1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
     }
 
-    /// θ̈ = −ω² sin θ; its derivative is largest at the lowest point.
-    pub(crate) fn acceleration(&self) -> Curve {
+    /// −ω² sin θ; its derivative is largest at the lowest point.
+    fn acceleration(&self) -> Curve {
         let rate = self.rate() * self.omega.to_double();
         let square = self.omega.square().to_f64();
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().acceleration].map(|slope| square * slope);
         self.wave(2, rate * rate, square * self.largest_sine(), slopes, square)
     }
 
-    /// sin(θ/2) = k sn. What an error of the phase does to a position is known from θ.
-    pub(crate) fn half_sine(&self) -> Curve {
+    /// k sn.
+    fn half_sine(&self) -> Curve {
         let (largest, unit) = (self.modulus(), 1.0);
         Curve { wave: Wave::half_sine(self.swing), ..self.wave(0, Double::ONE, largest, [0.0; 2], unit) }
     }
 
-    /// cos(θ/2) = dn.
-    pub(crate) fn half_cosine(&self) -> Curve {
+    /// dn.
+    fn half_cosine(&self) -> Curve {
         let wave = Wave::half_cosine(self.swing);
         Curve { wave, alternates: false, ..self.wave(0, Double::ONE, 1.0, [0.0; 2], 1.0) }
     }
@@ -214,41 +227,40 @@ impl<'a> RotationCurves<'a> {
         self.moments.get_or_init(|| Moments::new(&slope(), rate, fastest))
     }
 
-    /// The angle from the top less that of uniform rotation, 2πs; its slope is that of the whole.
-    pub(crate) fn angle(&self) -> Curve {
+    /// The angle itself, of the turn that passes the lowest point at s = ½.
+    pub(crate) fn whole_angle(&self) -> Curve {
+        Curve { wave: Wave::rotation(self.rotation, 0, Double::ONE).raised(-Double::PI), ..self.angle() }
+    }
+}
+
+impl Curves for RotationCurves<'_> {
+    /// From the top, less 2πs; its slope is that of the whole.
+    fn angle(&self) -> Curve {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
         let slopes = [self.rotation.fastest.to_f64(), self.moments().angle];
         self.wave(wave, std::f64::consts::PI, slopes, 1.0)
     }
 
-    /// The angle itself, of the turn that passes the lowest point at s = ½.
-    pub(crate) fn whole_angle(&self) -> Curve {
-        Curve { wave: Wave::rotation(self.rotation, 0, Double::ONE).raised(-Double::PI), ..self.angle() }
-    }
-
     /// |θ̇|; its derivative is at most ω².
-    pub(crate) fn velocity(&self) -> Curve {
+    fn velocity(&self) -> Curve {
         let omega = self.omega.to_f64();
         let wave = Wave::rotation(self.rotation, 1, self.rate());
         let slopes = [omega * omega, omega * self.moments().velocity];
         self.wave(wave, self.rotation.fastest.to_f64(), slopes, omega)
     }
 
-    /// θ̈.
-    pub(crate) fn acceleration(&self) -> Curve {
+    fn acceleration(&self) -> Curve {
         let square = self.omega.square().to_f64();
         let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
         let slopes = [self.rotation.fastest.to_f64(), self.moments().acceleration].map(|slope| square * slope);
         self.wave(wave, square, slopes, square)
     }
 
-    /// cos of half the angle from the top.
-    pub(crate) fn half_sine(&self) -> Curve {
+    fn half_sine(&self) -> Curve {
         self.wave(Wave::from_top(self.rotation, Parity::Even), 1.0, [0.0; 2], 1.0)
     }
 
-    /// −sin of half the angle from the top.
-    pub(crate) fn half_cosine(&self) -> Curve {
+    fn half_cosine(&self) -> Curve {
         self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, [0.0; 2], 1.0)
     }
 }

@@ -1,7 +1,7 @@
 //! Largest values, slopes and moments of curves are what bounds of the phase's error stand on: here against samples.
 
 use super::aim::Task;
-use super::curve::{Curve, RotationCurves, SwingCurves};
+use super::curve::{Curve, Curves, RotationCurves, SwingCurves};
 use super::reduction::Reduction;
 use super::tests::scene;
 use crate::motion::Regime;
@@ -41,7 +41,7 @@ fn curves_of_swings() {
         let curves = SwingCurves::new(swing, &scene.motion.omega);
         // Each slice of the moments is a tenth longer than the one before, at most; of the acceleration's two factors
         // each is bounded by itself.
-        stated(theta0, &curves.theta(), [1.001, 1.001, 1.1]);
+        stated(theta0, &curves.angle(), [1.001, 1.001, 1.1]);
         stated(theta0, &curves.velocity(), [1.001, 1.001, 1.1]);
         stated(theta0, &curves.acceleration(), [1.001, 1.001, 1.11]);
         stated("cosine", &Curve::cosine(&swing.amplitude), [1.001, 1.001, 6.0]);
@@ -110,7 +110,7 @@ fn slopes_are_rounded_up() {
     let Regime::Swing(swing) = &swinging.motion.regime else { panic!("a swing") };
     let curves = SwingCurves::new(swing, &swinging.motion.omega);
     let (fastest, anchor) = (6.0 * 1f64.sin(), swing.period.to_f64() / 2.0);
-    above(curves.theta().slope, fastest * anchor);
+    above(curves.angle().slope, fastest * anchor);
     above(curves.velocity().slope, 9.0 * anchor);
     above(curves.acceleration().slope, 9.0 * fastest * anchor);
     let turning = scene("velocity0 = 7, omega = 3");
@@ -128,7 +128,7 @@ fn signs_of_swings() {
     let scene = scene("theta0 = 2");
     let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
     let curves = SwingCurves::new(swing, &scene.motion.omega);
-    for curve in [curves.theta(), curves.velocity(), curves.acceleration(), curves.half_sine()] {
+    for curve in [curves.angle(), curves.velocity(), curves.acceleration(), curves.half_sine()] {
         assert!(curve.alternates);
     }
     assert!(!curves.half_cosine().alternates && Curve::sine().alternates && Curve::cosine(&swing.amplitude).alternates);
@@ -165,7 +165,7 @@ fn omitted_slopes() {
     for theta0 in ["1", "7π/8", "0.999π"] {
         let scene = scene(&format!("theta0 = {theta0}"));
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+        let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
         let first = f64::from(theta.terms().last().unwrap().0 + 2) * std::f64::consts::PI;
         let times = theta.omitted_slope() / (theta.omitted() * first);
         assert!((1.0 - 1e-12..1.1).contains(&times), "{theta0}: {times}");

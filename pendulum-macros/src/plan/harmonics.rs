@@ -34,6 +34,10 @@ pub(crate) struct Harmonics {
     pub(crate) direction: f64,
 }
 
+/// The sums, whose ranges the analysis of the rounding knows.
+const ARGUMENT: &str = "argument";
+const SLOPE: &str = "slope";
+
 impl Harmonics {
     pub(super) fn is_odd(&self) -> bool {
         self.sine.is_some()
@@ -66,7 +70,7 @@ impl Harmonics {
         let value = match (&self.sine, &self.folded) {
             (None, Some(folded)) => {
                 let sum = folded.magnitude(b, variables);
-                b.name(sum, "argument");
+                b.name(sum, ARGUMENT);
                 self.arcsine.as_ref().map_or(sum, |arcsine| arcsine.lower(b, sum, self.direction))
             }
             (None, None) => {
@@ -82,7 +86,7 @@ impl Harmonics {
         };
         b.name(value, name);
         let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
-        variables.sign(b, value, parity)
+        variables.signed(b, value, true, parity)
     }
 
     fn cosine(&self, b: &mut Builder, variables: &Variables) -> Id {
@@ -100,7 +104,7 @@ impl Harmonics {
         let (first, second) = clenshaw(b, cosine, &self.sines);
         let sum = second.map_or(first, |second| b.add(first, second));
         let slope = b.mul(sine, sum);
-        b.name(slope, "slope");
+        b.name(slope, SLOPE);
         if self.arcsine.is_none() {
             return slope;
         }
@@ -117,7 +121,7 @@ impl Harmonics {
         let (first, second) = clenshaw(b, cosine, &self.cosines);
         let difference = second.map_or(first, |second| b.sub(first, second));
         let sum = b.mul(cosine, difference);
-        b.name(sum, "argument")
+        b.name(sum, ARGUMENT)
     }
 
     /// The errors of the cosine and the sine, given the rounding of a polynomial.
@@ -141,10 +145,10 @@ impl Harmonics {
         };
         let mut all = vec![];
         if !self.cosines.is_empty() {
-            all.push(sum("argument", Cosines::odd(&self.cosines), 0, &self.cosines, cosine));
+            all.push(sum(ARGUMENT, Cosines::odd(&self.cosines), 0, &self.cosines, cosine));
         }
         if !self.sines.is_empty() {
-            all.push(sum("slope", Cosines::integral_of_sines(&self.sines), 1, &self.sines, sine));
+            all.push(sum(SLOPE, Cosines::integral_of_sines(&self.sines), 1, &self.sines, sine));
         }
         all
     }

@@ -138,7 +138,7 @@ impl Kernel {
         if let Self::Hyperbolic(hyperbolic) = self {
             return hyperbolic.rounding(&program, cap);
         }
-        let phase = program.named("s").or_else(|| program.named("z")).unwrap_or(0);
+        let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
         let [least, most] = reduction.range();
         let of_polynomial =
             |polynomial: &Polynomial| Self::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
@@ -176,11 +176,9 @@ fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Po
     let product = b.mul(half_sine, half_cosine);
     let x = b.add(product, product);
     b.name(x, "x");
-    let x = match (sine.alternates, cosine.parity) {
-        (true, _) => variables.sign(b, x, sine.parity),
-        (false, Parity::Odd) => variables.sign_of_odd(b, x),
-        (false, Parity::Even | Parity::Neither) => x,
-    };
+    // Of factors one of which is odd the product is.
+    let parity = if cosine.parity == Parity::Odd { Parity::Odd } else { sine.parity };
+    let x = variables.signed(b, x, sine.alternates, parity);
     let (sine_squared, cosine_squared) = (b.mul(half_sine, half_sine), b.mul(half_cosine, half_cosine));
     let y = b.sub(sine_squared, cosine_squared);
     vec![x, b.name(y, "y")]

@@ -51,7 +51,7 @@ pub(crate) struct Plan {
     pub(crate) rejected: Vec<String>,
 }
 
-/// One output's polynomials and its error.
+/// One output's kernel and its error.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) output: Output,
@@ -76,6 +76,13 @@ pub(crate) struct Bound {
     pub(crate) phase: f64,
     /// Rounding of coefficients and operations.
     pub(crate) evaluation: f64,
+}
+
+impl Part {
+    /// The bound of its error, in units of the tolerance.
+    pub(crate) fn error(&self) -> f64 {
+        self.bound.total() / self.unit
+    }
 }
 
 impl Bound {
@@ -156,7 +163,7 @@ pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
 impl Plan {
     /// The largest of the outputs' bounds, in units of the tolerance.
     pub(crate) fn worst(&self) -> f64 {
-        self.parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max)
+        self.parts.iter().map(Part::error).fold(0.0, f64::max)
     }
 
     /// How much of its limit the worst output takes.

@@ -6,7 +6,7 @@ use super::truth::State;
 use super::{Plan, Refusal, plan};
 use crate::motion::Regime;
 use crate::parse::Output;
-use crate::plan::curve::SwingCurves;
+use crate::plan::curve::{Curves, SwingCurves};
 use crate::plan::kernel::Kernel;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
@@ -42,7 +42,7 @@ fn the_error_of_the_series_is_that_of_its_tail() {
         let text = format!("theta0 = {theta0}, tol = {tol}, method = series");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let terms = SwingCurves::new(swing, &scene.motion.omega).theta().terms().to_vec();
+        let terms = SwingCurves::new(swing, &scene.motion.omega).angle().terms().to_vec();
         let error = |kept: usize| {
             let at = |i: u32| {
                 let phi = std::f64::consts::PI * f64::from(i) / 4000.0;
@@ -63,7 +63,7 @@ fn the_series_takes_no_term_too_many() {
     let scene = scene(&text(1.0));
     let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
     for (left_out, &(_, a)) in
-        SwingCurves::new(swing, &scene.motion.omega).theta().terms().iter().enumerate().skip(1).take(3)
+        SwingCurves::new(swing, &scene.motion.omega).angle().terms().iter().enumerate().skip(1).take(3)
     {
         assert_eq!(planned(&text(1.5 * a.hi.abs())).unwrap().parts[0].kernel.terms(), left_out);
     }

@@ -144,24 +144,38 @@ impl Aim {
         form: Form,
     ) -> Result<Part, f64> {
         let phase = self.phase_error(reduction);
-        let mut evaluation = 0.0;
-        let mut reached = f64::INFINITY;
-        for _ in 0..3 {
-            let left = self.share(self.limit - phase - evaluation);
+        self.first_kept(scene, reduction, phase, |rounding| {
+            let left = self.share(self.limit - phase - rounding);
             let mut polynomials = Vec::new();
             for (curve, approximation) in self.curves.iter().zip(approximations) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
-                    return Err(reached.min((phase + evaluation + least) / self.unit));
+                    return Err((phase + rounding + least) / self.unit);
                 };
                 let polynomial = approximation.polynomial(terms, form, reduction, curve.alternates, self.limit);
-                polynomials.push(polynomial.ok_or(reached)?);
+                polynomials.push(polynomial.ok_or(f64::INFINITY)?);
             }
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
-            let kernel = self.kernel(scene, task, reduction, polynomials);
+            Ok((self.kernel(scene, task, reduction, polynomials), truncation))
+        })
+    }
+
+    /// The kernel of the first of three rounds that keeps the promise, or the least bound reached, in units of the
+    /// tolerance. A round is told by how much the kernel of the one before is rounded, and gives a kernel and its
+    /// truncation; or what can be reached at best, which ends the search.
+    fn first_kept(
+        &self,
+        scene: &Scene,
+        reduction: &Reduction,
+        phase: f64,
+        mut round: impl FnMut(f64) -> Result<(Kernel, f64), f64>,
+    ) -> Result<Part, f64> {
+        let (mut rounding, mut reached) = (0.0, f64::INFINITY);
+        for _ in 0..3 {
+            let (kernel, truncation) = round(rounding).map_err(|best| best.min(reached))?;
             let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
             let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
-            evaluation = bound.evaluation + turns;
+            rounding = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
                 Ok(part) => return Ok(part),
                 Err(total) => reached = reached.min(total),
@@ -222,21 +236,14 @@ impl Aim {
             Output::Acceleration => scene.motion.omega.square().to_double(),
             _ => Double::ONE,
         };
-        let scaled = Passage { rate: passage.rate * reduction.unit, half: reduction.half(), ..passage.clone() };
+        let scaled = Passage { rate: passage.rate * reduction.unit, ..passage.clone() };
         let mut limit = self.limit.min(self.truncation) / factor.hi;
-        let mut reached = f64::INFINITY;
-        for _ in 0..3 {
-            let kernel = Hyperbolic::new(self.output, scaled.clone(), factor, limit);
-            let truncation = kernel.truncation * factor.hi;
-            let kernel = self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), None);
-            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
-            match self.accept(scene, kernel, bound, reduction) {
-                Ok(part) => return Ok(part),
-                Err(total) => reached = reached.min(total),
-            }
+        self.first_kept(scene, reduction, phase, |_| {
+            let kernel = Hyperbolic::new(self.output, scaled.clone(), reduction.half(), factor, limit);
             limit *= 0.125;
-        }
-        Err(reached)
+            let truncation = kernel.truncation * factor.hi;
+            Ok((self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), None), truncation))
+        })
     }
 
     /// Whether it can be had in pieces: one curve, all of which is met.
@@ -269,22 +276,14 @@ impl Aim {
         approximation: &Piecewise,
     ) -> Result<Part, f64> {
         let phase = self.phase_error(reduction);
-        let (mut evaluation, mut reached) = (0.0, f64::INFINITY);
-        for _ in 0..3 {
-            let left = self.truncation.min(self.limit - phase - evaluation);
-            let (mut pieces, truncation) = approximation.kernel(reduction, left).ok_or(reached)?;
+        self.first_kept(scene, reduction, phase, |rounding| {
+            let left = self.truncation.min(self.limit - phase - rounding);
+            let (mut pieces, truncation) = approximation.kernel(reduction, left).ok_or(f64::INFINITY)?;
             if task.direction < 0.0 {
                 pieces.negate();
             }
-            let kernel = self.turned(scene, task, Kernel::Pieces(Box::new(pieces)), None);
-            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
-            evaluation = bound.evaluation;
-            match self.accept(scene, kernel, bound, reduction) {
-                Ok(part) => return Ok(part),
-                Err(total) => reached = reached.min(total),
-            }
-        }
-        Err(reached)
+            Ok((self.turned(scene, task, Kernel::Pieces(Box::new(pieces)), None), truncation))
+        })
     }
 
     /// Whether what its turns are rounded by doesn't count.

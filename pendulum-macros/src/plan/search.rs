@@ -34,7 +34,7 @@ struct Candidate<'a> {
 }
 
 /// The part of 2⁻⁴⁹ (2⁻²⁰) that leaves room for what is observed to stay below half of that: of a billion times in
-/// `f64` the worst has been 0.65 of what is proven, of all times in `f32` 0.71 (docs/ACCURACY.md). Who asks for full
+/// `f64` as of all times in `f32` the worst has been 0.71 of what is proven (docs/ACCURACY.md). Who asks for full
 /// precision wants it, rather than the last twentieth of the cost.
 const COMFORTABLE: f64 = 0.62;
 /// The same where the phase is the time itself: its error is no part of the bound, and 0.9 of that has been observed.
@@ -118,12 +118,7 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
     let Prospect { task, approximations, reductions, .. } = prospect;
     let worst_output = |reduction: &Reduction| {
         let least = |(aim, all): (&Aim, &Approximations)| {
-            let polynomial =
-                |variant: Variant| aim.part(scene, task, all.choose(variant.divided), reduction, variant.form).ok();
-            let parts = aim.variants(all, reduction).into_iter().filter_map(|(variant, _)| polynomial(variant));
-            let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
-            let passage = passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage).ok());
-            parts.chain(passage).map(|part| part.bound.total() / part.unit).fold(f64::INFINITY, f64::min)
+            parts(scene, task, aim, all, reduction).map(|part| part.error()).fold(f64::INFINITY, f64::min)
         };
         task.aims.iter().zip(approximations).map(least).fold(0.0, f64::max)
     };
@@ -134,10 +129,24 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
     };
     let others = [Origin::Anchor, Origin::Lowest].into_iter().filter_map(of).map(worst_output);
     let in_pieces = prospect.pieces.iter().flat_map(|pieces| &pieces.reductions).filter_map(|reduction| {
-        let plan = Candidate { prospect, reduction, way: Way::Pieces, cost: 0.0 }.plan(scene).ok()?;
-        Some(plan.parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max))
+        Candidate { prospect, reduction, way: Way::Pieces, cost: 0.0 }.plan(scene).ok().map(|plan| plan.worst())
     });
     others.chain(in_pieces).fold(f64::INFINITY, f64::min)
+}
+
+/// An output by every variant, and by the passage where that is to be had, as far as these keep the promise.
+fn parts<'a>(
+    scene: &'a Scene,
+    task: &'a Task,
+    aim: &'a Aim,
+    all: &'a Approximations,
+    reduction: &'a Reduction,
+) -> impl Iterator<Item = Part> + 'a {
+    let polynomial =
+        move |variant: Variant| aim.part(scene, task, all.choose(variant.divided), reduction, variant.form).ok();
+    let polynomials = aim.variants(all, reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
+    let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
+    polynomials.chain(passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage).ok()))
 }
 
 /// All plans of a scene with one output that keep the promise, whatever they cost.
@@ -145,19 +154,11 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
 pub(super) fn every(scene: &Scene) -> Vec<Plan> {
     let every = |task: Task| {
         let Prospect { task, approximations, reductions, .. } = Prospect::new(scene, task);
-        let (aim, all) = (&task.aims[0], &approximations[0]);
-        let plans = reductions.iter().flat_map(|reduction| {
-            let polynomial = |(variant, _): (Variant, f64)| {
-                let part = aim.part(scene, &task, all.choose(variant.divided), reduction, variant.form).ok()?;
-                Some(part)
-            };
-            let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
-            let passage = passage.and_then(|passage| aim.passage_part(scene, &task, reduction, passage).ok());
-            let parts = aim.variants(all, reduction).into_iter().filter_map(polynomial);
-            let parts: Vec<_> = parts.chain(passage).collect();
-            parts.into_iter().map(|part| joined(reduction, vec![part], Vec::new()))
-        });
-        plans.collect::<Vec<Plan>>()
+        let plan = |reduction| {
+            let parts = parts(scene, &task, &task.aims[0], &approximations[0], reduction);
+            parts.map(|part| joined(reduction, vec![part], Vec::new())).collect::<Vec<Plan>>()
+        };
+        reductions.iter().flat_map(plan).collect::<Vec<Plan>>()
     };
     tasks(scene).into_iter().flat_map(every).collect()
 }
@@ -185,11 +186,9 @@ impl Prospect {
     }
 
     fn at_full_precision(self, scene: &Scene) -> Self {
-        let Self { mut task, reductions, .. } = self;
+        let mut task = self.task;
         task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
-        let approximations = task.aims.iter().map(Approximations::new).collect();
-        let pieces = InPieces::new(scene, &task, &reductions);
-        Self { task, approximations, reductions, pieces }
+        Self::new(scene, task)
     }
 
     fn candidates(&self, scene: &Scene) -> Vec<Candidate<'_>> {
@@ -310,7 +309,7 @@ impl Candidate<'_> {
         let parity = aim.curves.first().map_or(Parity::Even, Curve::parity);
         for (index, (variant, cost)) in variants.iter().enumerate() {
             let found = aim.part(scene, &self.prospect.task, all.choose(variant.divided), self.reduction, variant.form);
-            let reached = found.as_ref().map_or_else(|&reached| reached, |part| part.bound.total() / part.unit);
+            let reached = found.as_ref().map_or_else(|&reached| reached, Part::error);
             if found.as_ref().is_ok_and(|part| part.taken <= comfortable(scene, self.reduction)) {
                 let next = variants.get(index + 1).map(|(next, dearer)| {
                     format!(

@@ -98,9 +98,7 @@ impl Variables {
         let source = Source::Below { below: product, quarter };
         Self { distance, magnitude, square, unit: reduction.unit, source, side, magic, count }
     }
-}
 
-impl Variables {
     /// 8p − 1, of a phase in anchors.
     pub(crate) fn normalised(&self, b: &mut Builder) -> Id {
         let eighth = self.unit * self.unit * 8.0;
@@ -157,21 +155,14 @@ impl Variables {
         b.sub(top, quotient)
     }
 
-    /// `value` of an odd curve of a rotation, whose magnitude it is if the phase was reduced from the lowest point:
-    /// before that point the top passed counts, after it the next one.
-    pub(crate) fn sign_of_odd(&self, b: &mut Builder, value: Id) -> Id {
-        self.side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }))
-    }
-
-    /// `value` of a curve that changes its sign from anchor to anchor, and, if it is even about an anchor, from one
-    /// side of the lowest point to the other: before that point the anchor passed counts, after it the next one.
-    pub(crate) fn sign(&self, b: &mut Builder, value: Id, parity: Parity) -> Id {
-        let side = self.side.filter(|_| parity == Parity::Even);
-        let value = match side {
-            Some(side) => b.push(Op::Against { x: value, sign: side }),
-            None => value,
-        };
-        b.push(Op::Alternate { x: value, magic: self.magic, bit: 0 })
+    /// `value` of a curve, with its sign. Of a phase reduced from the lowest point kernels know the magnitude alone:
+    /// before that point the anchor passed counts, after it the next one, in between which an even curve that alternates
+    /// changes its sign, and an odd one that doesn't.
+    pub(crate) fn signed(&self, b: &mut Builder, value: Id, alternates: bool, parity: Parity) -> Id {
+        let changing = if alternates { Parity::Even } else { Parity::Odd };
+        let side = self.side.filter(|_| parity == changing);
+        let value = side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }));
+        if alternates { b.push(Op::Alternate { x: value, magic: self.magic, bit: 0 }) } else { value }
     }
 }
 

@@ -55,11 +55,20 @@ impl Known {
 
     /// The interval of an operation that is monotone in each operand, its ends rounded as the program rounds.
     fn corners(self, other: Self, float: Float, f: impl Fn(f64, f64) -> f64) -> (f64, f64) {
-        let corners =
-            [f(self.low, other.low), f(self.low, other.high), f(self.high, other.low), f(self.high, other.high)];
-        let ends = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
+        let ends =
+            hull([f(self.low, other.low), f(self.low, other.high), f(self.high, other.low), f(self.high, other.high)]);
         (float.round(ends.0), float.round(ends.1))
     }
+}
+
+/// The least interval with all of them.
+fn hull(corners: [f64; 4]) -> (f64, f64) {
+    corners.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+}
+
+/// The interval of the products of numbers from two intervals.
+pub(crate) fn products(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    hull([a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1])
 }
 
 /// Some thousands of the smallest numbers, 2⁻¹⁰⁶⁰: what sums and products in two words are wrong by, whose second word

@@ -3,6 +3,7 @@
 use crate::chebyshev::{cos_pi, sin_pi};
 use crate::motion::{Regime, Swing};
 use crate::parse::Output;
+use crate::plan::curve::Curves;
 use crate::plan::plan;
 use crate::plan::tests::scene;
 use crate::series::swing_rate;

@@ -53,13 +53,13 @@ impl Case {
                         * if n % 2 == 0 { -1.0 } else { 1.0 }
                 })
                 .collect(),
-            _ => curves.theta().terms().iter().take(self.terms).map(|term| term.1).collect(),
+            _ => curves.angle().terms().iter().take(self.terms).map(|term| term.1).collect(),
         };
         let exact = crate::series::swing_rate(swing);
         let rate = &exact * &exact.context().float(self.faster).unwrap();
         let found = of_velocity(&weights, self.method, &rate, self.drift, &self.scene, swing);
         let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
-        let theta = curves.theta();
+        let theta = curves.angle();
         let terms = theta.terms();
         let slope =
             |s: f64| terms.iter().map(|&(m, a)| -f64::from(m) * PI * a.hi * (f64::from(m) * PI * s).sin()).sum::<f64>();
@@ -192,12 +192,6 @@ fn what_is_in_doubt() {
         let found = sines.apart(0.25, 0.25);
         assert!((found - expected).abs() < 1e-11, "{omitted:?}: {found:e} {expected:e}");
     }
-}
-
-#[test]
-fn products_of_intervals() {
-    assert_eq!(product((-1.0, 2.0), (-3.0, 1.0)), (-6.0, 3.0));
-    assert_eq!(product((-2.0, -1.0), (-3.0, 1.0)), (-2.0, 6.0));
 }
 
 /// Where a sum falls steeply next to 1, and doesn't bend itself, the arcsine does.

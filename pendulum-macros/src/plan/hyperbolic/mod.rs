@@ -29,9 +29,11 @@ use super::supremum::{largest, norm};
 use super::variables::Variables;
 use crate::parse::{Float, Output};
 use crate::program::rounding::Known;
-use crate::program::{Builder, Id, Op, Program};
+use crate::program::{Builder, Id, Program};
+use crate::series::Parity;
 use functions::{arctangent_ratio, series};
 use pendulum_runtime::double::Double;
+use quotient::{FRACTION, IMAGE_POWER, POWER};
 use std::f64::consts::LN_2;
 
 /// What is the same for all outputs of one motion.
@@ -44,8 +46,6 @@ pub(crate) struct Passage {
     /// q′ = mantissa·2^exponent; 0 on the separatrix.
     pub(crate) image: Double,
     pub(crate) image_exponent: i32,
-    /// The largest |phase|.
-    pub(crate) half: f64,
     /// Set where the direction changes from passage to passage: a swing.
     pub(crate) alternates: bool,
     /// −1 for the mirror image.
@@ -57,6 +57,8 @@ pub(crate) struct Passage {
 pub(crate) struct Hyperbolic {
     pub(crate) output: Output,
     passage: Passage,
+    /// The largest |phase|.
+    half: f64,
     images: Images,
     /// Whether Q/P is formed with as little rounding as can be, at the price of a division.
     careful: bool,
@@ -92,12 +94,12 @@ impl Passage {
 }
 
 impl Hyperbolic {
-    /// With all approximations within `limit`, in units of `factor`.
-    pub(crate) fn new(output: Output, passage: Passage, factor: Double, limit: f64) -> Self {
+    /// For phases up to `half`, with all approximations within `limit`, in units of `factor`.
+    pub(crate) fn new(output: Output, passage: Passage, half: f64, factor: Double, limit: f64) -> Self {
         let q = passage.q();
-        let half_ln = 0.5 * LN_2;
-        // |f² ln²2| < 1 on the ellipse that reaches as far left as 4·¼.
-        let domain = Domain::reaching(0.25, -2.0, libm::cosh(half_ln) * 2.0);
+        // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
+        // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83.
+        let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * LN_2) * 2.0);
         let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
@@ -121,7 +123,7 @@ impl Hyperbolic {
         let truncation = left_out.sum::<f64>() + 5.0 * q.powi(6);
         // A truncation of a few units of rounding is asked for where full precision is.
         let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
-        Self { output, passage, images, careful, even, odd, arctangent, factor, truncation }
+        Self { output, passage, half, images, careful, even, odd, arctangent, factor, truncation }
     }
 
     /// For the reader.
@@ -143,46 +145,31 @@ impl Hyperbolic {
         // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the
         // negative.
         let direction = self.passage.direction * if self.passage.alternates { 1.0 } else { -1.0 };
-        match self.output {
-            Output::Theta | Output::Wrapped => {
-                let value = self.angle(b, &quotient, direction);
-                let value = b.convert(value, float);
-                b.name(value, name);
-                vec![self.sign(b, variables, value)]
-            }
-            Output::Velocity => {
-                let value = self.velocity(b, &quotient);
-                let value = b.convert(value, float);
-                b.name(value, name);
-                vec![if self.passage.alternates {
-                    b.push(Op::Alternate { x: value, magic: variables.magic, bit: 0 })
-                } else {
-                    value
-                }]
-            }
-            Output::Acceleration => {
-                let value = self.acceleration(b, &quotient, direction);
-                let value = b.convert(value, float);
-                b.name(value, name);
-                vec![self.sign(b, variables, value)]
-            }
-            Output::Position => {
-                let [x, y] = Self::position(b, &quotient, direction);
-                let [x, y] = [x, y].map(|value| b.convert(value, float));
-                vec![self.sign(b, variables, x), y]
-            }
+        let mut values = match self.output {
+            Output::Theta | Output::Wrapped => vec![self.angle(b, &quotient, direction)],
+            Output::Velocity => vec![self.velocity(b, &quotient)],
+            Output::Acceleration => vec![self.acceleration(b, &quotient, direction)],
+            Output::Position => Self::position(b, &quotient, direction).to_vec(),
+        };
+        for value in &mut values {
+            *value = b.convert(*value, float);
         }
+        if let [value] = values[..] {
+            b.name(value, name);
+        }
+        // The height changes its sign nowhere.
+        values[0] = variables.signed(b, values[0], self.passage.alternates, self.parity());
+        values
     }
 
-    /// The sign of the angle: that of the phase from the lowest point, and of the passage.
-    fn sign(&self, b: &mut Builder, variables: &Variables, value: Id) -> Id {
-        let value = variables.side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }));
-        if self.passage.alternates { b.push(Op::Alternate { x: value, magic: variables.magic, bit: 0 }) } else { value }
+    /// About an anchor: an angle, θ̈ and x are even about a turning point and odd about the top, θ̇ the other way round.
+    fn parity(&self) -> Parity {
+        if self.passage.alternates == (self.output == Output::Velocity) { Parity::Odd } else { Parity::Even }
     }
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
     pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
-        let binades = (self.passage.rate.hi * self.passage.half).ceil() as i32;
+        let binades = (self.passage.rate.hi * self.half).ceil() as i32;
         let most = binades.min(NEGLIGIBLE_BINADE);
         let slices = |j: i32| {
             let count = match j {
@@ -206,7 +193,7 @@ impl Hyperbolic {
             } else {
                 ((power(-j), power(-j)), (image(j), image(j)))
             };
-            let known = [("f", (low, high)), ("power", powers), ("image_power", images)];
+            let known = [(FRACTION, (low, high)), (POWER, powers), (IMAGE_POWER, images)];
             let given: Vec<(Id, Known)> = known
                 .into_iter()
                 .filter_map(|(name, (low, high))| Some((program.named(name)?, Known::between(low, high))))

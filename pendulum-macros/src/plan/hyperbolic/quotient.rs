@@ -4,8 +4,13 @@ use super::{Hyperbolic, Images};
 use crate::parse::Float;
 use crate::program::{Builder, Id, Op};
 
-/// The phase beyond which E is nothing beside 1 whatever is asked.
+/// The exponent w beyond which E = 2⁻ʷ is nothing beside 1 whatever is asked.
 const FURTHEST: f64 = 900.0;
+
+/// f, 2⁻ʲ and q′·2ʲ but for its mantissa, of which the analysis of the rounding knows the ranges.
+pub(super) const FRACTION: &str = "f";
+pub(super) const POWER: &str = "power";
+pub(super) const IMAGE_POWER: &str = "image_power";
 
 /// What the outputs are made of.
 pub(super) struct Quotient {
@@ -60,7 +65,7 @@ impl Hyperbolic {
         b.name(integer, "exponent");
         let j = b.sub(constant, integer);
         let f = b.sub(w, j);
-        b.name(f, "f");
+        b.name(f, FRACTION);
         let square = b.mul(f, f);
         b.name(square, "v");
         // cosh − 1, small beside the 1 that is added last.
@@ -72,7 +77,7 @@ impl Hyperbolic {
         let odd = b.mul(f, odd);
         b.name(odd, "odd");
         let power = b.push(Op::PowerOfTwo { magic: integer });
-        b.name(power, "power");
+        b.name(power, POWER);
         let falling = b.sub(even, odd);
         let falling = b.add(one, falling);
         let direct = b.mul(power, falling);
@@ -90,7 +95,7 @@ impl Hyperbolic {
         let exponent = b.add(exponent, constant);
         b.name(exponent, "image_exponent");
         let power = b.push(Op::PowerOfTwo { magic: exponent });
-        b.name(power, "image_power");
+        b.name(power, IMAGE_POWER);
         let mantissa = b.exact(self.passage.image);
         let rising = b.add(even, odd);
         let one = b.constant(1.0);

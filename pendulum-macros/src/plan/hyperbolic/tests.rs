@@ -4,10 +4,11 @@ use super::quotient::linear;
 use super::*;
 use crate::motion::Regime;
 use crate::plan::aim::Task;
-use crate::plan::curve::{Curve, RotationCurves, SwingCurves};
+use crate::plan::curve::{Curve, Curves, RotationCurves, SwingCurves};
 use crate::plan::kernel::{Kernel, function};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::tests::scene;
+use crate::program::Op;
 use crate::scene::Scene;
 
 const OUTPUTS: [Output; 4] = [Output::Theta, Output::Velocity, Output::Acceleration, Output::Position];
@@ -17,7 +18,7 @@ fn curves(scene: &Scene) -> [Curve; 3] {
     match &scene.motion.regime {
         Regime::Swing(swing) => {
             let curves = SwingCurves::new(swing, &scene.motion.omega);
-            [curves.theta(), curves.velocity(), curves.acceleration()]
+            [curves.angle(), curves.velocity(), curves.acceleration()]
         }
         Regime::Rotation(rotation) => {
             let curves = RotationCurves::new(rotation, &scene.motion.omega);
@@ -66,7 +67,7 @@ impl Trial {
             Output::Acceleration => Double::new(9.0),
             _ => Double::ONE,
         };
-        let hyperbolic = Hyperbolic::new(output, self.passage.clone(), factor, limit);
+        let hyperbolic = Hyperbolic::new(output, self.passage.clone(), 0.5, factor, limit);
         let kernel = Kernel::Hyperbolic(Box::new(hyperbolic.clone()));
         let program = function(&self.reduction, &[&kernel]);
         let bound = (hyperbolic.truncation * factor.hi + hyperbolic.rounding(&program, f64::INFINITY)) / factor.hi;
@@ -134,7 +135,7 @@ fn velocities_at_the_lowest_point() {
         let trial = Trial::new(text, "f64");
         let fastest = Task::fastest(&trial.scene);
         for limit in limits {
-            let kernel = Hyperbolic::new(Output::Velocity, trial.passage.clone(), fastest, limit);
+            let kernel = Hyperbolic::new(Output::Velocity, trial.passage.clone(), 0.5, fastest, limit);
             let program = function(&trial.reduction, &[&Kernel::Hyperbolic(Box::new(kernel))]);
             let mut given = program.clone();
             given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
@@ -154,11 +155,10 @@ fn the_last_binade_stands_for_all_that_follow() {
             sigma: 1.0,
             image: Double::new(q),
             image_exponent,
-            half: 0.5,
             alternates: true,
             direction: 1.0,
         };
-        Hyperbolic::new(Output::Theta, passage, Double::ONE, 1e-16)
+        Hyperbolic::new(Output::Theta, passage, 0.5, Double::ONE, 1e-16)
     };
     for (name, factor, constant) in [("power", 2f64.powi(30), 0.0), ("image_power", -(2f64.powi(15)), 1.0)] {
         let mut b = Builder::new(Float::F64);
@@ -233,7 +233,7 @@ fn passages_in_other_units() {
     for reduction in task.reductions(&scene).iter().filter(|reduction| reduction.origin == Origin::Lowest) {
         let part = task.aims[0].passage_part(&scene, &task, reduction, passage).unwrap();
         let Kernel::Hyperbolic(kernel) = part.kernel else { panic!("another kernel") };
-        let Passage { rate, half, .. } = kernel.passage;
+        let (rate, half) = (kernel.passage.rate, kernel.half);
         assert!((rate / (passage.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");
         let length = rate.hi * half / (passage.rate.hi * (0.5 + reduction.overshoot));
         assert!((1.0..1.0 + 1e-14).contains(&length), "{reduction:?}: {length}");

@@ -5,9 +5,9 @@ mod pieces;
 mod whole;
 
 use super::aim::FULL;
-use super::curve::{Curve, SwingCurves};
+use super::curve::{Curve, Curves, SwingCurves};
 use super::kernel;
-use super::reduction::{Clock, Reduction};
+use super::reduction::{Clock, Reduction, UNLIMITED};
 use super::{Bound, Part, Plan, Refusal, bias};
 use crate::check::{most_useful_terms, smallest_working_terms};
 use crate::exact::Real;
@@ -19,10 +19,8 @@ use parts::Wanted;
 use pendulum_runtime::double::Double;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
-/// More harmonics than this make a program too long to be of use.
-const MOST_HARMONICS: usize = 400;
-
-/// Nor are more than this chosen for a tolerance: the analysis of longer ones takes the compiler longer than a second.
+/// More terms than this aren't chosen for a tolerance: the analysis of longer sums takes the compiler longer than a
+/// second.
 const MOST_CHOSEN: usize = 128;
 
 /// How far certified suprema may exceed the true ones.
@@ -131,7 +129,7 @@ impl Sum {
 
     /// The series of θ; its tail's supremum is bounded by samples finer than its fastest harmonic.
     fn series(scene: &Scene, swing: &Swing, rate: Real, more: usize) -> Self {
-        let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
+        let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
         let terms = theta.terms();
         let aim = match scene.goal {
             Goal::Tolerance(tol) => tol * 0.98,
@@ -176,8 +174,8 @@ fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
 /// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0
 /// while the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
 fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
-    let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
-    if theta.terms().len() > MOST_HARMONICS {
+    let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
+    if theta.terms().len() > bias::MOST_TERMS {
         return swing.amplitude.to_f64() * (1.0 + f64::EPSILON);
     }
     let mut terms = theta.terms().to_vec();
@@ -212,7 +210,7 @@ fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) ->
 /// By how many anchors a phase of another rate comes to differ from the exact one within the horizon.
 fn drift(rate: &Real, scene: &Scene, swing: &Swing) -> f64 {
     let exact = swing_rate(swing);
-    let horizon = scene.t_max.as_ref().map_or_else(|| 2f64.powi(54) / exact.to_f64(), Real::to_f64);
+    let horizon = scene.t_max.as_ref().map_or_else(|| UNLIMITED / exact.to_f64(), Real::to_f64);
     (rate - &exact).abs().to_f64() * horizon
 }
 
@@ -231,15 +229,19 @@ impl Sum {
         if let Some(&output) = scene.outputs.iter().find(|output| !matches!(output, Output::Theta | Output::Velocity)) {
             return Err(Refusal::Output { method: self.method, output });
         }
-        let clock = Clock {
-            rate: &self.rate,
-            launch: swing.launch.to_double(),
-            t_max: scene.t_max.as_ref().map(Real::to_f64),
-            float: scene.float,
-        };
-        let mut reductions = clock.of_swing(swing);
-        reductions.sort_by_key(Reduction::operations);
         let wanted = self.wanted(scene, swing);
+        // Where the sum itself is too far from the motion no reduction helps.
+        if wanted.iter().any(|wanted| wanted.bias > self.promise(scene, &wanted.curve)) {
+            let best = wanted.iter().map(|wanted| wanted.bias / wanted.curve.unit).fold(0.0, f64::max);
+            return Err(Refusal::Unreachable { best });
+        }
+        self.cheapest(scene, swing, &wanted)
+    }
+
+    /// The reductions, cheapest first.
+    fn reductions(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Vec<Reduction> {
+        let mut reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing);
+        reductions.sort_by_key(Reduction::operations);
         // If nothing is promised, the phase's error is to be beside the rounding.
         let fine = |wanted: &Wanted, reduction: &Reduction| {
             wanted.curve.phase_error(reduction) <= 8.0 * scene.float.unit() * wanted.curve.largest
@@ -247,17 +249,16 @@ impl Sum {
         if !matches!(scene.goal, Goal::Tolerance(_)) {
             reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
         }
-        // Where the sum itself is too far from the motion no reduction helps.
-        if wanted.iter().any(|wanted| wanted.bias > self.promise(scene, &wanted.curve)) {
-            let best = wanted.iter().map(|wanted| wanted.bias / wanted.curve.unit).fold(0.0, f64::max);
-            return Err(Refusal::Unreachable { best });
-        }
+        reductions
+    }
+
+    fn cheapest(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Result<Plan, Refusal> {
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
         let mut found: Option<Plan> = None;
-        for reduction in &reductions {
+        for reduction in &self.reductions(scene, swing, wanted) {
             // A dearer reduction is worth a look only where it leads to pieces and a cheaper one didn't.
-            if found.is_some() && !(reduction.has_parts() && wanted.iter().any(Wanted::has_pieces)) {
+            if found.is_some() && !(reduction.has_pieces() && wanted.iter().any(Wanted::has_pieces)) {
                 continue;
             }
             // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
@@ -275,23 +276,27 @@ impl Sum {
                 hopeless.push(reduction.origin);
             }
             if kept(Bound::total) && parts.iter().all(|part| is_useful(part, scene)) {
-                let plan = Plan {
-                    method: self.method.word(),
-                    reduction: reduction.clone(),
-                    functions: kernel::functions(reduction, &parts),
-                    parts,
-                    coefficients: self.coefficients.clone(),
-                    rejected: Vec::new(),
-                };
+                let plan = self.joined(reduction, parts);
                 found = Some(found.filter(|found| found.cost() <= plan.cost()).unwrap_or(plan));
-                if reduction.has_parts() {
+                if reduction.has_pieces() {
                     break;
                 }
             } else {
-                closest = closest.min(parts.iter().map(|part| part.bound.total() / part.unit).fold(0.0, f64::max));
+                closest = closest.min(parts.iter().map(Part::error).fold(0.0, f64::max));
             }
         }
         found.ok_or(Refusal::Unreachable { best: closest })
+    }
+
+    fn joined(&self, reduction: &Reduction, parts: Vec<Part>) -> Plan {
+        Plan {
+            method: self.method.word(),
+            reduction: reduction.clone(),
+            functions: kernel::functions(reduction, &parts),
+            parts,
+            coefficients: self.coefficients.clone(),
+            rejected: Vec::new(),
+        }
     }
 
     /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to
@@ -334,7 +339,7 @@ mod tests {
     fn what_is_left_out() {
         let scene = crate::plan::tests::scene("theta0 = 0.999π");
         let crate::motion::Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let theta = SwingCurves::new(swing, &scene.motion.omega).theta().omitting(0.125);
+        let theta = SwingCurves::new(swing, &scene.motion.omega).angle().omitting(0.125);
         let all = theta.terms().len();
         for left in [0, 3, 40, 41, 50] {
             let terms = &theta.terms()[all - left..];

@@ -4,7 +4,7 @@ use super::{Sum, drift, pieces, whole};
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
-use crate::plan::curve::{Curve, SwingCurves};
+use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::form::{Division, Form};
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
@@ -35,6 +35,13 @@ struct Whole {
     allowed: [f64; 2],
 }
 
+/// A kernel for that function, and how wrong it is for the phase that it is given.
+struct Candidate {
+    kernel: Kernel,
+    truncation: f64,
+    rounding: f64,
+}
+
 impl Wanted {
     /// Whether one polynomial or many can stand for the arcsine of the sum.
     pub(super) fn is_whole(&self) -> bool {
@@ -59,7 +66,7 @@ impl Sum {
             let one_cosine = matches!(self.method, Method::Harmonic | Method::SmallAngle);
             let met = one_cosine.then(|| bias::of_cosine(&self.rate, drift, scene, swing)).flatten();
             let bias = met.map_or(self.bias, |met| met.min(self.bias));
-            Wanted { output, curve: curves.theta(), bias, whole: self.whole(scene, swing, bias) }
+            Wanted { output, curve: curves.angle(), bias, whole: self.whole(scene, swing, bias) }
         };
         scene.outputs.iter().map(one).collect()
     }
@@ -87,18 +94,19 @@ impl Sum {
         let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
         let whole = whole.iter().flat_map(|whole| whole.kernels(phase, reduction, direction));
         let whole = whole
-            .map(|whole| (cost(reduction, &whole.0), whole))
+            .map(|candidate| (cost(reduction, &candidate.kernel), candidate))
             .min_by(|(a, _), (b, _)| a.total_cmp(b))
             .filter(|&(least, _)| least < cost(reduction, &summed));
-        let (kernel, description, truncation, evaluation) = if let Some((_, (kernel, own, evaluation))) = whole {
-            let (terms, word) = (self.weights.len(), kernel.describe());
-            let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
-            let description = format!("{terms} harmonics, twice the arcsine of their sum as {one}{word}");
-            (kernel, description, bias + own, evaluation)
-        } else {
-            let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));
-            (summed, description, *bias, evaluation)
-        };
+        let (kernel, description, truncation, evaluation) =
+            if let Some((_, Candidate { kernel, truncation, rounding })) = whole {
+                let (terms, word) = (self.weights.len(), kernel.describe());
+                let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
+                let description = format!("{terms} harmonics, twice the arcsine of their sum as {one}{word}");
+                (kernel, description, bias + truncation, rounding)
+            } else {
+                let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));
+                (summed, description, *bias, evaluation)
+            };
         let bound = Bound { truncation, phase, evaluation };
         Part { output: *output, kernel, description, bound, unit: curve.unit, largest: curve.largest, taken: 0.0 }
     }
@@ -163,9 +171,9 @@ fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
 
 impl Whole {
     /// The kernels, of one polynomial in the cheapest form and of many, that are off by no more than is allowed, beside
-    /// what the phase does, and their truncation and rounding.
-    fn kernels(&self, phase: f64, reduction: &Reduction, direction: f64) -> Vec<(Kernel, f64, f64)> {
-        let first = |kernel: &dyn Fn(f64, f64) -> Option<(Kernel, f64, f64)>| {
+    /// what the phase does.
+    fn kernels(&self, phase: f64, reduction: &Reduction, direction: f64) -> Vec<Candidate> {
+        let first = |kernel: &dyn Fn(f64, f64) -> Option<Candidate>| {
             let left = self.allowed.iter().map(|allowed| allowed - phase);
             let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
             shared.find_map(|(left, truncation)| kernel(left, truncation))
@@ -176,19 +184,23 @@ impl Whole {
     }
 
     /// The kernel with a table, wrong by so much, of which the truncation is that part.
-    fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+    fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<Candidate> {
         let approximation = self.pieces.as_ref()?;
-        let reduction = reduction.in_parts(approximation.parts() as f64)?;
+        let reduction = reduction.in_pieces(approximation.pieces() as f64)?;
         let (mut pieces, truncation) = approximation.kernel(&reduction, truncation)?;
         let rounding = pieces.rounding();
         if direction < 0.0 {
             pieces.negate();
         }
-        (rounding <= left - truncation).then(|| (Kernel::Pieces(Box::new(pieces)), truncation, rounding))
+        (rounding <= left - truncation).then(|| Candidate {
+            kernel: Kernel::Pieces(Box::new(pieces)),
+            truncation,
+            rounding,
+        })
     }
 
     /// The same as one polynomial.
-    fn single(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+    fn single(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<Candidate> {
         let approximation = self.approximation.as_ref()?;
         let terms = approximation.terms_for(truncation, reduction.overshoot)?;
         let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms, reduction.float)).collect();
@@ -202,7 +214,7 @@ impl Whole {
             }
             let kernel = Kernel::Polynomial(polynomial);
             let rounding = kernel.rounding(reduction, left - truncation);
-            (rounding <= left - truncation).then_some((kernel, truncation, rounding))
+            (rounding <= left - truncation).then_some(Candidate { kernel, truncation, rounding })
         })
     }
 }

@@ -1,7 +1,7 @@
 //! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), piece by piece.
 //!
 //! θ̂ is analytic but where y = ±1, which at 7π/8 with N = 4 it is nowhere within 0.125i of the real axis: as far as
-//! eight times half a 64th of a period. So a dozen terms about the middle of such a part leave less than rounding does,
+//! eight times half a 64th of a period. So a dozen terms about the middle of such a piece leave less than rounding does,
 //! where one polynomial for all phases needs 34 ([`super::whole`]).
 //!
 //! **Error.** As in [`super::whole`], each interpolant Q is tested afterwards. With x = c + hu the residual R = y(x) −
@@ -15,8 +15,8 @@ use crate::plan::pieces::{Piecewise, half, phase};
 use crate::series::Wave;
 use pendulum_runtime::double::Double;
 
-/// The numbers of parts of half a period that are tried.
-const PARTS: [usize; 2] = [32, 64];
+/// The numbers of pieces of half a period that are tried.
+const COUNTS: [usize; 2] = [32, 64];
 
 /// Points of interpolation in each.
 const POINTS: usize = 16;
@@ -30,14 +30,14 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise>
     let sum = Wave::harmonics(weights);
     // Second words of small coefficients underflow.
     let moderate = size > 1e-150;
-    PARTS.into_iter().filter(|_| moderate).find_map(|parts| in_parts(&sum, parts, limit.min(size) / 512.0))
+    COUNTS.into_iter().filter(|_| moderate).find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) / 512.0))
 }
 
-fn in_parts(sum: &Wave, parts: usize, negligible: f64) -> Option<Piecewise> {
+fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
     let (mut series, mut points, mut residual) = (Vec::new(), Vec::new(), 0.0_f64);
     let table = CosineTable::new(POINTS);
-    for index in 0..=parts / 2 {
-        let piece = Piece { parts, index };
+    for index in 0..=pieces / 2 {
+        let piece = Piece { pieces, index };
         let phases: Vec<Double> = table.points().map(|u| piece.phase(u)).collect();
         let sines: Vec<Double> = phases.iter().map(|&s| sum.at(s)).collect();
         let values: Option<Vec<Double>> = sines.iter().map(|&y| twice_arcsine(y)).collect();
@@ -52,15 +52,15 @@ fn in_parts(sum: &Wave, parts: usize, negligible: f64) -> Option<Piecewise> {
     (error <= negligible).then(|| Piecewise::known(series, error))
 }
 
-/// One part.
+/// One piece.
 struct Piece {
-    parts: usize,
+    pieces: usize,
     index: usize,
 }
 
 impl Piece {
     fn phase(&self, u: Double) -> Double {
-        phase(self.parts, self.index, u)
+        phase(self.pieces, self.index, u)
     }
 
     /// Bounds |y − sin(Q/2)| for the interpolant Q.
@@ -77,7 +77,7 @@ impl Piece {
 
     /// The same on the ellipse with parameter ρ.
     fn bound(&self, sum: &Wave, series: &[Double], rho: f64) -> f64 {
-        let height = 0.5 * half(self.parts) * (rho - 1.0 / rho);
+        let height = 0.5 * half(self.pieces) * (rho - 1.0 / rho);
         let term = |(j, c): (usize, &Double)| c.hi.abs() * libm::sinh(j as f64 * libm::log(rho));
         let angle: f64 = series.iter().enumerate().map(term).sum();
         sum.bound(height) + libm::cosh(0.5 * angle)
@@ -97,12 +97,12 @@ mod tests {
         super::super::whole::tests::weights(swing, terms)
     }
 
-    /// The numbers of parts and of terms for an error of 2⁻⁵²; nearer to an overshoot there are no pieces.
+    /// The numbers of pieces and of terms for an error of 2⁻⁵²; nearer to an overshoot there are no pieces.
     #[test]
-    fn parts_and_terms() {
+    fn pieces_and_terms() {
         let found = |theta0: &str, terms: usize| {
-            let pieces = approximation(&weights(theta0, terms), 1e-16)?;
-            Some((pieces.parts(), pieces.terms_for(2e-16)?))
+            let piecewise = approximation(&weights(theta0, terms), 1e-16)?;
+            Some((piecewise.pieces(), piecewise.terms_for(2e-16)?))
         };
         assert_eq!(found("1", 1), Some((32, 9)));
         assert_eq!(found("7π/8", 4), Some((32, 12)));
@@ -117,7 +117,7 @@ mod tests {
         let sum = Wave::harmonics(&weights("7π/8", 4));
         let table = CosineTable::new(POINTS);
         for index in [0, 5, 16] {
-            let piece = Piece { parts: 32, index };
+            let piece = Piece { pieces: 32, index };
             let angle = |u: Double| twice_arcsine(sum.at(piece.phase(u))).unwrap();
             let mut series = table.coefficients(&table.points().map(angle).collect::<Vec<_>>());
             let exact = piece.residual(&sum, &series, 1e-20).unwrap();
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn bounds_on_ellipses() {
         let sum = Wave::harmonics(&[Double::ONE]);
-        let piece = Piece { parts: 32, index: 5 };
+        let piece = Piece { pieces: 32, index: 5 };
         let series = [Double::new(3.0), Double::ONE];
         let expected = (half(32) * 0.75 * std::f64::consts::PI).cosh() + (0.5 * 0.75_f64).cosh();
         let found = piece.bound(&sum, &series, 2.0);

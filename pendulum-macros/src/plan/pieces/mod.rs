@@ -1,4 +1,4 @@
-//! A curve by one polynomial for each of many equal parts of its period, of few terms, whose coefficients are looked up.
+//! A curve by one polynomial for each of many equal pieces of its period, of few terms, whose coefficients are looked up.
 //!
 //! Loops over arrays vectorise with it only where the machine gathers. But where one polynomial for all phases needs many
 //! terms, near the top and for the paper's θ̂, it takes half of the operations or less, in one shallow chain, and the row
@@ -16,12 +16,12 @@ use crate::program::{Builder, Id, Op};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 
-/// The polynomials of all parts from one anchor to the next.
+/// The polynomials of all pieces from one anchor to the next.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Pieces {
-    /// To the nearest part.
+    /// To the nearest piece.
     reduction: Reduction,
-    /// Powers of the remainder, a row for each part, of which the first is about an anchor.
+    /// Powers of the remainder, a row for each piece, of which the first is about an anchor.
     rows: Vec<Vec<Double>>,
     /// Set where the sign changes from anchor to anchor.
     alternates: bool,
@@ -30,18 +30,18 @@ pub(crate) struct Pieces {
 const POWERS: [&str; 5] = ["r", "r2", "r4", "r8", "r16"];
 
 impl Pieces {
-    /// Of a curve that is even or odd about an anchor, of which `half` has the powers in the parts from there to the
+    /// Of a curve that is even or odd about an anchor, of which `half` has the powers in the pieces from there to the
     /// middle between two.
     fn new(reduction: Reduction, half: &[Vec<Double>], parity: Parity, alternates: bool) -> Self {
-        let parts = 2 * (half.len() - 1);
+        let pieces = 2 * (half.len() - 1);
         // From the next anchor back: once reversed for the parity, and once if the curve alternates.
         let sign = if (parity == Parity::Odd) == alternates { 1.0 } else { -1.0 };
         let mirrored = |(power, c): (usize, &Double)| *c * (sign * if power % 2 == 1 { -1.0 } else { 1.0 });
-        let row = |part: usize| match half.get(part) {
+        let row = |piece: usize| match half.get(piece) {
             Some(row) => row.clone(),
-            None => half[parts - part].iter().enumerate().map(mirrored).collect(),
+            None => half[pieces - piece].iter().enumerate().map(mirrored).collect(),
         };
-        Self { reduction, rows: (0..parts).map(row).collect(), alternates }
+        Self { reduction, rows: (0..pieces).map(row).collect(), alternates }
     }
 
     pub(crate) fn negate(&mut self) {
@@ -67,7 +67,7 @@ impl Pieces {
         let coefficients = b.look_up(&self.rows, phase.magic);
         let value = estrin(b, remainder, &coefficients, &POWERS);
         b.name(value, name);
-        // Anchors are passed once for all parts.
+        // Anchors are passed once for all pieces.
         let bit = self.rows.len().ilog2();
         if self.alternates { b.push(Op::Alternate { x: value, magic: phase.magic, bit }) } else { value }
     }
@@ -109,20 +109,20 @@ mod tests {
     fn cosine(terms: u32, direction: f64) -> Pieces {
         let rate = Context::for_digits(40).ratio(1, 2);
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(200.0), float: Float::F64 };
-        let in_parts = |reduction: &Reduction| reduction.in_parts(8.0);
-        let reduction = clock.reductions().iter().find_map(in_parts).unwrap();
+        let in_pieces = |reduction: &Reduction| reduction.in_pieces(8.0);
+        let reduction = clock.reductions().iter().find_map(in_pieces).unwrap();
         let derivative = |angle: f64, order: u32| {
             let (sine, cosine) = libm::sincos(angle);
             [cosine, -sine, -cosine, sine][order as usize % 4]
         };
-        let power = |part: u32, order: u32| {
-            let vanishes = part == 0 && order % 2 == 1 || part == 4 && order.is_multiple_of(2);
+        let power = |piece: u32, order: u32| {
+            let vanishes = piece == 0 && order % 2 == 1 || piece == 4 && order.is_multiple_of(2);
             let factorial: f64 = (1..=order).map(f64::from).product();
-            let c = derivative(f64::from(part) * PI / 8.0, order) * PI.powi(order as i32) / factorial;
+            let c = derivative(f64::from(piece) * PI / 8.0, order) * PI.powi(order as i32) / factorial;
             Double::new(if vanishes { 0.0 } else { c })
         };
         let quarter: Vec<Vec<Double>> =
-            (0..=4).map(|part| (0..terms).map(|order| power(part, order)).collect()).collect();
+            (0..=4).map(|piece| (0..terms).map(|order| power(piece, order)).collect()).collect();
         let mut pieces = Pieces::new(reduction, &quarter, Parity::Even, true);
         if direction < 0.0 {
             pieces.negate();

@@ -1,6 +1,6 @@
-//! A curve as Chebyshev series in the parts from an anchor to the middle between two.
+//! A curve as Chebyshev series in the pieces from an anchor to the middle between two.
 //!
-//! Each part is interpolated at M Chebyshev points. On the ellipse with parameter ρ about a part of half width h the
+//! Each piece is interpolated at M Chebyshev points. On the ellipse with parameter ρ about a piece of half width h the
 //! phase stays within the strip |Im s| ≤ h(ρ − 1/ρ)/2, where the Fourier series bounds the curve by B: the interpolants'
 //! errors are at most 4Bρ^(1−M)/(ρ − 1), as in [`crate::plan::polynomial`]. What is dropped is known.
 
@@ -11,16 +11,16 @@ use crate::plan::reduction::Reduction;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 
-/// By how much of themselves parts are interpolated beyond their ends: more than any remainder exceeds half of one by.
+/// By how much of themselves pieces are interpolated beyond their ends: more than any remainder exceeds half of one by.
 const MARGIN: f64 = 1.0 / 256.0;
 
-/// More points in a part than this take too long.
+/// More points in a piece than this take too long.
 const MOST_POINTS: usize = 24;
 
 /// A curve in pieces.
 #[derive(Clone, Debug)]
 pub(crate) struct Piecewise {
-    /// Chebyshev series in u = (s − centre)/half, a part each.
+    /// Chebyshev series in u = (s − centre)/half, a piece each.
     series: Vec<Vec<Double>>,
     /// Of all of them, whole.
     error: f64,
@@ -29,17 +29,17 @@ pub(crate) struct Piecewise {
 }
 
 impl Piecewise {
-    /// A curve in so many parts from anchor to anchor, the series' own error below `negligible`; `None` if that takes
+    /// A curve in so many pieces from anchor to anchor, the series' own error below `negligible`; `None` if that takes
     /// too many points.
-    pub(crate) fn new(curve: &Curve, parts: usize, negligible: f64) -> Option<Self> {
-        let Interpolation { points, error, .. } = enough_points(curve, parts, negligible)?;
+    pub(crate) fn new(curve: &Curve, pieces: usize, negligible: f64) -> Option<Self> {
+        let Interpolation { points, error, .. } = enough_points(curve, pieces, negligible)?;
         let table = CosineTable::new(points);
         let series = |index: usize| {
-            let values: Vec<Double> = table.points().map(|u| curve.at(phase(parts, index, u))).collect();
+            let values: Vec<Double> = table.points().map(|u| curve.at(phase(pieces, index, u))).collect();
             table.coefficients(&values)
         };
         Some(Self {
-            series: (0..=parts / 2).map(series).collect(),
+            series: (0..=pieces / 2).map(series).collect(),
             error: error + (1.0 + lebesgue(points)) * curve.omitted(),
             parity: curve.parity(),
             alternates: curve.alternates,
@@ -52,17 +52,17 @@ impl Piecewise {
     }
 
     /// About how many terms leave `limit`, by the distance of the nearest singularities.
-    pub(crate) fn estimate(curve: &Curve, parts: usize, limit: f64) -> usize {
-        let log_rho = libm::asinh(curve.strip() / half(parts));
+    pub(crate) fn estimate(curve: &Curve, pieces: usize, limit: f64) -> usize {
+        let log_rho = libm::asinh(curve.strip() / half(pieces));
         (1.0 + libm::log(curve.largest / limit).max(1.0) / log_rho).ceil() as usize
     }
 
-    /// The number of parts from anchor to anchor.
-    pub(crate) fn parts(&self) -> usize {
+    /// The number of pieces from anchor to anchor.
+    pub(crate) fn pieces(&self) -> usize {
         2 * (self.series.len() - 1)
     }
 
-    /// The error with the first `terms` coefficients of each part.
+    /// The error with the first `terms` coefficients of each piece.
     fn truncation(&self, terms: usize) -> f64 {
         let dropped = |own: &Vec<Double>| own[terms..].iter().map(|c| c.hi.abs()).sum();
         self.error + self.series.iter().map(dropped).fold(0.0, f64::max)
@@ -74,9 +74,9 @@ impl Piecewise {
     }
 
     /// The kernel with as few terms as are wrong by at most `limit`, and its truncation, for a reduction to the nearest
-    /// part.
+    /// piece.
     pub(crate) fn kernel(&self, reduction: &Reduction, limit: f64) -> Option<(Pieces, f64)> {
-        let width = half(self.parts());
+        let width = half(self.pieces());
         let within = reduction.half() * reduction.unit.hi <= width * (1.0 - MARGIN / 64.0);
         let terms = self.terms_for(limit).filter(|_| within)?;
         let unit = reduction.unit / Double::new(width);
@@ -93,22 +93,22 @@ impl Piecewise {
     }
 }
 
-/// Half a part and its margin, in anchors.
-pub(crate) fn half(parts: usize) -> f64 {
-    0.5 / parts as f64 * (1.0 + MARGIN)
+/// Half a piece and its margin, in anchors.
+pub(crate) fn half(pieces: usize) -> f64 {
+    0.5 / pieces as f64 * (1.0 + MARGIN)
 }
 
-/// The phase at u in a part.
-pub(crate) fn phase(parts: usize, index: usize, u: Double) -> Double {
-    u * half(parts) + Double::new(index as f64 / parts as f64)
+/// The phase at u in a piece.
+pub(crate) fn phase(pieces: usize, index: usize, u: Double) -> Double {
+    u * half(pieces) + Double::new(index as f64 / pieces as f64)
 }
 
-/// As many points as make the interpolation error negligible in any part.
-fn enough_points(curve: &Curve, parts: usize, negligible: f64) -> Option<Interpolation> {
+/// As many points as make the interpolation error negligible in any piece.
+fn enough_points(curve: &Curve, pieces: usize, negligible: f64) -> Option<Interpolation> {
     let strip = curve.strip();
-    let ellipse = |part: f64| {
-        let height = (part * strip).min(1.5);
-        (curve.bound(height), libm::exp(libm::asinh(height / half(parts))))
+    let ellipse = |share: f64| {
+        let height = (share * strip).min(1.5);
+        (curve.bound(height), libm::exp(libm::asinh(height / half(pieces))))
     };
     Interpolation::fewest([0.5, 0.6, 0.7, 0.8, 0.88, 0.94].into_iter().map(ellipse), negligible, 4, MOST_POINTS)
 }
@@ -118,7 +118,7 @@ mod tests {
     use super::*;
     use crate::motion::Regime;
     use crate::parse::Float;
-    use crate::plan::curve::{RotationCurves, SwingCurves};
+    use crate::plan::curve::{Curves, RotationCurves, SwingCurves};
     use crate::plan::reduction::Clock;
     use crate::plan::tests::scene;
     use crate::program::Builder;
@@ -132,7 +132,7 @@ mod tests {
             match &scene.motion.regime {
                 Regime::Swing(swing) => {
                     let curves = SwingCurves::new(swing, omega);
-                    let three = [curves.theta(), curves.velocity(), curves.acceleration(), curves.half_cosine()];
+                    let three = [curves.angle(), curves.velocity(), curves.acceleration(), curves.half_cosine()];
                     all.extend(three.map(|curve| (start, curve)));
                 }
                 Regime::Rotation(rotation) => {
@@ -145,7 +145,7 @@ mod tests {
         all
     }
 
-    /// Anywhere in four anchors, also beyond the ends of parts, a kernel is off by no more than is stated, and by about
+    /// Anywhere in four anchors, also beyond the ends of pieces, a kernel is off by no more than is stated, and by about
     /// that somewhere.
     #[test]
     fn errors_are_those_stated() {
@@ -155,15 +155,15 @@ mod tests {
         {
             let rate = crate::exact::Context::for_digits(40).float(1.0 / time).unwrap();
             let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0), float: Float::F64 };
-            for (parts, limit) in [(16, 1e-4), (64, 1e-7), (32, 1e-11), (128, 1e-14)] {
-                let piecewise = Piecewise::new(&curve, parts, limit / 512.0).unwrap();
+            for (pieces, limit) in [(16, 1e-4), (64, 1e-7), (32, 1e-11), (128, 1e-14)] {
+                let piecewise = Piecewise::new(&curve, pieces, limit / 512.0).unwrap();
                 let reduction =
-                    clock.reductions().iter().find_map(|reduction| reduction.in_parts(parts as f64)).unwrap();
+                    clock.reductions().iter().find_map(|reduction| reduction.in_pieces(pieces as f64)).unwrap();
                 let unit = if time < 1.0 { 8.0 } else { 1.0 };
-                assert_eq!((piecewise.parts(), reduction.unit), (parts, Double::new(unit)));
+                assert_eq!((piecewise.pieces(), reduction.unit), (pieces, Double::new(unit)));
                 let (kernel, truncation) = piecewise.kernel(&reduction, limit).unwrap();
-                // Remainders from fewer parts go beyond what was interpolated.
-                let fewer = reduction.in_parts(parts as f64 / 2.0).unwrap();
+                // Remainders from fewer pieces go beyond what was interpolated.
+                let fewer = reduction.in_pieces(pieces as f64 / 2.0).unwrap();
                 assert!(piecewise.kernel(&fewer, limit).is_none());
                 assert!(truncation <= limit && kernel.terms() == piecewise.terms_for(limit).unwrap());
                 let mut b = Builder::new(Float::F64);
@@ -178,8 +178,8 @@ mod tests {
                     let exact = curve.at(Double::new(s - number)) * sign;
                     worst = worst.max((Double::new(program.run(time * s)[0]) - exact).hi.abs());
                 }
-                assert!(worst <= most, "{start} {parts} {limit:e}: {worst:e} {most:e}");
-                assert!(worst > most / 4.0, "{start} {parts} {limit:e}: {worst:e} {most:e}");
+                assert!(worst <= most, "{start} {pieces} {limit:e}: {worst:e} {most:e}");
+                assert!(worst > most / 4.0, "{start} {pieces} {limit:e}: {worst:e} {most:e}");
             }
         }
     }
@@ -188,15 +188,15 @@ mod tests {
     #[test]
     fn estimates() {
         for (start, curve) in curves() {
-            for (parts, limit) in [(32, 1e-3), (64, 1e-6), (64, 1e-9), (64, 1e-12), (128, 1e-15)] {
-                let needed = Piecewise::new(&curve, parts, limit / 512.0).unwrap().terms_for(limit).unwrap() as i64;
-                let off = Piecewise::estimate(&curve, parts, limit) as i64 - needed;
-                assert!((-1..=3).contains(&off), "{start} {parts} {limit:e}: {needed} {off}");
+            for (pieces, limit) in [(32, 1e-3), (64, 1e-6), (64, 1e-9), (64, 1e-12), (128, 1e-15)] {
+                let needed = Piecewise::new(&curve, pieces, limit / 512.0).unwrap().terms_for(limit).unwrap() as i64;
+                let off = Piecewise::estimate(&curve, pieces, limit) as i64 - needed;
+                assert!((-1..=3).contains(&off), "{start} {pieces} {limit:e}: {needed} {off}");
             }
         }
         let scene = scene("theta0 = π - 1e-9");
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let theta = SwingCurves::new(swing, &scene.motion.omega).theta();
-        assert!(Piecewise::new(&theta, 16, 1e-14).is_none(), "few parts take many points");
+        let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
+        assert!(Piecewise::new(&theta, 16, 1e-14).is_none(), "few pieces take many points");
     }
 }

@@ -4,8 +4,9 @@
 //! The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays within the
 //! strip |Im s| ≤ sinh(½ ln ρ)/2, where the Fourier series bounds the curve by B; the interpolant's error is at most
 //! 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation Practice*, theorem 8.2). Dropping its
-//! coefficients beyond the degree d adds at most the sum of their magnitudes. M is chosen so that the former is
-//! negligible; the latter, explicitly known, is the truncation error.
+//! coefficients beyond the degree d adds at most the sum of their magnitudes, and less where they cancel: the supremum
+//! of their sum is bounded in `tail.rs`. M is chosen so that the former is negligible; the latter, explicitly known, is
+//! the truncation error.
 
 use super::Polynomial;
 use super::pole::Pole;

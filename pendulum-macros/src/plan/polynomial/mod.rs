@@ -42,11 +42,7 @@ impl Polynomial {
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
         let value = self.magnitude(b, variables);
         b.name(value, name);
-        match (self.alternates, self.parity) {
-            (true, parity) => variables.sign(b, value, parity),
-            (false, Parity::Odd) => variables.sign_of_odd(b, value),
-            (false, Parity::Even | Parity::Neither) => value,
-        }
+        variables.signed(b, value, self.alternates, self.parity)
     }
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.

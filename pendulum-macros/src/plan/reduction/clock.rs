@@ -1,15 +1,16 @@
 //! The reductions that a motion can choose from, and how wrong each is.
 
 use super::words::{exponent, split_down, split_near};
-use super::{LINEAR_HALF, Method, Origin, Reduction};
+use super::{LINEAR_HALF, Method, Origin, Reduction, is_half};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Float;
 use crate::program::rounding::half_ulp;
+use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
 /// The horizon when no `t_max` is given: 2⁵³ periods are 2⁵⁴ anchors.
-const UNLIMITED: f64 = 18_014_398_509_481_984.0;
+pub(crate) const UNLIMITED: f64 = 18_014_398_509_481_984.0;
 
 /// The rounding of remainders up to ½ as they become `f32`, and in the last sums of any time.
 const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
@@ -24,7 +25,13 @@ pub(crate) struct Clock<'a> {
     pub(crate) float: Float,
 }
 
-impl Clock<'_> {
+impl<'a> Clock<'a> {
+    /// For the horizon and the float of a scene.
+    pub(crate) fn new(scene: &Scene, rate: &'a Real, launch: &Real) -> Self {
+        let t_max = scene.t_max.as_ref().map(Real::to_f64);
+        Self { rate, launch: launch.to_double(), t_max, float: scene.float }
+    }
+
     /// The greatest |t| promised.
     pub(super) fn horizon(&self) -> f64 {
         self.t_max.unwrap_or_else(|| UNLIMITED / self.rate.to_f64()).min(f64::MAX)
@@ -76,21 +83,9 @@ impl Clock<'_> {
         let launch_error = if counted { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
         // A launch phase is rounded before n is: the remainder may pass half an anchor by as much.
         let overshoot = if exact { overshoot } else { overshoot.max(4.0 * (error + launch_error)) };
-        Reduction {
-            method,
-            float: self.float,
-            launch: self.launch,
-            origin,
-            error: error + launch_error,
-            relative_error,
-            rounding: 0.0,
-            overshoot,
-            unit,
-            scale,
-            parts: 1.0,
-            cap,
-            folded: false,
-        }
+        let error = error + launch_error;
+        let exact = Reduction::exact(method, origin, self.float);
+        Reduction { launch: self.launch, error, relative_error, overshoot, unit, scale, cap, ..exact }
     }
 
     /// What keeps the product of the time with its factor from overflowing: a power of two beside a factor above 1, or,
@@ -231,19 +226,11 @@ impl Clock<'_> {
         let launch = self.launch.hi.abs();
         let relative = if self.float == Float::F64 { 3.001 } else { 1.001 } * self.float.unit();
         Reduction {
-            method: Method::Linear { words },
-            float: self.float,
             launch: self.launch,
-            origin: Origin::Lowest,
             error: (launch + 1.0) * 2f64.powi(-74),
             relative_error: relative,
-            rounding: 0.0,
-            overshoot: 0.0,
-            unit: Double::ONE,
-            scale: 1.0,
-            parts: 1.0,
             cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
-            folded: false,
+            ..Reduction::exact(Method::Linear { words }, Origin::Lowest, self.float)
         }
     }
 
@@ -282,7 +269,7 @@ impl Clock<'_> {
 
     /// Whether halves of an anchor, which are no matter of rounding, are passed at t = 0.
     fn is_exact(&self) -> bool {
-        self.launch.lo == 0.0 && (2.0 * self.launch.hi).fract() == 0.0
+        is_half(self.launch)
     }
 
     /// 1 where t = 0 is half-way between two origins, else 0. The phase is then what half an anchor is more than a

@@ -1,6 +1,6 @@
 //! A reduction as operations.
 
-use super::{Method, Origin, Phase, Reduction};
+use super::{Method, Origin, Phase, Reduction, is_half};
 use crate::parse::Float;
 use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
@@ -30,11 +30,7 @@ impl Reduction {
             }
         };
         let remainder = b.convert(phase.remainder, self.float);
-        let name = match self.origin {
-            Origin::Anchor if self.parts > 1.0 => "apart",
-            Origin::Anchor => "s",
-            Origin::Lowest => "z",
-        };
+        let name = if self.pieces > 1.0 { "apart" } else { self.origin.phase() };
         Phase { remainder: b.name(remainder, name), ..phase }
     }
 
@@ -75,7 +71,7 @@ impl Reduction {
     /// The magic sum of x + offset, and the nearest integer.
     fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
         let x = b.offset(x, self.offset() * self.scale);
-        let constant = b.float().magic() * self.scale / self.parts;
+        let constant = b.float().magic() * self.scale / self.pieces;
         let constant = b.constant(constant);
         let magic = b.add(x, constant);
         b.name(magic, "magic");
@@ -265,11 +261,6 @@ impl Reduction {
         let low = b.add(low, third);
         Phase { remainder: b.add(sum, low), magic: t, count: t }
     }
-}
-
-/// Whether it is a multiple of ½.
-fn is_half(offset: Double) -> bool {
-    offset.lo == 0.0 && (2.0 * offset.hi).fract() == 0.0
 }
 
 /// a·b + c·d.

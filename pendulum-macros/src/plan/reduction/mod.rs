@@ -13,7 +13,7 @@ mod clock;
 mod lower;
 mod words;
 
-pub(crate) use clock::Clock;
+pub(crate) use clock::{Clock, UNLIMITED};
 
 use crate::parse::Float;
 use crate::program::{Builder, Id};
@@ -21,7 +21,7 @@ use pendulum_runtime::double::Double;
 use std::ops::Range;
 use words::exponent;
 
-/// How the phase is found, over which horizon, and how wrong it can be.
+/// How the phase is found, and how wrong it can be over the horizon.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Reduction {
     pub(crate) method: Method,
@@ -43,7 +43,7 @@ pub(crate) struct Reduction {
     /// A power of two that phases are multiplied with besides.
     pub(crate) scale: f64,
     /// Parts of an anchor that n counts, a power of two: the remainder is that from the nearest part.
-    pub(crate) parts: f64,
+    pub(crate) pieces: f64,
     /// Times beyond ±this are replaced by it.
     pub(crate) cap: Option<f64>,
     /// Whether it is of |t|.
@@ -59,7 +59,17 @@ pub(crate) enum Origin {
     Lowest,
 }
 
-/// The ways of reducing the phase, cheapest first.
+impl Origin {
+    /// What the reduced phase is called in programs.
+    pub(crate) fn phase(self) -> &'static str {
+        match self {
+            Self::Anchor => "s",
+            Self::Lowest => "z",
+        }
+    }
+}
+
+/// The ways of reducing the phase.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Method {
     /// s = t·R − n with R in one word.
@@ -93,6 +103,11 @@ pub(crate) struct Phase {
     pub(crate) count: Id,
 }
 
+/// Whether it is a multiple of ½.
+pub(crate) fn is_half(x: Double) -> bool {
+    x.lo == 0.0 && (2.0 * x.hi).fract() == 0.0
+}
+
 /// Times whose powers are of moderate size.
 const MODERATE: Range<f64> = 0.03125..32.0;
 
@@ -105,20 +120,29 @@ impl Reduction {
         let most: f64 = if float == Float::F64 { 1e280 } else { 1e30 };
         let scale = if MODERATE.contains(&reach) { 1.0 } else { 2f64.powi(-1 - exponent(reach)) };
         (1.0 / most..most).contains(&reach).then(|| Self {
-            method: Method::Time { lopsided },
+            unit: Double::new(0.5 / scale) / Double::new(reach),
+            scale,
+            ..Self::exact(Method::Time { lopsided }, Origin::Anchor, float)
+        })
+    }
+
+    /// By that method, from an anchor passed at t = 0, without an error: what others differ from.
+    fn exact(method: Method, origin: Origin, float: Float) -> Self {
+        Self {
+            method,
             float,
             launch: Double::ZERO,
-            origin: Origin::Anchor,
+            origin,
             error: 0.0,
             relative_error: 0.0,
             rounding: 0.0,
             overshoot: 0.0,
-            unit: Double::new(0.5 / scale) / Double::new(reach),
-            scale,
-            parts: 1.0,
+            unit: Double::ONE,
+            scale: 1.0,
+            pieces: 1.0,
             cap: None,
             folded: false,
-        })
+        }
     }
 
     /// For a release from rest, which is even about t = 0: θ(−t) = θ(t) to the bit. From an anchor a phase and its
@@ -128,17 +152,17 @@ impl Reduction {
         Self { folded: self.origin == Origin::Lowest, ..self }
     }
 
-    /// The same with the remainder from the nearest of so many parts of an anchor, whose number is in the low bits of
+    /// The same with the remainder from the nearest of so many pieces of an anchor, whose number is in the low bits of
     /// the magic sum; `None` where products with n would no longer be exact, or where there are so many anchors that
-    /// their parts can't be told. What rounds remainders is relative to them, by up to twice as much just above a power
+    /// their pieces can't be told. What rounds remainders is relative to them, by up to twice as much just above a power
     /// of two as just below it.
-    pub(crate) fn in_parts(&self, parts: f64) -> Option<Self> {
-        let error = self.error - self.rounding * (1.0 - 2.0 / parts);
-        (self.has_parts() && error * parts < 2f64.powi(-10)).then(|| Self { error, parts, ..self.clone() })
+    pub(crate) fn in_pieces(&self, pieces: f64) -> Option<Self> {
+        let error = self.error - self.rounding * (1.0 - 2.0 / pieces);
+        (self.has_pieces() && error * pieces < 2f64.powi(-10)).then(|| Self { error, pieces, ..self.clone() })
     }
 
-    /// Whether it can count parts of an anchor.
-    pub(crate) fn has_parts(&self) -> bool {
+    /// Whether it can count pieces of an anchor.
+    pub(crate) fn has_pieces(&self) -> bool {
         let subtracts = match self.method {
             Method::OneWord { .. } => self.float == Float::F64,
             Method::AnyTime { .. } | Method::Wide { .. } | Method::WideAnyTime { .. } => true,
@@ -203,9 +227,9 @@ impl Reduction {
             return LINEAR_HALF;
         }
         if self.overshoot == 0.0 && self.unit == Double::ONE {
-            return 0.5 / self.parts;
+            return 0.5 / self.pieces;
         }
-        let half = (0.5 / self.parts + self.overshoot) / self.unit.hi;
+        let half = (0.5 / self.pieces + self.overshoot) / self.unit.hi;
         self.float.round(half * (1.0 + 4.0 * self.float.unit()))
     }
 }

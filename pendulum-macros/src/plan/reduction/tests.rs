@@ -41,7 +41,7 @@ impl Trial {
         let halves = i64::from(self.reduction.origin == Origin::Lowest && !linear);
         let passed = &self.rate * &real(t) + &self.launch - context.ratio(halves, 2);
         // Beyond 2⁵³ anchors their number itself is rounded, its parity isn't.
-        let power = self.reduction.parts.log2() as i64;
+        let power = self.reduction.pieces.log2() as i64;
         let number = if linear { context.integer(0) } else { (&passed - &computed).scale(power).round().scale(-power) };
         let exact = passed - &number;
         let (error, phase) = ((computed - &exact).abs().to_f64(), exact.to_f64().abs());
@@ -52,13 +52,13 @@ impl Trial {
         if !linear {
             let narrow = self.reduction.float == Float::F32 && !self.is_wide();
             let bits = if narrow { u64::from((run[1] as f32).to_bits()) } else { run[1].to_bits() };
-            // Modulo two anchors, in parts of one.
+            // Modulo two anchors, in pieces of one.
             let anchors = number.scale(-1) - number.scale(-1).round();
-            let residue = (anchors.to_f64() * 2.0 * self.reduction.parts) as i64;
-            let modulus = 2 * self.reduction.parts as i64;
+            let residue = (anchors.to_f64() * 2.0 * self.reduction.pieces) as i64;
+            let modulus = 2 * self.reduction.pieces as i64;
             assert_eq!((bits as i64 - residue) % modulus, 0, "{count}: {}", about());
             let off = (number - real(count)).abs().to_f64();
-            let rounded = (count.abs() * self.reduction.parts * 2f64.powi(-53)).floor() / self.reduction.parts;
+            let rounded = (count.abs() * self.reduction.pieces * 2f64.powi(-53)).floor() / self.reduction.pieces;
             assert!(off <= rounded, "{count}: {}", about());
         }
         self.worst = self.worst.max(error / promised);
@@ -115,7 +115,7 @@ fn rate(random: &mut Random) -> Real {
 fn errors_are_those_promised() {
     let context = Context::for_digits(60);
     let mut random = Random::new(11);
-    let (mut worst, mut in_parts): (BTreeMap<_, f64>, _) = (BTreeMap::new(), 0);
+    let (mut worst, mut in_pieces): (BTreeMap<_, f64>, _) = (BTreeMap::new(), 0);
     for (horizon, float) in
         [0.3, 30.0, 3e3, 1e6, 1e10, f64::INFINITY].map(|h| [(h, Float::F64), (h, Float::F32)]).concat()
     {
@@ -131,11 +131,11 @@ fn errors_are_those_promised() {
                 // Which is what a remainder is wrong by, if the launch is added to it before n is rounded.
                 let exact = matches!(launch, "0" | "0.5");
                 assert!(exact || reduction.overshoot >= reduction.error, "{reduction:?}");
-                // The same, from the nearest of the parts of an anchor.
-                for reduction in [2.0, 32.0].into_iter().filter_map(|parts| reduction.in_parts(parts)) {
+                // The same, from the nearest of the pieces of an anchor.
+                for reduction in [2.0, 32.0].into_iter().filter_map(|pieces| reduction.in_pieces(pieces)) {
                     let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
-                    trial.run(&mut Random::new(in_parts), 20);
-                    in_parts += 1;
+                    trial.run(&mut Random::new(in_pieces), 20);
+                    in_pieces += 1;
                 }
                 let widened = reduction.half() * reduction.unit.hi / (0.5 + reduction.overshoot);
                 assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
@@ -147,7 +147,7 @@ fn errors_are_those_promised() {
             }
         }
     }
-    assert!(in_parts > 120, "{in_parts}");
+    assert!(in_pieces > 120, "{in_pieces}");
     // Every way from every launch, but for the one that is only for none.
     assert_eq!(worst.len(), 17 * 4 + 2, "{worst:?}");
     for (way, worst) in worst {
@@ -496,9 +496,9 @@ fn ways_of_each_horizon() {
     }
 }
 
-/// From the nearest of many parts the rounding of remainders is a part of what it was, unless a launch is rounded, too.
+/// From the nearest of many pieces the rounding of remainders is a part of what it was, unless a launch is rounded, too.
 #[test]
-fn remainders_in_parts_are_rounded_less() {
+fn remainders_in_pieces_are_rounded_less() {
     let mut random = Random::new(23);
     for (float, launch, t_max, least, most) in [
         (Float::F64, "0", None, 2f64.powi(-59), 2f64.powi(-57)),
@@ -510,16 +510,19 @@ fn remainders_in_parts_are_rounded_less() {
     ] {
         let (rate, phase) = (rate(&mut random), Context::for_digits(60).decimal(launch).unwrap());
         let clock = Clock { rate: &rate, launch: phase.to_double(), t_max, float };
-        let last = clock.reductions().into_iter().rfind(Reduction::has_parts).unwrap();
+        let last = clock.reductions().into_iter().rfind(Reduction::has_pieces).unwrap();
         let wide = clock.reductions().into_iter().find(|reduction| matches!(reduction.method, Method::Wide { .. }));
         let reduction = if t_max.is_some() { wide.unwrap() } else { last };
-        let in_parts = reduction.in_parts(64.0).unwrap();
-        assert!((least..most).contains(&in_parts.error), "{in_parts:?}");
-        assert!(reduction.error >= in_parts.error && in_parts.half() < 0.51 / 64.0 / in_parts.unit.hi, "{in_parts:?}");
+        let in_pieces = reduction.in_pieces(64.0).unwrap();
+        assert!((least..most).contains(&in_pieces.error), "{in_pieces:?}");
+        assert!(
+            reduction.error >= in_pieces.error && in_pieces.half() < 0.51 / 64.0 / in_pieces.unit.hi,
+            "{in_pieces:?}"
+        );
     }
 }
 
-/// Where so many anchors are passed that the parts of one can't be told there are none.
+/// Where so many anchors are passed that the pieces of one can't be told there are none.
 #[test]
 fn parts_that_cannot_be_told() {
     let rate = Context::for_digits(40).ratio(1, 2);
@@ -527,10 +530,10 @@ fn parts_that_cannot_be_told() {
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(t_max), float: Float::F64 };
         clock.reductions().into_iter().find(|reduction| matches!(reduction.method, Method::OneWord { .. })).unwrap()
     };
-    for (t_max, parts, serves) in
+    for (t_max, pieces, serves) in
         [(2f64.powi(36), 32.0, true), (2f64.powi(42), 32.0, false), (2f64.powi(42), 2.0, true)]
     {
         let reduction = one_word(t_max);
-        assert_eq!(reduction.in_parts(parts).is_some(), serves, "{parts}: {reduction:?}");
+        assert_eq!(reduction.in_pieces(pieces).is_some(), serves, "{pieces}: {reduction:?}");
     }
 }

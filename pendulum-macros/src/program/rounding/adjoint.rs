@@ -4,7 +4,7 @@
 //! derivatives taken somewhere between the computed and the exact values (mean value theorem). Intervals that hold both
 //! make the bound rigorous.
 
-use super::{INFLATION, Known};
+use super::{INFLATION, Known, products};
 use crate::program::{Id, Op, Program};
 
 /// An interval of derivatives.
@@ -29,9 +29,7 @@ impl Slope {
         if self.low == 0.0 && self.high == 0.0 {
             return self;
         }
-        let corners = [self.low * low, self.low * high, self.high * low, self.high * high];
-        let (low, high) =
-            corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
+        let (low, high) = products((self.low, self.high), (low, high));
         Self { low, high }
     }
 }

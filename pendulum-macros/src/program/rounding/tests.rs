@@ -64,6 +64,12 @@ fn sums_and_differences() {
 }
 
 #[test]
+fn products_of_intervals() {
+    assert_eq!(super::products((-1.0, 2.0), (-3.0, 1.0)), (-6.0, 3.0));
+    assert_eq!(super::products((-2.0, -1.0), (-3.0, 1.0)), (-2.0, 6.0));
+}
+
+#[test]
 fn products() {
     let (a, b) = (Known::within(-1.5, 3.0, 3e-10), Known::within(-2.5, 0.75, 5e-10));
     // −2.5·3 and 1.5·2.5; 2.5·3e-10 + 3·5e-10 + 15e-20.
