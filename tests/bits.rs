@@ -1,10 +1,12 @@
-//! The same bits at every optimisation level, on every target and with every instruction set: hashes of 10⁵ results of
-//! each kind of plan against `tests/bits/hashes.txt`. `.ci/run` runs this test at opt-levels 0 and 3, for the baseline
-//! and for the machine's own instructions.
+//! The same bits at every optimisation level, on every target and with every instruction set: hashes of the results of
+//! each kind of plan, and of everything that the runtime computes, at 10⁵ times against `tests/bits/hashes.txt`.
+//! `.ci/run` runs this test at opt-levels 0 and 3, for the baseline and for the machine's own instructions.
 //!
-//! A change of the planner changes bits, and may: `PENDULA_BLESS=1 cargo test --test bits` writes the file anew.
+//! A change of the planner or of the runtime changes bits, and may: `PENDULA_BLESS=1 cargo test --test bits` writes the
+//! file anew.
 
-use pendula::{Pendulum, pendulum};
+use pendula::elliptic::Jacobi;
+use pendula::{Fourier, Pendulum, Scalar, pendulum};
 use std::fmt::Write as _;
 
 const EVALUATIONS: u64 = 100_000;
@@ -13,6 +15,8 @@ const EVALUATIONS: u64 = 100_000;
 struct Hash(u64);
 
 impl Hash {
+    const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
+
     fn add(&mut self, bits: u64) {
         self.0 = (self.0 ^ bits).wrapping_mul(0x0100_0000_01b3);
     }
@@ -42,6 +46,22 @@ impl<T: Bits> Bits for (T, T) {
     }
 }
 
+impl<T: Bits, const N: usize> Bits for [T; N] {
+    fn hash(self, hash: &mut Hash) {
+        for one in self {
+            one.hash(hash);
+        }
+    }
+}
+
+impl<T: Bits> Bits for Option<T> {
+    fn hash(self, hash: &mut Hash) {
+        if let Some(one) = self {
+            one.hash(hash);
+        }
+    }
+}
+
 /// Times without any function of a library: bits of a linear congruence, half of them in ±64, half of any magnitude.
 fn times() -> impl Iterator<Item = f64> {
     let mut state = 1_u64;
@@ -53,7 +73,7 @@ fn times() -> impl Iterator<Item = f64> {
 }
 
 fn hash<T: Bits>(f: impl Fn(f64) -> T) -> u64 {
-    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
+    let mut hash = Hash::EMPTY;
     times().for_each(|t| f(t).hash(&mut hash));
     hash.0
 }
@@ -108,7 +128,43 @@ fn runtime() -> String {
         let _ = writeln!(lines, "{:016x} Pendulum({theta}, {velocity}, {omega}).state", hash(|t| p.state(t)));
         let _ = writeln!(lines, "{:016x} Pendulum({theta}, {velocity}, {omega}).position", hash(|t| p.position(t)));
     }
+    for theta0 in [1e-9, 0.3, 1.5, 2.7, 3.0, 3.13, core::f64::consts::PI] {
+        let p = Pendulum::<f64>::new(theta0, 1.3).expect("a valid amplitude");
+        let _ = writeln!(lines, "{:016x} Pendulum::<f64>::new({theta0}, 1.3)", motion(&p, |t| t));
+    }
+    for (theta, velocity) in [(0.4, 1.1), (-2.0, 0.9), (0.0, 2.6), (30.0, -2.03), (0.0, 2.0), (1.0, 40.0)] {
+        let wide = Pendulum::<f64>::from_state(theta, velocity, 1.0).expect("a valid state");
+        let narrow = Pendulum::<f32>::from_state(theta as f32, velocity as f32, 1.0).expect("a valid state");
+        let hashes = [("f64", motion(&wide, |t| t)), ("f32", motion(&narrow, |t| t as f32))];
+        for (float, hash) in hashes {
+            let _ = writeln!(lines, "{hash:016x} Pendulum::<{float}>::from_state({theta}, {velocity}, 1)");
+        }
+    }
+    for k in [0.1, 0.7, 0.93, 0.999] {
+        let j = Jacobi::from_modulus(k).expect("in [0, 1]");
+        let _ = writeln!(lines, "{:016x} Jacobi::from_modulus({k})", hash(|u| jacobi(&j, u)));
+    }
     lines
+}
+
+/// All constants of a motion, and all its functions at times that `round` gives its type.
+fn motion<F: Scalar + Bits>(p: &Pendulum<F>, round: impl Fn(f64) -> F) -> u64 {
+    let mut hash = Hash::EMPTY;
+    [p.period(), p.amplitude(), p.modulus(), p.nome(), p.quarter_period(), p.energy()].hash(&mut hash);
+    let paper = p.fourier::<5>().ok();
+    paper.as_ref().map(Fourier::max_error).hash(&mut hash);
+    for t in times().map(round) {
+        p.position(t).hash(&mut hash);
+        [p.theta(t), p.velocity(t), p.acceleration(t), p.wrapped(t), p.small_angle(t)].hash(&mut hash);
+        p.time_at(p.theta(t)).ok().hash(&mut hash);
+        paper.as_ref().map(|paper| paper.theta(t)).hash(&mut hash);
+    }
+    hash.0
+}
+
+fn jacobi(j: &Jacobi, u: f64) -> [f64; 5] {
+    let (sn, cn, dn) = j.sn_cn_dn(u);
+    [sn, cn, dn, j.am(u), j.incomplete(u)]
 }
 
 #[test]
