@@ -4,6 +4,7 @@
 #![allow(mixed_script_confusables)]
 
 use pendula::Pendulum;
+use pendula_stress::reference::{self, Exact, bits};
 use std::collections::HashMap;
 
 /// 2⁻⁵⁰, the promise's unit.
@@ -14,25 +15,15 @@ const HORIZON: f64 = (1_u64 << 53) as f64;
 
 struct Row {
     t: f64,
-    theta: (f64, f64),
-    velocity: (f64, f64),
-}
-
-fn bits(cell: &str) -> f64 {
-    f64::from_bits(u64::from_str_radix(cell, 16).expect("the bits of an f64"))
-}
-
-fn off(x: f64, exact: (f64, f64)) -> f64 {
-    ((x - exact.0) - exact.1).abs()
+    theta: Exact,
+    velocity: Exact,
 }
 
 /// The rows of each `kind,parameter`.
 fn rows() -> HashMap<String, Vec<Row>> {
     let mut all = HashMap::<String, Vec<Row>>::new();
-    for line in include_str!("truth/exact.csv").lines().filter(|line| !line.starts_with('#')) {
-        let cells: Vec<&str> = line.split(',').collect();
-        let pair = |i: usize| (bits(cells[i]), cells[i + 1].parse().expect("a decimal"));
-        let row = Row { t: bits(cells[2]), theta: pair(3), velocity: pair(5) };
+    for cells in reference::rows(include_str!("truth/exact.csv")) {
+        let row = Row { t: bits(cells[2]), theta: Exact::read(&cells[3..]), velocity: Exact::read(&cells[5..]) };
         all.entry(format!("{},{}", cells[0], cells[1])).or_default().push(row);
     }
     all
@@ -87,10 +78,10 @@ fn check(compiled: &[Compiled]) {
             }
             let (theta, velocity) = (motion.state)(row.t);
             let alone = (motion.theta)(row.t);
-            let scale = motion.amplitude.unwrap_or(row.theta.0.abs().max(1.0));
+            let scale = motion.amplitude.unwrap_or(row.theta.nearest.abs().max(1.0));
             let errors = [
-                off(theta, row.theta).max(off(alone, row.theta)) / (scale * UNIT),
-                off(velocity, row.velocity) / (motion.fastest * UNIT),
+                row.theta.distance(theta).max(row.theta.distance(alone)) / (scale * UNIT),
+                row.velocity.distance(velocity) / (motion.fastest * UNIT),
             ];
             if errors.iter().any(|&error| error > 1.0) {
                 wrong.push(format!("{name} at {:e}: {errors:.2?} of the promise", row.t));

@@ -6,11 +6,8 @@ use pendula::pendulum;
 use pendula_stress::big::Big;
 use pendula_stress::motion::{Motion, Regime, Start};
 use pendula_stress::random::Random;
+use pendula_stress::reference::{Exact, bits, rows};
 use truth::{Swing, distance};
-
-fn bits(cell: &str) -> f64 {
-    f64::from_bits(u64::from_str_radix(cell, 16).expect("the bits of an f64"))
-}
 
 /// sup |f − θ|/θ0 over a period. The suprema are at or near the release, where the grid has a point, or smooth: a grid
 /// of 4000 phases misses less than 1e-5 of them.
@@ -79,26 +76,24 @@ fn every_n_gives_the_papers_own_function() {
         (0.9π) 5 (0.95π) 6 (0.95π) 20
     };
     let mut worst = (0.0, String::new());
-    let mut rows = 0;
-    for line in include_str!("truth/paper.csv").lines().filter(|line| !line.starts_with('#')) {
-        let cells: Vec<&str> = line.split(',').collect();
+    let mut count = 0;
+    for cells in rows(include_str!("truth/paper.csv")) {
         let name = format!("{};{}", cells[0], cells[1]);
         let (_, theta0, theta, velocity) = hats.iter().find(|hat| hat.0 == name).expect("a compiled plan");
         let t = bits(cells[2]);
-        let off = |x: f64, at: usize| ((x - bits(cells[at])) - cells[at + 1].parse::<f64>().expect("a decimal")).abs();
         let ulp = theta0.next_up() - theta0;
-        let error = off(theta(t), 3) / ulp;
-        assert!(error <= 8.0, "θ̂ is off by {error} ulp of θ0 at {t:e}: {line}");
+        let error = Exact::read(&cells[3..]).distance(theta(t)) / ulp;
+        assert!(error <= 8.0, "θ̂ is off by {error} ulp of θ0 at {t:e}: {cells:?}");
         if error > worst.0 {
-            worst = (error, line.to_owned());
+            worst = (error, cells.join(","));
         }
         // 1/√(1 − (k sn)²) is at most 6 at these phases, and so many times as many ulp a derivative can lose.
-        let speed = off(velocity(t), 5) / ulp;
-        assert!(speed <= 48.0, "the derivative of θ̂ is off by {speed} ulp at {t:e}: {line}");
-        rows += 1;
+        let speed = Exact::read(&cells[5..]).distance(velocity(t)) / ulp;
+        assert!(speed <= 48.0, "the derivative of θ̂ is off by {speed} ulp at {t:e}: {cells:?}");
+        count += 1;
     }
-    println!("worst of {rows}: {worst:?}");
-    assert_eq!(rows, 16 * 24);
+    println!("worst of {count}: {worst:?}");
+    assert_eq!(count, 16 * 24);
 }
 
 /// Just below an overshoot the argument y of the arcsine comes near 1 in mid-swing, too, and the arcsine's slope,

@@ -3,6 +3,7 @@
 mod data;
 mod truth;
 
+use pendula_stress::reference::Exact;
 use truth::{Swing, distance};
 
 /// The reference has the f64 parameters: those of these names are exact.
@@ -16,7 +17,7 @@ fn theta_quotients_in_two_words_agree_with_the_reference() {
         for row in data::reference().filter(|row| row.theta0 == theta0 && row.velocity0 == 0.0 && row.t.abs() < 1e17) {
             let state = swing.at(row.t);
             // The reference rounds its second word to four digits: 2⁻⁵³·10⁻³ of the value.
-            let off = |x: pendulum_runtime::double::Double, exact: data::Exact| {
+            let off = |x: pendulum_runtime::double::Double, exact: Exact| {
                 ((x.hi - exact.nearest) + (x.lo - exact.rest)).abs()
             };
             assert!(off(state.theta, row.theta) < 2e-19, "{name} at {}: {state:?} {row:?}", row.t);

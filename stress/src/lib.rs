@@ -13,6 +13,7 @@ pub mod generated;
 pub mod motion;
 pub mod options;
 pub mod random;
+pub mod reference;
 pub mod report;
 pub mod session;
 pub mod times;

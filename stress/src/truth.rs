@@ -225,10 +225,7 @@ mod tests {
     use super::{Output, Truth};
     use crate::big::Big;
     use crate::motion::{Motion, Start};
-
-    fn bits(cell: &str) -> f64 {
-        f64::from_bits(u64::from_str_radix(cell, 16).expect("the bits of an f64"))
-    }
+    use crate::reference::bits;
 
     /// Reference data has θ and θ̇ as a number and a rest of four digits, 2⁻⁶⁶ of it or so.
     const TOLERANCE: f64 = 1e-19;

@@ -1,19 +1,7 @@
 //! Reads the reference data; the scripts beside it say where the numbers come from.
 #![allow(dead_code, unreachable_pub, reason = "each test crate uses its own part of this module")]
 
-/// A real number to about 106 bits.
-#[derive(Clone, Copy, Debug)]
-pub struct Exact {
-    pub nearest: f64,
-    pub rest: f64,
-}
-
-impl Exact {
-    /// |x − this|.
-    pub fn distance(self, x: f64) -> f64 {
-        ((x - self.nearest) - self.rest).abs()
-    }
-}
+use pendula_stress::reference::{Exact, bits, rows};
 
 /// A state at time `t` of the motion that starts from a given state.
 #[derive(Clone, Copy, Debug)]
@@ -26,18 +14,6 @@ pub struct Row {
     pub velocity: Exact,
 }
 
-fn rows(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
-    text.lines().filter(|line| !line.starts_with('#')).map(|line| line.split(',').collect())
-}
-
-fn bits(cell: &str) -> f64 {
-    f64::from_bits(u64::from_str_radix(cell, 16).expect("the bits of an f64"))
-}
-
-fn exact(cells: &[&str]) -> Exact {
-    Exact { nearest: bits(cells[0]), rest: cells[1].parse().expect("a decimal") }
-}
-
 /// `reference.csv`: releases from rest and launches from the bottom, ω = 1.
 pub fn reference() -> impl Iterator<Item = Row> {
     rows(include_str!("reference.csv")).map(|cells| {
@@ -48,8 +24,8 @@ pub fn reference() -> impl Iterator<Item = Row> {
             velocity0,
             omega: 1.0,
             t: bits(cells[2]),
-            theta: exact(&cells[3..]),
-            velocity: exact(&cells[5..]),
+            theta: Exact::read(&cells[3..]),
+            velocity: Exact::read(&cells[5..]),
         }
     })
 }
@@ -61,8 +37,8 @@ pub fn states() -> impl Iterator<Item = Row> {
         velocity0: bits(cells[1]),
         omega: bits(cells[2]),
         t: bits(cells[3]),
-        theta: exact(&cells[4..]),
-        velocity: exact(&cells[6..]),
+        theta: Exact::read(&cells[4..]),
+        velocity: Exact::read(&cells[6..]),
     })
 }
 

@@ -10,6 +10,7 @@ mod elementary;
 pub mod times;
 
 use elementary::{exp, sin_cos};
+use pendula_stress::reference::bits;
 use pendulum_runtime::double::{Double, two_prod};
 
 /// A swing between turning points, known exactly.
@@ -45,7 +46,7 @@ impl Swing {
             .find_map(|(name, row)| (bare(name) == start).then_some(row));
         let row = row.unwrap_or_else(|| panic!("swings.csv lacks {start}: add it to swings.py"));
         let cells: Vec<&str> = row.split(',').collect();
-        let word = |i: usize| f64::from_bits(u64::from_str_radix(cells[i], 16).expect("bits of an f64"));
+        let word = |i: usize| bits(cells[i]);
         let double = |i: usize| Double::from_sum(word(i), word(i + 1));
         Self {
             rate: [word(0), word(1), word(2)],
