@@ -1,13 +1,12 @@
 //! The stress suite `times` on few inputs: every class of plans at random, structured and adversarial times. In full:
 //! `cargo run --release -p pendula-stress -- times`.
 
-use pendula_stress::report::{Row, table};
+use pendula_stress::report::{Row, assert_kept};
 use pendula_stress::session::Session;
 use pendula_stress::times;
 
 fn kept(rows: &[Row]) {
-    let objections: Vec<String> = rows.iter().flat_map(Row::objections).collect();
-    assert!(objections.is_empty(), "{}\n{}", objections.join("\n"), table(rows));
+    assert_kept(rows);
     assert!(rows.len() > 40 && rows.iter().all(|row| row.found.tried > 0));
 }
 

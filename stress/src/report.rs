@@ -56,6 +56,16 @@ impl Row {
     }
 }
 
+/// For tests.
+///
+/// # Panics
+/// With what was not kept, and the table.
+#[track_caller]
+pub fn assert_kept(rows: &[Row]) {
+    let objections: Vec<String> = rows.iter().flat_map(Row::objections).collect();
+    assert!(objections.is_empty(), "{}\n{}", objections.join("\n"), table(rows));
+}
+
 /// A Markdown table; errors in units of the promise.
 pub fn table(rows: &[Row]) -> String {
     let mut text = String::from(
