@@ -49,7 +49,7 @@ fn main() {
             );
         };
         for (j, (float, output, asked)) in SCENES.into_iter().enumerate() {
-            // Amplitudes below 3e-7 have squares that a tolerance in single precision needn't bother with.
+            // Amplitudes up to 3e-7 have squares that a tolerance in single precision needn't bother with.
             if float == "f64" || i >= 9 {
                 invoke(format!("Plan{i}x{j}"), float, output, asked);
             }

@@ -158,7 +158,7 @@ pub fn compiled(session: &Session, times: u64) -> Vec<Row> {
         });
         rows.push(Row {
             subject,
-            output: format!("{:?}", scene.1).to_lowercase(),
+            output: scene.1.name().into(),
             promise: 1.0,
             proven: None,
             observable: 1.0,
