@@ -4,14 +4,12 @@
 #![allow(mixed_script_confusables)]
 
 use pendula::Pendulum;
+use pendula_stress::horizon::ANY_TIME;
 use pendula_stress::reference::{self, Exact, bits};
 use std::collections::HashMap;
 
 /// 2⁻⁵⁰, the promise's unit.
 const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
-
-/// 2⁵³ periods.
-const HORIZON: f64 = (1_u64 << 53) as f64;
 
 struct Row {
     t: f64,
@@ -73,7 +71,7 @@ fn check(compiled: &[Compiled]) {
     for motion in compiled {
         let name = motion.name.replace([' ', '(', ')'], "");
         for row in rows.get(&name).unwrap_or_else(|| panic!("exact.csv lacks {name}")) {
-            if row.t.abs() > HORIZON * motion.period {
+            if row.t.abs() > ANY_TIME * motion.period {
                 continue;
             }
             let (theta, velocity) = (motion.state)(row.t);

@@ -5,6 +5,7 @@ mod data;
 
 use data::Row;
 use pendula::{Pendulum, Regime};
+use pendula_stress::horizon::RUN_TIME;
 use pendula_stress::motion::{Motion, Start};
 use pendula_stress::random::Random;
 use pendula_stress::truth::{Output, Truth};
@@ -12,9 +13,6 @@ use std::collections::BTreeMap;
 
 /// 2⁻⁵⁰, the promise's unit.
 const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
-
-/// The promises hold for 2⁴⁵ periods.
-const HORIZON: f64 = (1_u64 << 45) as f64;
 
 fn pendulum(row: &Row) -> Pendulum<f64> {
     let made = if row.velocity0 == 0.0 {
@@ -67,7 +65,7 @@ fn every_row_keeps_the_promise() {
     for row in data::reference().chain(data::states()) {
         let p = pendulum(&row);
         let periods = periods(&p, row.t);
-        if periods > HORIZON {
+        if periods > RUN_TIME {
             continue;
         }
         let (theta, velocity) = errors(&p, &row);

@@ -7,6 +7,7 @@ use pendula::Pendulum;
 
 use crate::finding::Finding;
 use crate::generated::{Generated, generated};
+use crate::horizon;
 use crate::motion::{Motion, Start};
 use crate::random::Random;
 use crate::report::Row;
@@ -19,8 +20,6 @@ const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
 const TIMES: u64 = 16;
 /// Times per compiled plan.
 const PLAN_TIMES: u64 = 256;
-/// 2⁴⁵ periods.
-const RUNTIME: f64 = 35_184_372_088_832.0;
 
 /// The run-time pendulum at `count` amplitudes, and all compiled plans.
 pub fn run(session: &Session, count: u64) -> Vec<Row> {
@@ -98,7 +97,7 @@ fn sweep(number: u64, sweep: &mut Sweep) {
         let t = match i {
             0 => 0.0,
             1 => pendulum.period() / 4.0,
-            _ => random.scaled(1e-3, RUNTIME) * pendulum.period(),
+            _ => random.scaled(1e-3, horizon::RUN_TIME) * pendulum.period(),
         };
         let (angle, speed) = pendulum.state(t);
         angles.tried += 1;

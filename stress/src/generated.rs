@@ -1,5 +1,6 @@
 //! A few hundred compiled plans; `build.rs` says which.
 
+use crate::horizon::ANY_TIME;
 use crate::motion::{Motion, Start, number};
 use crate::truth::Output;
 
@@ -103,9 +104,8 @@ impl Generated {
         asked.filter(|(key, _)| key.trim() == name).find_map(|(_, value)| value.trim().parse().ok())
     }
 
-    /// The horizon; 2⁵³ periods where none was asked for.
+    /// The horizon; [`ANY_TIME`] where none was asked for.
     pub fn horizon(&self) -> f64 {
-        const ANY_TIME: f64 = 9_007_199_254_740_992.0;
         self.parameter("t_max").unwrap_or(ANY_TIME * self.constants[4])
     }
 

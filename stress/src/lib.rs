@@ -10,6 +10,7 @@ pub mod coefficients;
 pub mod exhaustive;
 pub mod finding;
 pub mod generated;
+pub mod horizon;
 pub mod motion;
 pub mod options;
 pub mod random;

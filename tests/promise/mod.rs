@@ -1,6 +1,8 @@
 //! A compiled plan, what it promises, and what a dense look at it finds.
 #![allow(dead_code, unreachable_pub, reason = "each test crate uses its own part of this module")]
 
+use pendula_stress::horizon::ANY_TIME;
+
 use crate::truth::{State, Swing, distance, times};
 
 /// One output of one compiled item.
@@ -25,9 +27,6 @@ pub struct Finding {
     /// The largest magnitude of the output.
     pub largest: f64,
 }
-
-/// 2⁵³ periods, the horizon where none was given.
-pub const ANY_TIME: f64 = 9_007_199_254_740_992.0;
 
 impl Promise {
     /// The largest error over the horizon; `error` gives the time as rounded to the plan's float, and the error there.

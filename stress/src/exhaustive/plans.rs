@@ -1,5 +1,7 @@
 //! The plans whose every input is tried.
 
+use crate::horizon::ANY_TIME;
+
 /// One output of one plan in single precision, and the same in double precision.
 pub struct Plan {
     /// The scene.
@@ -23,9 +25,6 @@ pub struct Plan {
     /// The truth.
     pub double: fn(&[f32], &mut [f64]),
 }
-
-/// 2⁵³ periods.
-const ANY_TIME: f64 = 9_007_199_254_740_992.0;
 
 macro_rules! plan {
     ($name:literal: [$($start:tt)*] $(tol = $tol:literal, t_max = $t_max:literal)?; $output:ident, $bound:ident,

@@ -3,6 +3,7 @@
 use pendula::Pendulum;
 
 use crate::finding::Finding;
+use crate::horizon::{ANY_TIME, RUN_TIME};
 use crate::motion::{Motion, Regime, Start};
 use crate::report::Row;
 use crate::truth::Output;
@@ -80,9 +81,6 @@ fn over<P: Pair>(function: impl Fn(f64) -> P + Send + Sync + 'static) -> Evaluat
     })
 }
 
-/// 2⁵³, and 2⁴⁵ of the run-time pendulum, in periods.
-const ANY_TIME: f64 = 9_007_199_254_740_992.0;
-const RUNTIME: f64 = 35_184_372_088_832.0;
 /// What is proven at full precision, relative to the largest value; half may be observed.
 const FULL: f64 = 1.0 / (1_u64 << 49) as f64;
 
@@ -303,7 +301,7 @@ fn runtime(all: &mut Vec<Class>) {
                 start: start.clone(),
                 output,
                 horizon: f64::INFINITY,
-                periods: RUNTIME,
+                periods: RUN_TIME,
                 promise: FULL / 2.0 * unit,
                 observable: FULL / 2.0 * unit,
                 proven: None,
