@@ -2,6 +2,7 @@
 
 use crate::horizon::ANY_TIME;
 use crate::motion::{Motion, Start, number};
+use crate::pair::Pair;
 use crate::truth::Output;
 
 /// Evaluates an output; positions have two numbers, others a 0.
@@ -27,35 +28,7 @@ pub struct Generated {
     pub evaluate: Evaluate,
 }
 
-/// Numbers of either type, and pairs of them.
-trait Pair {
-    fn pair(self) -> [f64; 2];
-}
-
-impl<T: Into<f64>> Pair for T {
-    fn pair(self) -> [f64; 2] {
-        [self.into(), 0.0]
-    }
-}
-
-/// A position.
-impl<T: Into<f64>> Pair for Both<T> {
-    fn pair(self) -> [f64; 2] {
-        [self.0.into(), self.1.into()]
-    }
-}
-
-/// Distinguishes a pair from a number.
-struct Both<T>(T, T);
-
 macro_rules! generated {
-    (@evaluate $plan:ident position $float:ident) => {
-        |t| {
-            let (x, y) = $plan::position(t as $float);
-            Both(x, y).pair()
-        }
-    };
-    (@evaluate $plan:ident $output:ident $float:ident) => { |t| $plan::$output(t as $float).pair() };
     (@is theta) => { Output::Theta };
     (@is velocity) => { Output::Velocity };
     (@is acceleration) => { Output::Acceleration };
@@ -79,7 +52,7 @@ macro_rules! generated {
             proven: generated!(@bound $plan $output).into(),
             constants: [$plan::MODULUS, $plan::K, $plan::K_PRIME, $plan::NOME, $plan::PERIOD].map(f64::from),
             coefficients: generated!(@coefficients $plan $($asked)*),
-            evaluate: generated!(@evaluate $plan $output $float),
+            evaluate: |t| $plan::$output(t as $float).pair(),
         });
     };
 }

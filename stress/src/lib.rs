@@ -13,6 +13,7 @@ pub mod generated;
 pub mod horizon;
 pub mod motion;
 pub mod options;
+pub mod pair;
 pub mod random;
 pub mod reference;
 pub mod report;

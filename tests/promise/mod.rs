@@ -81,36 +81,13 @@ pub fn judge(findings: &[Finding], wrong: impl Fn(&Finding) -> Option<String>) {
 }
 
 /// |computed − exact| of an output, in its unit with ω = `omega`.
-pub fn error_of(output: &str, computed: (f64, f64), exact: &State, omega: f64) -> f64 {
-    let scaled = |value: f64, unit: f64, exact| distance(value / unit, exact);
+pub fn error_of(output: &str, computed: [f64; 2], exact: &State, omega: f64) -> f64 {
+    let [first, second] = computed;
     match output {
-        "theta" => distance(computed.0, exact.theta),
-        "velocity" => scaled(computed.0, omega, exact.velocity),
-        "acceleration" => scaled(computed.0, omega * omega, -exact.sine),
-        _ => distance(computed.0, exact.sine).hypot(distance(computed.1, -exact.cosine)),
-    }
-}
-
-/// A result as a pair, the second of which only a position has.
-pub trait Pair {
-    fn pair(self) -> (f64, f64);
-}
-
-impl Pair for f64 {
-    fn pair(self) -> (f64, f64) {
-        (self, 0.0)
-    }
-}
-
-impl Pair for f32 {
-    fn pair(self) -> (f64, f64) {
-        (self.into(), 0.0)
-    }
-}
-
-impl<T: Into<f64>> Pair for (T, T) {
-    fn pair(self) -> (f64, f64) {
-        (self.0.into(), self.1.into())
+        "theta" => distance(first, exact.theta),
+        "velocity" => distance(first / omega, exact.velocity),
+        "acceleration" => distance(first / (omega * omega), -exact.sine),
+        _ => distance(first, exact.sine).hypot(distance(second, -exact.cosine)),
     }
 }
 
@@ -148,7 +125,7 @@ macro_rules! findings {
         .observe($density, |t, truth| {
             let t = t as $float;
             let at = f64::from(t);
-            let computed = $crate::promise::Pair::pair(Motion::$output(t));
+            let computed = pendula_stress::pair::Pair::pair(Motion::$output(t));
             let omega = f64::from(Motion::OMEGA);
             (at, $crate::promise::error_of(stringify!($output), computed, &truth(at), omega))
         }));)*

@@ -5,6 +5,7 @@ use pendula::Pendulum;
 use crate::finding::Finding;
 use crate::horizon::{ANY_TIME, RUN_TIME};
 use crate::motion::{Motion, Regime, Start};
+use crate::pair::Pair;
 use crate::report::Row;
 use crate::truth::Output;
 
@@ -53,23 +54,6 @@ impl Class {
             observable: self.observable,
             found,
         }
-    }
-}
-
-/// A result as a pair.
-trait Pair {
-    fn pair(self) -> [f64; 2];
-}
-
-impl Pair for f64 {
-    fn pair(self) -> [f64; 2] {
-        [self, 0.0]
-    }
-}
-
-impl Pair for (f64, f64) {
-    fn pair(self) -> [f64; 2] {
-        self.into()
     }
 }
 
