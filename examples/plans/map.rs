@@ -2,7 +2,7 @@
 
 use crate::grid::Row;
 use crate::plan::Plan;
-use pendula_plot::{Category, Cell, Map, palette};
+use pendula_plot::{Category, Cell, Map, palette, power_of_ten};
 
 /// One per method, in the order of their first appearance.
 const COLOURS: [palette::Colour; 5] =
@@ -40,15 +40,6 @@ pub(crate) fn map(rows: &[Row]) -> Map {
 }
 
 fn column(plan: &Plan) -> String {
-    let superscript = |digit: char| match digit {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => digit.to_digit(10).and_then(|digit| char::from_u32('⁰' as u32 + digit)).unwrap_or(digit),
-    };
-    match plan.tolerance.strip_prefix("1e") {
-        Some(exponent) => format!("10{}", exponent.chars().map(superscript).collect::<String>()),
-        None => plan.tolerance.into(),
-    }
+    let exponent = plan.tolerance.strip_prefix("1e").and_then(|exponent| exponent.parse().ok());
+    exponent.map_or_else(|| plan.tolerance.into(), power_of_ten)
 }

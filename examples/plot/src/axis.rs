@@ -135,8 +135,8 @@ fn plain_decade(exponent: i64) -> String {
     format!("{:.digits$}", 10.0_f64.powi(exponent as i32))
 }
 
-/// 10ⁿ with a raised exponent.
-pub(crate) fn power_of_ten(exponent: i64) -> String {
+/// 10ⁿ as text: with a raised exponent, but for 1 and 10.
+pub fn power_of_ten(exponent: i64) -> String {
     if let 0 | 1 = exponent {
         return plain_decade(exponent);
     }

@@ -33,6 +33,7 @@ use std::rc::Rc;
 use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::prelude::{DrawingBackend, SVGBackend};
 
+pub use axis::power_of_ten;
 pub use map::{Category, Cell, Map};
 pub use panels::{Curve, Panel, Panels};
 pub use scatter::{LogLog, Marker, Point, Series};
