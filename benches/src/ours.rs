@@ -50,19 +50,12 @@ fn fourier<R: Planned, const N: usize>(pendulum: &Pendulum<R>) -> Option<Contest
 }
 
 fn plan<R: Real>(
+    family: Family,
     name: &str,
     setting: &str,
     copies: (impl Fn(R) -> R + 'static, impl Fn(R) -> R + 'static),
 ) -> Contestant<R> {
-    Contestant::copies(Family::Planned, name, setting, copies).given(Given::Exact)
-}
-
-fn forced<R: Real>(
-    name: &str,
-    setting: &str,
-    copies: (impl Fn(R) -> R + 'static, impl Fn(R) -> R + 'static),
-) -> Contestant<R> {
-    Contestant::copies(Family::Forced, name, setting, copies).given(Given::Exact)
+    Contestant::copies(family, name, setting, copies).given(Given::Exact)
 }
 
 fn state<R: Real>(
@@ -92,13 +85,13 @@ macro_rules! twice {
 macro_rules! plans {
     ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*]) => {
         vec![
-            $(plan(PLANNED, concat!("tol ", stringify!($tol)), twice!(theta:
+            $(plan(Family::Planned, PLANNED, concat!("tol ", stringify!($tol)), twice!(theta:
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float
             )),)*
-            $(plan(ANY_TIME, concat!("tol ", stringify!($ever)), twice!(theta:
+            $(plan(Family::Planned, ANY_TIME, concat!("tol ", stringify!($ever)), twice!(theta:
                 theta0 = $theta0, tol = $ever, float = $float
             )),)*
-            plan::<$float>(ANY_TIME, FULL, twice!(theta: theta0 = $theta0, float = $float)),
+            plan::<$float>(Family::Planned, ANY_TIME, FULL, twice!(theta: theta0 = $theta0, float = $float)),
         ]
     };
 }
@@ -107,10 +100,11 @@ macro_rules! plans {
 macro_rules! methods {
     ($float:ident, $theta0:tt, $t_max:literal, [$($n:literal)*] $(, $method:ident [$($tol:literal)*])*) => {
         vec![
-            $(forced::<$float>(PAPER, concat!("n = ", stringify!($n)), twice!(theta:
+            $(plan::<$float>(Family::Forced, PAPER, concat!("n = ", stringify!($n)), twice!(theta:
                 theta0 = $theta0, n = $n, float = $float
             )),)*
-            $($(forced::<$float>(
+            $($(plan::<$float>(
+                Family::Forced,
                 concat!("pendula, ", stringify!($method), ", 100 periods"),
                 concat!("tol ", stringify!($tol)),
                 twice!(theta: theta0 = $theta0, tol = $tol, t_max = $t_max, method = $method, float = $float)
