@@ -182,6 +182,11 @@ pub enum Kind<R> {
     Stepping(Box<dyn Stepping<R>>),
 }
 
+/// How an entry is called in tables.
+pub fn label(name: &str, setting: &str) -> String {
+    if setting.is_empty() { name.to_owned() } else { format!("{name}, {setting}") }
+}
+
 /// One entry.
 pub struct Contestant<R> {
     /// Who made it.
@@ -230,8 +235,8 @@ impl<R: Real> Contestant<R> {
         Self { given, ..self }
     }
 
-    /// Name and setting.
+    /// See [`label`].
     pub fn label(&self) -> String {
-        if self.setting.is_empty() { self.name.clone() } else { format!("{}, {}", self.name, self.setting) }
+        label(&self.name, &self.setting)
     }
 }

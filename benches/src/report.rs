@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::amplitude::Amplitude;
-use crate::contestant::{COUNT, Family, HORIZON, STEPPED};
+use crate::contestant::{COUNT, Family, HORIZON, STEPPED, label};
 use crate::machine;
 use crate::peers::Missing;
 use crate::race::Spread;
@@ -180,9 +180,9 @@ fn undominated<'a>(field: &'a [&'a Outcome]) -> impl Iterator<Item = &'a Outcome
 }
 
 impl Outcome {
-    /// Name and setting.
+    /// See [`label`].
     pub fn label(&self) -> String {
-        if self.setting.is_empty() { self.name.clone() } else { format!("{}, {}", self.name, self.setting) }
+        label(&self.name, &self.setting)
     }
 }
 

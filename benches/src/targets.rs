@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::amplitude::Amplitude;
+use crate::contestant::label;
 use crate::machine;
 use crate::ours::{ANY_TIME, FULL, PAPER, PLANNED, RUNTIME, STATE};
 use crate::peers::AS_WRITTEN;
@@ -115,9 +116,7 @@ pub fn table(outcomes: &[Outcome]) -> String {
     for target in &TARGETS {
         let Some(limit) = target.limit(machine::target()) else { continue };
         let Some(reached) = target.reached(outcomes) else { continue };
-        let label = |(name, setting): (&str, &str)| {
-            if setting.is_empty() { name.to_owned() } else { format!("{name}, {setting}") }
-        };
+        let [entry, unit] = [target.entry, target.unit].map(|(name, setting)| label(name, setting));
         let call = match target.call {
             Call::Array => "array",
             Call::Scalar => "scalar",
@@ -126,9 +125,9 @@ pub fn table(outcomes: &[Outcome]) -> String {
         let _ = writeln!(
             text,
             "| {}{} | {} | {call} | {} | {:.3} ({:.3} to {:.3}) | {} |",
-            label(target.entry),
+            entry,
             if target.precision == "f32" { ", f32" } else { "" },
-            label(target.unit),
+            unit,
             limit,
             reached.median,
             reached.lower,
