@@ -20,6 +20,7 @@ use pendula_benches::race::Effort;
 use pendula_benches::session::{Field, Outcome, Session};
 use pendula_benches::{figures, machine, report, targets};
 use pendula_plot::Figure;
+use pendula_stress::section;
 
 /// Steps of the time stepping in the picture of the drift: 10⁵ periods at T/100.
 const STEPS: usize = 10_100_000;
@@ -93,20 +94,13 @@ fn measure(options: &Options) -> Result<(), Box<dyn Error>> {
     eprintln!();
     write(&options.directory, &outcomes, &drifts)?;
     if let Some(document) = &options.document {
-        renew(document, "frontier", &report::summary(&outcomes))?;
-        renew(document, "targets", &targets::table(&outcomes))?;
+        let target = machine::target();
+        section::renew(document, &format!("frontier {target}"), &report::summary(&outcomes))?;
+        section::renew(document, &format!("targets {target}"), &targets::table(&outcomes))?;
     }
     print!("{}", report::markdown(&outcomes, &peers::missing(), &peers::versions()));
     println!("## Targets of cost, at 7π/8\n\n{}", targets::table(&outcomes));
     println!("written to {} after {:.0} s", options.directory.display(), start.elapsed().as_secs_f64());
-    Ok(())
-}
-
-/// Replaces this target's section of a document.
-fn renew(document: &Path, section: &str, text: &str) -> Result<(), Box<dyn Error>> {
-    let section = format!("{section} {}", machine::target());
-    let renewed = report::with_section(&fs::read_to_string(document)?, &section, text);
-    fs::write(document, renewed.ok_or_else(|| format!("{} has no mark `{section}`", document.display()))?)?;
     Ok(())
 }
 

@@ -79,14 +79,6 @@ pub fn summary(outcomes: &[Outcome]) -> String {
     format!("{}; {rustc}, {machine}.\n\n{table}", machine::target())
 }
 
-/// `document` with what stands between its marks `<!-- name -->` and `<!-- end name -->` replaced; `None` without them.
-pub fn with_section(document: &str, name: &str, text: &str) -> Option<String> {
-    let (open, close) = (format!("<!-- {name} -->"), format!("<!-- end {name} -->"));
-    let start = document.find(&open)? + open.len();
-    let end = start + document[start..].find(&close)?;
-    Some(format!("{}\n{}\n{}", &document[..start], text.trim_end(), &document[end..]))
-}
-
 /// Machine, compiler and peers.
 fn provenance(missing: &[Missing], versions: &[(&str, String)]) -> String {
     let peers: Vec<String> = versions.iter().map(|(name, version)| format!("{name} {version}")).collect();
@@ -208,17 +200,5 @@ fn duration(ns: f64) -> String {
         format!("{} µs", digits(ns / 1e3))
     } else {
         format!("{} ms", digits(ns / 1e6))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::with_section;
-
-    #[test]
-    fn a_section_is_replaced_between_its_marks() {
-        let document = "a\n<!-- x -->\nold\n<!-- end x -->\nb\n";
-        assert_eq!(with_section(document, "x", "new\n").as_deref(), Some("a\n<!-- x -->\nnew\n<!-- end x -->\nb\n"));
-        assert_eq!(with_section(document, "y", "new"), None);
     }
 }

@@ -17,6 +17,7 @@ pub mod pair;
 pub mod random;
 pub mod reference;
 pub mod report;
+pub mod section;
 pub mod session;
 pub mod times;
 pub mod truth;

@@ -4,7 +4,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use pendula_stress::options::{Options, Suite, USAGE};
-use pendula_stress::report::{Row, count, record, table};
+use pendula_stress::report::{Row, count, table};
+use pendula_stress::section;
 use pendula_stress::session::Session;
 use pendula_stress::{amplitudes, coefficients, exhaustive, times};
 
@@ -43,7 +44,7 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     }
     if let Some((date, path)) = &options.record {
         let command = format!("{date}, `{}`:\n\n", options.command());
-        record(path, options.suite.name(), &format!("{command}{text}"))?;
+        section::renew(path, options.suite.name(), &format!("{command}{text}"))?;
     }
     Ok(rows.iter().all(Row::kept))
 }

@@ -1,9 +1,6 @@
 //! Tables of what was found.
 
 use std::fmt::Write as _;
-use std::fs;
-use std::io;
-use std::path::Path;
 
 use crate::finding::Finding;
 
@@ -97,16 +94,4 @@ pub fn count(n: u64) -> String {
         text.push(digit);
     }
     text
-}
-
-/// Replaces the part of the file between `<!-- begin NAME -->` and `<!-- end NAME -->`.
-///
-/// # Errors
-/// If the file can't be read or written, or lacks the marks.
-pub fn record(path: &Path, name: &str, text: &str) -> io::Result<()> {
-    let old = fs::read_to_string(path)?;
-    let (begin, end) = (format!("<!-- begin {name} -->\n"), format!("<!-- end {name} -->"));
-    let parts = old.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
-    let (before, after) = parts.ok_or_else(|| io::Error::other(format!("{} lacks {begin}", path.display())))?;
-    fs::write(path, format!("{before}{begin}{text}{end}{after}"))
 }
