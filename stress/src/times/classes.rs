@@ -141,14 +141,9 @@ impl Scene {
     }
 }
 
-/// How much more than [`FULL`] is allowed: three times for a position, whose coordinates are products of two; twice for
-/// an angle modulo a turn, which is joined from halves.
+/// How much more than [`FULL`] is allowed: three times for a position, whose coordinates are products of two.
 fn room(output: Output) -> f64 {
-    match output {
-        Output::Position => 3.0,
-        Output::Wrapped => 2.0,
-        _ => 1.0,
-    }
+    if output == Output::Position { 3.0 } else { 1.0 }
 }
 
 /// The largest |θ| and |θ̇|/ω: 2 arcsin k and 2k of a swing, ∞ and 2/κ of a rotation.
