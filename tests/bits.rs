@@ -11,14 +11,16 @@ use std::fmt::Write as _;
 
 const EVALUATIONS: u64 = 100_000;
 
-/// FNV-1a over 64-bit words.
+/// FNV-1a over 64-bit words, whose highest bits come down again: multiplication alone would leave the sign of a result in
+/// the highest bit, where that of another undoes it.
 struct Hash(u64);
 
 impl Hash {
     const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
 
     fn add(&mut self, bits: u64) {
-        self.0 = (self.0 ^ bits).wrapping_mul(0x0100_0000_01b3);
+        let product = (self.0 ^ bits).wrapping_mul(0x0100_0000_01b3);
+        self.0 = product ^ (product >> 32);
     }
 }
 
