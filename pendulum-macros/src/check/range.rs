@@ -65,11 +65,7 @@ impl Checker<'_> {
 
     /// Largest |θ̇| and |θ̈|, where they are asked for, have to be normal floats.
     pub(super) fn representable_outputs(&mut self, motion: &Motion, outputs: &[Output]) -> Checked<()> {
-        let fastest = match &motion.regime {
-            Regime::Swing(swing) => (&swing.elliptic.modulus * &motion.omega).scale(1),
-            Regime::Rotation(rotation) => rotation.fastest.clone(),
-            Regime::Separatrix(_) => motion.omega.scale(1),
-        };
+        let fastest = motion.fastest();
         if outputs.contains(&Output::Velocity) {
             self.representable_result(&fastest, "the largest velocity")?;
         }

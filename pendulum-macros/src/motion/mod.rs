@@ -93,6 +93,15 @@ impl Motion {
         Ok(Self { regime, theta0: theta0.clone(), velocity0: velocity0.clone(), omega: omega.clone() })
     }
 
+    /// |θ̇| at the lowest point, the largest there is: 2kω of a swing, of which the separatrix is the limit.
+    pub(crate) fn fastest(&self) -> Real {
+        match &self.regime {
+            Regime::Swing(swing) => (&swing.elliptic.modulus * &self.omega).scale(1),
+            Regime::Rotation(rotation) => rotation.fastest.clone(),
+            Regime::Separatrix(_) => self.omega.scale(1),
+        }
+    }
+
     /// How many leading bits cancel in k′², or in k² − 1: the working precision has to exceed what is wanted of the
     /// results by as much. Everything that separates the regimes has cancelled on the separatrix.
     pub(crate) fn cancelled_bits(&self) -> usize {

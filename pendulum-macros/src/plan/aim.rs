@@ -171,12 +171,7 @@ impl Task {
 
     /// |θ̇| at the lowest point.
     pub(super) fn fastest(scene: &Scene) -> Double {
-        let omega = &scene.motion.omega;
-        match &scene.motion.regime {
-            Regime::Swing(swing) => (&swing.elliptic.modulus * omega).scale(1).to_double(),
-            Regime::Rotation(rotation) => rotation.fastest.to_double(),
-            Regime::Separatrix(_) => omega.scale(1).to_double(),
-        }
+        scene.motion.fastest().to_double()
     }
 }
 

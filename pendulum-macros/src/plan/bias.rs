@@ -73,7 +73,7 @@ pub(super) fn of_velocity(
     let (steepest, exact) = (ours.magnitude(1), sum_of(terms));
     let [exact_steepest, exact_bend] = [1, 2].map(|order| exact.magnitude(order));
     if terms.len() > MOST_TERMS {
-        let fastest = (&swing.elliptic.modulus * &scene.motion.omega).scale(1).to_f64();
+        let fastest = scene.motion.fastest().to_f64();
         let slopes = if method == Method::Fourier { f64::INFINITY } else { steepest };
         return (slopes * rate.to_f64() + fastest) * (1.0 + 1e-9);
     }
