@@ -2,7 +2,7 @@
 
 use super::{Checked, Checker};
 use crate::exact::Real;
-use crate::motion::{Motion, Regime};
+use crate::motion::{Motion, Regime, Rotation, Swing};
 use crate::parse::number::Number;
 use crate::parse::{Float, Given, Output, source};
 use proc_macro2::TokenStream;
@@ -13,20 +13,22 @@ const SMALLEST_AMPLITUDE: f64 = 1e-300;
 const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
 
 impl Checker<'_> {
-    pub(super) fn representable_period(&mut self, motion: &Motion) -> Checked<()> {
-        let (period, name) = match &motion.regime {
-            Regime::Swing(swing) => (&swing.period, "the period"),
-            Regime::Rotation(rotation) => (&rotation.period, "the time of one turn"),
-            Regime::Separatrix(_) => return Ok(()),
-        };
-        self.representable_result(period, name)?;
-        self.swings_visibly(motion)?;
-        self.turns_unevenly(motion)
+    pub(super) fn representable_motion(&mut self, motion: &Motion) -> Checked<()> {
+        match &motion.regime {
+            Regime::Swing(swing) => {
+                self.representable_result(&swing.period, "the period")?;
+                self.swings_visibly(swing)
+            }
+            Regime::Rotation(rotation) => {
+                self.representable_result(&rotation.period, "the time of one turn")?;
+                self.turns_unevenly(rotation)
+            }
+            Regime::Separatrix(_) => Ok(()),
+        }
     }
 
     /// Refuses amplitudes whose products with coefficients would be subnormal.
-    fn swings_visibly(&mut self, motion: &Motion) -> Checked<()> {
-        let Regime::Swing(swing) = &motion.regime else { return Ok(()) };
+    fn swings_visibly(&mut self, swing: &Swing) -> Checked<()> {
         let (least, shown) = match self.float() {
             Float::F64 => (SMALLEST_AMPLITUDE, "1e-300"),
             Float::F32 => (SMALLEST_AMPLITUDE_F32, "1e-35"),
@@ -48,8 +50,7 @@ impl Checker<'_> {
     }
 
     /// Refuses a rotation whose κ² underflows: its angle is linear in time beyond any precision.
-    fn turns_unevenly(&mut self, motion: &Motion) -> Checked<()> {
-        let Regime::Rotation(rotation) = &motion.regime else { return Ok(()) };
+    fn turns_unevenly(&mut self, rotation: &Rotation) -> Checked<()> {
         let request = self.request;
         match &request.velocity0 {
             Some(given) if rotation.elliptic.modulus.exponent() < -450 => {

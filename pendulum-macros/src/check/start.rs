@@ -38,7 +38,7 @@ impl Checker<'_> {
         let motion =
             Motion::solve(&theta0, &velocity0, rate).map_err(|why| self.no_motion(why, &theta0, &velocity0))?;
         omega?;
-        self.representable_period(&motion)?;
+        self.representable_motion(&motion)?;
         Ok(motion)
     }
 
