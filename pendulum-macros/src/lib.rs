@@ -23,7 +23,6 @@ mod series;
 #[cfg(test)]
 mod snapshots;
 
-use parse::Float;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use report::Report;
 
@@ -46,8 +45,7 @@ fn split_root(input: TokenStream) -> (TokenStream, TokenStream) {
 fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     let mut report = Report::default();
     let request = parse::parse(parameters, &mut report);
-    let form = request.as_ref().map(|request| request.form.clone());
-    let float = request.as_ref().and_then(|request| request.float.as_ref()).map_or(Float::F64, |float| float.value);
+    let shape = request.as_ref().map(|request| (request.form.clone(), request.float()));
     let scene = request.and_then(|request| check::check(request, &mut report));
     let planned = scene.and_then(|scene| {
         let plan = plan::plan(&scene).map_err(|refusal| report.add(refusal.explain(&scene))).ok()?;
@@ -55,7 +53,7 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     });
     match planned {
         Some((scene, plan)) => emit::emit(&scene, &plan, root),
-        None => emit::stub(form.as_ref(), float, &errors(report)),
+        None => emit::stub(shape, &errors(report)),
     }
 }
 

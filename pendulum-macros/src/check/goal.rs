@@ -62,7 +62,7 @@ impl Checker<'_> {
     }
 
     fn useful_terms(&mut self, given: &Given<usize>, swing: &Swing) -> Checked<usize> {
-        let (float, n) = (self.float(), given.value);
+        let (float, n) = (self.request.float(), given.value);
         let most = most_useful_terms(swing, float);
         if n <= most {
             return Ok(n);

@@ -11,7 +11,7 @@ mod turns;
 use crate::exact::{Context, Real};
 use crate::motion::Motion;
 use crate::parse::number::Number;
-use crate::parse::{Float, Form, Given, Output, Request, source};
+use crate::parse::{Form, Given, Output, Request, source};
 use crate::report::Report;
 use crate::scene::{Blame, Scene};
 pub(crate) use goal::{most_useful_terms, smallest_working_terms};
@@ -40,7 +40,7 @@ pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
     Some(Scene {
         source,
         motion: motion.ok()?,
-        float: request.float.map_or(Float::F64, |float| float.value),
+        float: request.float(),
         goal: goal.ok()?,
         method: method.ok()?,
         t_max: t_max.ok()?,
@@ -69,10 +69,6 @@ impl Checker<'_> {
     fn refuse(&mut self, blame: impl ToTokens, message: impl Display) -> Reported {
         self.report.on(blame, message);
         Reported
-    }
-
-    fn float(&self) -> Float {
-        self.request.float.as_ref().map_or(Float::F64, |float| float.value)
     }
 
     fn evaluated(&mut self, given: &Given<Number>) -> Checked<Real> {

@@ -29,7 +29,7 @@ impl Checker<'_> {
 
     /// Refuses amplitudes whose products with coefficients would be subnormal.
     fn swings_visibly(&mut self, swing: &Swing) -> Checked<()> {
-        let (least, shown) = match self.float() {
+        let (least, shown) = match self.request.float() {
             Float::F64 => (SMALLEST_AMPLITUDE, "1e-300"),
             Float::F32 => (SMALLEST_AMPLITUDE_F32, "1e-35"),
         };
@@ -41,7 +41,7 @@ impl Checker<'_> {
                      a larger one; so small a motion is θ0·cos ωt to the last digit",
                     given.name,
                     source::value(&given.tokens),
-                    self.float().word()
+                    self.request.float().word()
                 );
                 Err(self.refuse(&given.tokens, message))
             }
@@ -77,7 +77,7 @@ impl Checker<'_> {
                 _ => &self.context.integer(1),
             };
             self.representable_result(&(motion.omega.square() * steepest), "the largest acceleration")?;
-            if self.float() == Float::F64 {
+            if self.request.float() == Float::F64 {
                 self.acceleration_is_tame(motion, &fastest)?;
             }
         }
@@ -109,7 +109,7 @@ impl Checker<'_> {
 
     /// Refuses what rounds to zero, a subnormal or infinity: generated constants would lose the digits they promise.
     pub(super) fn representable(&mut self, value: &Real, what: &str, given: &Given<Number>) -> Checked<()> {
-        let (least, most, limits) = match self.float() {
+        let (least, most, limits) = match self.request.float() {
             Float::F64 => (f64::MIN_POSITIVE, f64::MAX, [f64::MIN_POSITIVE, f64::MAX].map(|x| format!("{x:e}"))),
             Float::F32 => {
                 let shown = [f32::MIN_POSITIVE, f32::MAX].map(|x| format!("{x:e}"));
@@ -122,7 +122,7 @@ impl Checker<'_> {
         if !small && !large {
             return Ok(());
         }
-        let float = self.float().word();
+        let float = self.request.float().word();
         let blame: TokenStream = given.tokens.to_token_stream();
         let shown = source::value(&blame);
         let limit = if small {
@@ -146,6 +146,6 @@ impl Checker<'_> {
 
     /// The other remedy, if there is one.
     fn wider(&self) -> &'static str {
-        if self.float() == Float::F32 { "use `float = f64`, or " } else { "" }
+        if self.request.float() == Float::F32 { "use `float = f64`, or " } else { "" }
     }
 }

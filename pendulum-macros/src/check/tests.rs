@@ -1,6 +1,6 @@
 use super::*;
 use crate::motion::Regime;
-use crate::parse::{Method, parse};
+use crate::parse::{Float, Method, parse};
 use crate::scene::Goal;
 
 fn checked(text: &str) -> Result<Scene, Vec<String>> {

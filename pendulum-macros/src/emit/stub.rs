@@ -6,10 +6,10 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The errors, and an item of the shape that was asked for.
-pub(crate) fn stub(form: Option<&Form>, float: Float, errors: &[TokenStream]) -> TokenStream {
-    match form {
-        Some(Form::Item(item)) => structure(item, float, errors),
-        Some(Form::Expression) | None => anywhere(errors),
+pub(crate) fn stub(shape: Option<(Form, Float)>, errors: &[TokenStream]) -> TokenStream {
+    match shape {
+        Some((Form::Item(item), float)) => structure(&item, float, errors),
+        Some((Form::Expression, _)) | None => anywhere(errors),
     }
 }
 

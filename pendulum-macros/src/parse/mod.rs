@@ -153,6 +153,11 @@ impl Request {
         self.written.iter().any(|(written, _)| written == name)
     }
 
+    /// The type of t and of the results.
+    pub(crate) fn float(&self) -> Float {
+        self.float.as_ref().map_or(Float::F64, |given| given.value)
+    }
+
     /// The decimal digits of the longest number that the motion depends on.
     pub(crate) fn digits(&self) -> usize {
         let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length];
