@@ -3,7 +3,7 @@
 use super::{Checked, Checker};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Swing};
-use crate::parse::{Float, Given, Method, Output, source};
+use crate::parse::{Float, Given, Method, Output};
 use crate::scene::Goal;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -34,9 +34,8 @@ impl Checker<'_> {
         if tolerance > 0.0 {
             return Ok(Some(tolerance));
         }
-        let shown = source::value(&given.tokens);
         let message = format!(
-            "`tol = {shown}` is smaller than every `f64`: no result comes so close; leave `tol` out for full precision"
+            "`{given}` is smaller than every `f64`: no result comes so close; leave `tol` out for full precision"
         );
         Err(self.refuse(&given.tokens, message))
     }
@@ -137,8 +136,7 @@ impl Checker<'_> {
             return Ok(Some(value));
         }
         let message = format!(
-            "`t_max = {}` is more than 2⁵³ periods ({:e}), the longest horizon: leave `t_max` out for all of it",
-            source::value(&given.tokens),
+            "`{given}` is more than 2⁵³ periods ({:e}), the longest horizon: leave `t_max` out for all of it",
             longest.to_f64()
         );
         Err(self.refuse(&given.tokens, message))

@@ -75,8 +75,7 @@ impl Checker<'_> {
         // What the motion doesn't depend on (`tol`, `t_max`) may be longer than what it does.
         let context = self.context.at_least(Context::for_digits(given.value.digits()));
         given.value.evaluate(context).map_err(|error| {
-            let message = format!("`{} = {}`: {error}", given.name, source::value(&given.tokens));
-            self.report.at(error.span(), message);
+            self.report.at(error.span(), format!("`{given}`: {error}"));
             Reported
         })
     }
@@ -87,9 +86,7 @@ impl Checker<'_> {
         if let (Some(given), Some(value)) = (given, &value)
             && (value.is_zero() || value.is_negative())
         {
-            let Given { name, tokens, .. } = given;
-            let shown = source::value(tokens);
-            return Err(self.refuse(tokens, format!("`{name} = {shown}` is not positive: {why}")));
+            return Err(self.refuse(&given.tokens, format!("`{given}` is not positive: {why}")));
         }
         Ok(value)
     }

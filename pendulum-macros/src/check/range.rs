@@ -4,9 +4,7 @@ use super::{Checked, Checker};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Rotation, Swing};
 use crate::parse::number::Number;
-use crate::parse::{Float, Given, Output, source};
-use proc_macro2::TokenStream;
-use quote::ToTokens;
+use crate::parse::{Float, Given, Output};
 
 /// Below these the products of a plan lose digits to underflow.
 const SMALLEST_AMPLITUDE: f64 = 1e-300;
@@ -29,18 +27,16 @@ impl Checker<'_> {
 
     /// Refuses amplitudes whose products with coefficients would be subnormal.
     fn swings_visibly(&mut self, swing: &Swing) -> Checked<()> {
-        let (least, shown) = match self.request.float() {
-            Float::F64 => (SMALLEST_AMPLITUDE, "1e-300"),
-            Float::F32 => (SMALLEST_AMPLITUDE_F32, "1e-35"),
+        let least = match self.request.float() {
+            Float::F64 => SMALLEST_AMPLITUDE,
+            Float::F32 => SMALLEST_AMPLITUDE_F32,
         };
         let (request, wider) = (self.request, self.wider());
         match request.theta0.as_ref().or(request.velocity0.as_ref()) {
             Some(given) if swing.amplitude.to_f64() < least => {
                 let message = format!(
-                    "`{} = {}` makes an amplitude below {shown}, where `{}` loses digits: {wider}choose \
-                     a larger one; so small a motion is θ0·cos ωt to the last digit",
-                    given.name,
-                    source::value(&given.tokens),
+                    "`{given}` makes an amplitude below {least:e}, where `{}` loses digits: {wider}choose a larger one; \
+                     so small a motion is θ0·cos ωt to the last digit",
                     self.request.float().word()
                 );
                 Err(self.refuse(&given.tokens, message))
@@ -55,8 +51,7 @@ impl Checker<'_> {
         match &request.velocity0 {
             Some(given) if rotation.elliptic.modulus.exponent() < -450 => {
                 let message = format!(
-                    "`velocity0 = {}` is so fast, beside ω, that the angle is θ0 + velocity0·t to the last digit: compute that",
-                    source::value(&given.tokens)
+                    "`{given}` is so fast, beside ω, that the angle is θ0 + velocity0·t to the last digit: compute that"
                 );
                 Err(self.refuse(&given.tokens, message))
             }
@@ -109,39 +104,29 @@ impl Checker<'_> {
 
     /// Refuses what rounds to zero, a subnormal or infinity: generated constants would lose the digits they promise.
     pub(super) fn representable(&mut self, value: &Real, what: &str, given: &Given<Number>) -> Checked<()> {
-        let (least, most, limits) = match self.request.float() {
-            Float::F64 => (f64::MIN_POSITIVE, f64::MAX, [f64::MIN_POSITIVE, f64::MAX].map(|x| format!("{x:e}"))),
-            Float::F32 => {
-                let shown = [f32::MIN_POSITIVE, f32::MAX].map(|x| format!("{x:e}"));
-                (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX), shown)
-            }
+        let [(least, shown_least), (most, shown_most)] = match self.request.float() {
+            Float::F64 => [f64::MIN_POSITIVE, f64::MAX].map(|x| (x, format!("{x:e}"))),
+            Float::F32 => [f32::MIN_POSITIVE, f32::MAX].map(|x| (f64::from(x), format!("{x:e}"))),
         };
         let magnitude = value.abs();
-        let bound = |bound: f64| self.context.float(bound).is_some_and(|bound| magnitude < bound);
-        let (small, large) = (bound(least), !bound(most));
+        let below = |bound: f64| self.context.float(bound).is_some_and(|bound| magnitude < bound);
+        let (small, large) = (below(least), !below(most));
         if !small && !large {
             return Ok(());
         }
         let float = self.request.float().word();
-        let blame: TokenStream = given.tokens.to_token_stream();
-        let shown = source::value(&blame);
         let limit = if small {
-            format!("smallest normal `{float}`, {}", limits[0])
+            format!("below the smallest normal `{float}`, {shown_least}")
         } else {
-            format!("largest `{float}`, {}", limits[1])
+            format!("above the largest `{float}`, {shown_most}")
         };
-        let side = if small { "below" } else { "above" };
-        let subject = if given.name == what {
-            format!("`{what} = {shown}` is")
-        } else {
-            format!("`{} = {shown}` puts {what}", given.name)
-        };
+        let subject = if given.name == what { format!("`{given}` is") } else { format!("`{given}` puts {what}") };
         let remedy = match (what, small) {
             ("theta0", true) => "choose a larger angle",
             ("theta0", false) => "choose an angle within ±π",
             _ => "choose a unit of time that brings it nearer to 1",
         };
-        Err(self.refuse(blame, format!("{subject} {side} the {limit}: {}{remedy}", self.wider())))
+        Err(self.refuse(&given.tokens, format!("{subject} {limit}: {}{remedy}", self.wider())))
     }
 
     /// The other remedy, if there is one.

@@ -5,7 +5,7 @@ use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{Motion, NoMotion};
 use crate::parse::number::Number;
-use crate::parse::{Form, Given, source};
+use crate::parse::{Form, Given};
 
 impl Checker<'_> {
     /// The motion, at a working precision that outlasts every cancellation in it.
@@ -129,22 +129,18 @@ impl Checker<'_> {
     }
 
     fn lonely(&mut self, given: &Given<Number>, partner: &str) -> Reported {
-        let Given { name, tokens, .. } = given;
-        let shown = source::value(tokens);
-        let message = format!(
-            "`{name} = {shown}` alone doesn't determine ω = √(g/length): add {partner}, or give `omega` instead"
-        );
-        self.refuse(name, message)
+        let message =
+            format!("`{given}` alone doesn't determine ω = √(g/length): add {partner}, or give `omega` instead");
+        self.refuse(&given.name, message)
     }
 
     /// Explains why a state isn't the start of a motion.
     fn no_motion(&mut self, why: NoMotion, theta0: &Real, velocity0: &Real) -> Reported {
         let (angle, velocity) = (self.request.theta0.as_ref(), self.request.velocity0.as_ref());
         let Some(blamed) = angle.or(velocity) else { return Reported };
-        let shown = format!("`{} = {}`", blamed.name, source::value(&blamed.tokens));
         let radians = theta0.to_f64();
         let degrees = (theta0 * &self.context.ratio(180, 1) / self.context.pi()).to_f64();
-        let value = format!("{shown} is {radians:?} rad = {degrees:?}°");
+        let value = format!("`{blamed}` is {radians:?} rad = {degrees:?}°");
         // A velocity with a mistake was meant as one.
         let moving = !velocity0.is_zero() || self.request.mentions("velocity0") && velocity.is_none();
         let rest = Rest::of(theta0);
@@ -158,10 +154,10 @@ impl Checker<'_> {
         };
         let message = match why {
             NoMotion::Hanging if angle.is_some() => {
-                format!("{shown} at rest hangs still: release it at another angle, or push it with `velocity0`")
+                format!("`{blamed}` at rest hangs still: release it at another angle, or push it with `velocity0`")
             }
             NoMotion::Hanging => {
-                format!("{shown} at the lowest point hangs still: give `theta0`, or a `velocity0` other than 0")
+                format!("`{blamed}` at the lowest point hangs still: give `theta0`, or a `velocity0` other than 0")
             }
             NoMotion::Balanced => format!(
                 "{value}, balanced on the top, where nothing moves: release it at |θ0| < π, or give it a `velocity0`"

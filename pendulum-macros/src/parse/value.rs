@@ -5,16 +5,24 @@ use super::words::{Output, list, one_word};
 use super::{source, split_at_commas};
 use crate::report::Report;
 use proc_macro2::{Span, TokenStream};
+use std::fmt::{self, Display, Formatter};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Error, Ident, LitInt, LitStr, Result, bracketed};
 
-/// A parameter that was given: its name's span, its value and the value's tokens for messages.
+/// A parameter that was given: its name, its value and the value's tokens for messages.
 #[derive(Clone)]
 pub(crate) struct Given<T> {
     pub(crate) name: Ident,
     pub(crate) value: T,
     pub(crate) tokens: TokenStream,
+}
+
+/// As it was written, evenly spaced: `theta0 = 7π/8`.
+impl<T> Display for Given<T> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{} = {}", self.name, source::value(&self.tokens))
+    }
 }
 
 pub(super) fn number(name: &Ident, tokens: TokenStream) -> Result<Given<Number>> {
