@@ -26,8 +26,8 @@ impl Checker<'_> {
 
     fn motion_at_working_precision(&mut self) -> Checked<Motion> {
         let omega = self.omega();
-        let theta0 = self.angle();
-        let velocity0 = self.velocity();
+        let theta0 = self.initial("theta0", self.request.theta0.as_ref());
+        let velocity0 = self.initial("velocity0", self.request.velocity0.as_ref());
         self.start_is_given()?;
         let (theta0, velocity0) = (theta0?, velocity0?);
         let [zero, one] = [0, 1].map(|n| self.context.integer(n));
@@ -55,20 +55,12 @@ impl Checker<'_> {
         Err(Reported)
     }
 
-    fn angle(&mut self) -> Checked<Option<Real>> {
-        let Some(given) = &self.request.theta0 else { return Ok(None) };
+    /// θ or θ̇ at t = 0, `None` if it wasn't given.
+    fn initial(&mut self, name: &str, given: Option<&Given<Number>>) -> Checked<Option<Real>> {
+        let Some(given) = given else { return Ok(None) };
         let value = self.evaluated(given)?;
         if !value.is_zero() {
-            self.representable(&value, "theta0", given)?;
-        }
-        Ok(Some(value))
-    }
-
-    fn velocity(&mut self) -> Checked<Option<Real>> {
-        let Some(given) = &self.request.velocity0 else { return Ok(None) };
-        let value = self.evaluated(given)?;
-        if !value.is_zero() {
-            self.representable(&value, "velocity0", given)?;
+            self.representable(&value, name, given)?;
         }
         Ok(Some(value))
     }
