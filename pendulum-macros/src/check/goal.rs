@@ -180,10 +180,7 @@ fn kind(regime: &Regime) -> &'static str {
 ///
 /// b₂ₙ₊₁/b₂ₙ₋₁ = q(1 − q^{2n−1})/(1 − q^{2n+1}) < q, so the tail Σ_{m>n} b₂ₘ₋₁ is below b₂ₙ₊₁/(1 − q).
 pub(crate) fn most_useful_terms(swing: &Swing, float: Float) -> usize {
-    let half_ulp = match float {
-        Float::F64 => f64::EPSILON / 4.0,
-        Float::F32 => f64::from(f32::EPSILON) / 4.0,
-    };
+    let half_ulp = float.unit() / 2.0;
     let q = swing.elliptic.nome.to_f64();
     // b₁ is within [1, 4/π] at every amplitude; from here on the ratio alone, which can't underflow too early.
     let mut term = swing.fourier_coefficient(1).to_f64();
