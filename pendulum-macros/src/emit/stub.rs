@@ -1,7 +1,7 @@
 //! What a refused request still expands to, so that one mistake is one error.
 
 use super::{allowed, conditions};
-use crate::parse::{Float, Form, Item, Output};
+use crate::parse::{Float, Form, Item, Keyword, Output};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 

@@ -8,7 +8,7 @@ mod value;
 mod words;
 
 pub(crate) use value::Given;
-pub(crate) use words::{Float, Method, Output};
+pub(crate) use words::{Float, Keyword, Method, Output};
 
 use crate::report::Report;
 use names::{PARAMETERS, canonical, unknown_parameter};
@@ -168,37 +168,56 @@ impl Request {
         if tokens.is_empty() {
             return Err(Error::new(end, "expected a parameter before this comma: remove it"));
         }
-        let (name, value) = match named_value(&tokens) {
-            Ok(named) => named,
+        match named_value(&tokens) {
+            Ok((name, value)) => self.set(name, value),
             Err(error) => {
                 // `theta0` without a value is a mistake of its own, not a missing `theta0`.
                 self.written.extend(first_word(tokens).map(|word| (canonical(&word).to_owned(), TokenStream::new())));
-                return Err(error);
+                Err(error)
             }
-        };
+        }
+    }
+
+    fn set(&mut self, name: Ident, value: TokenStream) -> Result<()> {
         let known = canonical(&name.to_string()).to_owned();
-        let before = self.written.iter().find(|(written, _)| *written == known).map(|(_, value)| source::value(value));
-        let both = before.map(|before| format!("`{before}` and `{}`", source::value(&value)));
+        let twice = self.written.iter().find(|(written, _)| *written == known).map(|(_, before)| {
+            let [before, now] = [before, &value].map(source::value);
+            Error::new(name.span(), format!("`{name}` is given twice, `{before}` and `{now}`: keep one"))
+        });
         self.written.push((known, value.clone()));
-        let fresh = |taken: bool| match &both {
-            Some(both) if taken => Err(Error::new(name.span(), format!("`{name}` is given twice, {both}: keep one"))),
-            _ => Ok(()),
-        };
-        match name.to_string().as_str() {
-            "theta0" | "θ0" => fresh(self.theta0.is_some()).and(number(&name, value).map(|v| self.theta0 = Some(v))),
-            "velocity0" => fresh(self.velocity0.is_some()).and(number(&name, value).map(|v| self.velocity0 = Some(v))),
-            "omega" | "ω" => fresh(self.omega.is_some()).and(number(&name, value).map(|v| self.omega = Some(v))),
-            "g" => fresh(self.g.is_some()).and(number(&name, value).map(|v| self.g = Some(v))),
-            "length" => fresh(self.length.is_some()).and(number(&name, value).map(|v| self.length = Some(v))),
-            "tol" => fresh(self.tol.is_some()).and(number(&name, value).map(|v| self.tol = Some(v))),
-            "t_max" => fresh(self.t_max.is_some()).and(number(&name, value).map(|v| self.t_max = Some(v))),
-            "n" => fresh(self.n.is_some()).and(count(&name, value).map(|v| self.n = Some(v))),
-            "method" => fresh(self.method.is_some())
-                .and(word(&name, value, "method", Method::WORDS, Method::from_word).map(|v| self.method = Some(v))),
-            "float" => fresh(self.float.is_some())
-                .and(word(&name, value, "float", Float::WORDS, Float::from_word).map(|v| self.float = Some(v))),
-            "outputs" => fresh(self.outputs.is_some()).and(outputs(&name, value).map(|v| self.outputs = Some(v))),
-            unknown => Err(Error::new(name.span(), unknown_parameter(unknown))),
+        let parameter = Parameter { name, value, twice };
+        match parameter.name.to_string().as_str() {
+            "theta0" | "θ0" => parameter.fill(&mut self.theta0, number),
+            "velocity0" => parameter.fill(&mut self.velocity0, number),
+            "omega" | "ω" => parameter.fill(&mut self.omega, number),
+            "g" => parameter.fill(&mut self.g, number),
+            "length" => parameter.fill(&mut self.length, number),
+            "tol" => parameter.fill(&mut self.tol, number),
+            "t_max" => parameter.fill(&mut self.t_max, number),
+            "n" => parameter.fill(&mut self.n, count),
+            "method" => parameter.fill(&mut self.method, word),
+            "float" => parameter.fill(&mut self.float, word),
+            "outputs" => parameter.fill(&mut self.outputs, outputs),
+            unknown => Err(Error::new(parameter.name.span(), unknown_parameter(unknown))),
+        }
+    }
+}
+
+/// `name = value`, and the mistake that it is where the parameter has a value already.
+struct Parameter {
+    name: Ident,
+    value: TokenStream,
+    twice: Option<Error>,
+}
+
+impl Parameter {
+    /// Reads the value into its field, whatever was there: the checks to come speak of the last one.
+    fn fill<T>(self, field: &mut Option<Given<T>>, read: fn(&Ident, TokenStream) -> Result<Given<T>>) -> Result<()> {
+        let taken = field.is_some();
+        let filled = read(&self.name, self.value).map(|given| *field = Some(given));
+        match self.twice {
+            Some(mistake) if taken => Err(mistake),
+            _ => filled,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The values of parameters: numbers, counts, words and lists of words.
 
 use super::number::Number;
-use super::words::{Output, list, one_word};
+use super::words::{Keyword, Output, list, one_word};
 use super::{source, split_at_commas};
 use crate::report::Report;
 use proc_macro2::{Span, TokenStream};
@@ -48,16 +48,10 @@ pub(super) fn count(name: &Ident, tokens: TokenStream) -> Result<Given<usize>> {
     Ok(Given { name: name.clone(), value, tokens })
 }
 
-pub(super) fn word<T>(
-    name: &Ident,
-    tokens: TokenStream,
-    what: &str,
-    words: &[&str],
-    from_word: fn(&str) -> Option<T>,
-) -> Result<Given<T>> {
+pub(super) fn word<T: Keyword>(name: &Ident, tokens: TokenStream) -> Result<Given<T>> {
     let ident = syn::parse2::<Ident>(tokens.clone())
-        .map_err(|_| Error::new_spanned(&tokens, format!("`{name}` is one of {}", list(words))))?;
-    Ok(Given { name: name.clone(), value: one_word(&ident, what, words, from_word)?, tokens })
+        .map_err(|_| Error::new_spanned(&tokens, format!("`{name}` is one of {}", list(T::WORDS))))?;
+    Ok(Given { name: name.clone(), value: one_word(&ident)?, tokens })
 }
 
 pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Output>>> {
@@ -90,7 +84,7 @@ fn output(entry: &TokenStream, comma: Span, before: &[Output]) -> Result<Output>
         return Err(Error::new(comma, "expected an output before this comma: remove it"));
     }
     let ident = Ident::parse_any.parse2(entry.clone()).map_err(|_| no_word(entry))?;
-    let output = one_word(&ident, "output", Output::WORDS, Output::from_word)?;
+    let output = one_word(&ident)?;
     if before.contains(&output) {
         return Err(Error::new(ident.span(), format!("output `{ident}` is listed twice: keep one")));
     }

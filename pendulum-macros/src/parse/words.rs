@@ -3,21 +3,35 @@
 use crate::report::nearest;
 use syn::{Error, Ident, Result};
 
+/// What the macro's input has words for.
+pub(crate) trait Keyword: Sized {
+    /// What one of them is called in messages.
+    const KIND: &'static str;
+    const WORDS: &'static [&'static str];
+
+    fn from_word(word: &str) -> Option<Self>;
+}
+
 /// Declares an enum whose variants have names in the macro's input.
 macro_rules! keywords {
-    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)? }) => {
+    ($(#[$doc:meta])* $name:ident = $kind:literal {
+        $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)?
+    }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub(crate) enum $name { $($(#[$variant_doc])* $variant),* }
 
         impl $name {
-            pub(crate) const WORDS: &'static [&'static str] = &[$($word),*];
-
             pub(crate) fn word(self) -> &'static str {
                 match self { $(Self::$variant => $word),* }
             }
+        }
 
-            pub(super) fn from_word(word: &str) -> Option<Self> {
+        impl Keyword for $name {
+            const KIND: &'static str = $kind;
+            const WORDS: &'static [&'static str] = &[$($word),*];
+
+            fn from_word(word: &str) -> Option<Self> {
                 match word { $($word => Some(Self::$variant),)* _ => None }
             }
         }
@@ -26,7 +40,7 @@ macro_rules! keywords {
 
 keywords! {
     /// How the motion is approximated.
-    Method {
+    Method = "method" {
         /// Eq. 3: θ0 cos ωt.
         SmallAngle = "small_angle",
         /// Eq. 17: θ0 cos(2πt/T).
@@ -42,12 +56,12 @@ keywords! {
 
 keywords! {
     /// The type of t and of the results.
-    Float { F64 = "f64", F32 = "f32" }
+    Float = "float" { F64 = "f64", F32 = "f32" }
 }
 
 keywords! {
     /// A quantity to be computed.
-    Output {
+    Output = "output" {
         Theta = "theta",
         Velocity = "velocity",
         Acceleration = "acceleration",
@@ -63,12 +77,12 @@ impl Output {
 }
 
 /// What `ident` stands for, or the nearest word.
-pub(super) fn one_word<T>(ident: &Ident, what: &str, words: &[&str], from_word: fn(&str) -> Option<T>) -> Result<T> {
-    let text = ident.to_string();
-    from_word(&text).ok_or_else(|| {
-        let message = nearest(&text, words).map_or_else(
-            || format!("unknown {what} `{text}`: it is one of {}", list(words)),
-            |known| format!("unknown {what} `{text}`: did you mean `{known}`?"),
+pub(super) fn one_word<T: Keyword>(ident: &Ident) -> Result<T> {
+    let (kind, text) = (T::KIND, ident.to_string());
+    T::from_word(&text).ok_or_else(|| {
+        let message = nearest(&text, T::WORDS).map_or_else(
+            || format!("unknown {kind} `{text}`: it is one of {}", list(T::WORDS)),
+            |known| format!("unknown {kind} `{text}`: did you mean `{known}`?"),
         );
         Error::new(ident.span(), message)
     })
