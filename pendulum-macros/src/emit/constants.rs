@@ -1,9 +1,10 @@
 //! The associated constants of the item form.
 
 use super::literal;
+use super::outputs::Wording;
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime};
-use crate::parse::{Float, Output};
+use crate::parse::Float;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use proc_macro2::TokenStream;
@@ -81,22 +82,8 @@ impl Writer {
             self.coefficients(&plan.coefficients);
         }
         for part in &plan.parts {
-            let (name, doc) = match part.output {
-                Output::Theta => ("MAX_ERROR", "Proven bound of |θ(t) − exact| over the horizon, rad."),
-                Output::Velocity => {
-                    ("MAX_VELOCITY_ERROR", "Proven bound of the velocity's error over the horizon, in rad·ω.")
-                }
-                Output::Acceleration => {
-                    ("MAX_ACCELERATION_ERROR", "Proven bound of the acceleration's error over the horizon, in rad·ω².")
-                }
-                Output::Position => {
-                    ("MAX_POSITION_ERROR", "Proven bound of the position's distance from the exact one, in lengths.")
-                }
-                Output::Wrapped => {
-                    ("MAX_WRAPPED_ERROR", "Proven bound of the wrapped angle's error over the horizon, rad.")
-                }
-            };
-            self.number(name, round_up(part.bound.total() / part.unit, self.float), doc);
+            let Wording { max_error, bound, .. } = Wording::of(part.output);
+            self.number(max_error, round_up(part.bound.total() / part.unit, self.float), bound);
         }
     }
 

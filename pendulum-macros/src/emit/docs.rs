@@ -1,8 +1,9 @@
 //! What the generated items say of themselves.
 
+use super::outputs::Wording;
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime};
-use crate::parse::{Form, Output};
+use crate::parse::Form;
 use crate::plan::{Function, Part, Plan};
 use crate::scene::{Goal, Scene};
 
@@ -92,16 +93,11 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
 
 fn part(part: &Part, plan: &Plan) -> String {
     let bound = part.bound;
-    let unit = match part.output {
-        Output::Theta | Output::Wrapped => "rad",
-        Output::Velocity => "rad·ω",
-        Output::Acceleration => "rad·ω²",
-        Output::Position => "lengths",
-    };
+    let unit = Wording::of(part.output).unit;
     let operations = plan
         .functions
         .iter()
-        .find(|function| function.name == part.output.word())
+        .find(|function| function.output == Some(part.output))
         .map_or(String::new(), |function| format!("; {} operations", function.program.operations()));
     format!(
         "* {}: {}; proven error ≤ {:.3e} {unit} ({:.1e} of truncation, {:.1e} of phase, {:.1e} of rounding){operations}",
@@ -116,14 +112,8 @@ fn part(part: &Part, plan: &Plan) -> String {
 
 /// One line for a function.
 pub(super) fn function(function: &Function) -> String {
-    let what = match function.name {
-        "theta" => "θ(t), rad",
-        "velocity" => "θ̇(t), rad per unit of t",
-        "acceleration" => "θ̈(t) = −ω² sin θ(t), rad per unit of t squared",
-        "position" => "(sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot",
-        "wrapped" => "θ(t) wrapped to [−π, π), rad",
-        "state" => "(θ(t), θ̇(t)), with one phase reduction for both",
-        other => other,
-    };
-    format!(" {what}; NaN if t is not finite. {} operations.", function.program.operations())
+    let value = function
+        .output
+        .map_or("(θ(t), θ̇(t)), with one phase reduction for both", |output| Wording::of(output).value);
+    format!(" {value}; NaN if t is not finite. {} operations.", function.program.operations())
 }

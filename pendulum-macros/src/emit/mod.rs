@@ -3,6 +3,7 @@
 pub(crate) mod constants;
 mod docs;
 mod literal;
+mod outputs;
 mod program;
 mod stub;
 
@@ -46,7 +47,7 @@ fn allowed() -> TokenStream {
 
 fn expression(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStream {
     let functions = plan.functions.iter().take(1).map(|function| self::function(scene, function, root));
-    let name = plan.functions.first().map(|function| format_ident!("{}", function.name));
+    let name = plan.functions.first().map(|function| format_ident!("{}", function.name()));
     let docs = docs::motion(scene, plan);
     let allowed = allowed();
     quote!({
@@ -97,7 +98,7 @@ fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
 /// the compiler by itself doesn't inline so long a function into more than one of them.
 fn function(scene: &Scene, function: &Function, root: &TokenStream) -> TokenStream {
     let float = format_ident!("{}", scene.float.word());
-    let name = format_ident!("{}", function.name);
+    let name = format_ident!("{}", function.name());
     let results = function.program.results.len();
     let result = if results == 1 {
         quote!(#float)

@@ -1,5 +1,6 @@
 //! What a refused request still expands to, so that one mistake is one error.
 
+use super::outputs::Wording;
 use super::{allowed, conditions};
 use crate::parse::{Float, Form, Item, Keyword, Output};
 use proc_macro2::TokenStream;
@@ -25,23 +26,11 @@ fn anywhere(errors: &[TokenStream]) -> TokenStream {
 fn structure(item: &Item, float: Float, errors: &[TokenStream]) -> TokenStream {
     let Item { attributes, visibility, name } = item;
     let float = format_ident!("{}", float.word());
-    let constants = [
-        "THETA0",
-        "OMEGA",
-        "AMPLITUDE",
-        "MODULUS",
-        "K",
-        "K_PRIME",
-        "NOME",
-        "PERIOD",
-        "MAX_ERROR",
-        "MAX_VELOCITY_ERROR",
-        "MAX_ACCELERATION_ERROR",
-        "MAX_POSITION_ERROR",
-        "MAX_WRAPPED_ERROR",
-    ]
-    .map(|name| format_ident!("{name}"));
-    let functions = Output::WORDS.iter().filter(|word| **word != "position").map(|word| format_ident!("{word}"));
+    let of_motion = ["THETA0", "OMEGA", "AMPLITUDE", "MODULUS", "K", "K_PRIME", "NOME", "PERIOD"];
+    let of_outputs = Output::ALL.iter().map(|&output| Wording::of(output).max_error);
+    let constants = of_motion.into_iter().chain(of_outputs).map(|name| format_ident!("{name}"));
+    let scalars = Output::ALL.iter().filter(|&&output| output != Output::Position);
+    let functions = scalars.map(|output| format_ident!("{}", output.word()));
     let allowed = allowed();
     let conditions = conditions(attributes);
     quote! {

@@ -4,9 +4,10 @@ use crate::report::nearest;
 use syn::{Error, Ident, Result};
 
 /// What the macro's input has words for.
-pub(crate) trait Keyword: Sized {
+pub(crate) trait Keyword: Sized + 'static {
     /// What one of them is called in messages.
     const KIND: &'static str;
+    const ALL: &'static [Self];
     const WORDS: &'static [&'static str];
 
     fn from_word(word: &str) -> Option<Self>;
@@ -29,6 +30,7 @@ macro_rules! keywords {
 
         impl Keyword for $name {
             const KIND: &'static str = $kind;
+            const ALL: &'static [Self] = &[$(Self::$variant),*];
             const WORDS: &'static [&'static str] = &[$($word),*];
 
             fn from_word(word: &str) -> Option<Self> {

@@ -212,12 +212,12 @@ fn with_sign_of(b: &mut Builder, t: Id, value: Id) -> Id {
 
 /// A function per output, and `state` for θ and velocity together.
 pub(super) fn functions(reduction: &Reduction, parts: &[Part]) -> Vec<Function> {
-    let single = |part: &Part| Function { name: part.output.word(), program: function(reduction, &[&part.kernel]) };
+    let single = |part: &Part| Function { output: Some(part.output), program: function(reduction, &[&part.kernel]) };
     let mut functions: Vec<Function> = parts.iter().map(single).collect();
     let of = |output| parts.iter().find(|part| part.output == output);
     if let (Some(theta), Some(velocity)) = (of(Output::Theta), of(Output::Velocity)) {
         let program = function(reduction, &[&theta.kernel, &velocity.kernel]);
-        functions.push(Function { name: "state", program });
+        functions.push(Function { output: None, program });
     }
     functions
 }

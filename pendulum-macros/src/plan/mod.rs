@@ -94,8 +94,15 @@ impl Bound {
 /// One emitted function.
 #[derive(Clone, Debug)]
 pub(crate) struct Function {
-    pub(crate) name: &'static str,
+    /// What it computes; `None` is θ and velocity together.
+    pub(crate) output: Option<Output>,
     pub(crate) program: Program,
+}
+
+impl Function {
+    pub(crate) fn name(&self) -> &'static str {
+        self.output.map_or("state", Output::word)
+    }
 }
 
 /// Plans a scene. Where a goal is out of reach, the best that can be asked for is found by asking.
