@@ -42,11 +42,7 @@ struct Writer {
 
 impl Writer {
     fn real(&mut self, name: &str, value: &Real, doc: &str) {
-        let rounded = match self.float {
-            Float::F64 => value.to_f64(),
-            Float::F32 => f64::from(value.to_f32()),
-        };
-        self.number(name, rounded, doc);
+        self.number(name, nearest(value, self.float), doc);
     }
 
     fn number(&mut self, name: &str, value: f64, doc: &str) {
@@ -88,14 +84,19 @@ impl Writer {
     }
 
     fn coefficients(&mut self, coefficients: &[Real]) {
-        let (float, kind) = (self.float, format_ident!("{}", self.float.word()));
-        let values = coefficients.iter().map(|b| {
-            let rounded = if float == Float::F64 { b.to_f64() } else { f64::from(b.to_f32()) };
-            literal::float(rounded, float)
-        });
+        let float = format_ident!("{}", self.float.word());
+        let values = coefficients.iter().map(|b| literal::float(nearest(b, self.float), self.float));
         let count = proc_macro2::Literal::usize_unsuffixed(coefficients.len());
         let doc = " b₂ₙ₋₁ = (2π/(kK)) q^(n−½)/(1 − q²ⁿ⁻¹), n = 1, 2, …: the coefficients of sn (Eq. 20).";
-        self.tokens.extend(quote!(#[doc = #doc] pub const COEFFICIENTS: [#kind; #count] = [#(#values),*];));
+        self.tokens.extend(quote!(#[doc = #doc] pub const COEFFICIENTS: [#float; #count] = [#(#values),*];));
+    }
+}
+
+/// The number of the type that is nearest to `x`.
+fn nearest(x: &Real, float: Float) -> f64 {
+    match float {
+        Float::F64 => x.to_f64(),
+        Float::F32 => f64::from(x.to_f32()),
     }
 }
 

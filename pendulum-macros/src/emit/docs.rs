@@ -27,44 +27,45 @@ fn shown(x: &Real) -> String {
 
 fn regime(scene: &Scene) -> Vec<String> {
     let motion = &scene.motion;
-    let start = format!(
-        "θ(0) = {} rad, θ̇(0) = {}, ω = {}",
+    let mut lines = vec![format!(
+        "* θ(0) = {} rad, θ̇(0) = {}, ω = {}",
         shown(&motion.theta0),
         shown(&motion.velocity0),
         shown(&motion.omega)
-    );
-    let mut lines = match &motion.regime {
+    )];
+    match &motion.regime {
         Regime::Swing(swing) => {
-            let reach = format!(
+            lines.push(format!(
                 "* a swing between ±{} rad with the period T = {}",
                 shown(&swing.amplitude),
                 shown(&swing.period)
-            );
-            [vec![reach], elliptic(&swing.elliptic, "k")].concat()
+            ));
+            lines.push(elliptic(&swing.elliptic, "k"));
         }
         Regime::Rotation(rotation) => {
-            let turn = format!(
+            lines.push(format!(
                 "* a rotation, one turn in {}, |θ̇| from {} at the top to {} at the lowest point",
                 shown(&rotation.period),
                 shown(&rotation.slowest),
                 shown(&rotation.fastest)
-            );
-            [vec![turn], elliptic(&rotation.elliptic, "κ")].concat()
+            ));
+            lines.push(elliptic(&rotation.elliptic, "κ"));
         }
-        Regime::Separatrix(_) => vec!["* the separatrix: towards the top for ever, never reaching it".to_owned()],
-    };
-    lines.insert(0, format!("* {start}"));
+        Regime::Separatrix(_) => {
+            lines.push("* the separatrix: towards the top for ever, never reaching it".to_owned());
+        }
+    }
     lines
 }
 
-fn elliptic(elliptic: &Elliptic, modulus: &str) -> Vec<String> {
-    vec![format!(
+fn elliptic(elliptic: &Elliptic, modulus: &str) -> String {
+    format!(
         "* {modulus} = {}, K = {}, K′ = {}, q = {}",
         shown(&elliptic.modulus),
         shown(&elliptic.quarter),
         shown(&elliptic.quarter_complementary),
         shown(&elliptic.nome)
-    )]
+    )
 }
 
 fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
