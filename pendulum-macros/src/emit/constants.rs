@@ -46,8 +46,8 @@ impl Writer {
     }
 
     fn number(&mut self, name: &str, value: f64, doc: &str) {
-        let (name, float) = (format_ident!("{name}"), format_ident!("{}", self.float.word()));
-        let value = literal::float(value, self.float);
+        let (name, float) = (format_ident!("{name}"), self.float);
+        let value = literal::float(value, float);
         let doc = format!(" {doc}");
         self.tokens.extend(quote!(#[doc = #doc] pub const #name: #float = #value;));
     }
@@ -84,8 +84,8 @@ impl Writer {
     }
 
     fn coefficients(&mut self, coefficients: &[Real]) {
-        let float = format_ident!("{}", self.float.word());
-        let values = coefficients.iter().map(|b| literal::float(nearest(b, self.float), self.float));
+        let float = self.float;
+        let values = coefficients.iter().map(|b| literal::float(nearest(b, float), float));
         let count = proc_macro2::Literal::usize_unsuffixed(coefficients.len());
         let doc = " b₂ₙ₋₁ = (2π/(kK)) q^(n−½)/(1 − q²ⁿ⁻¹), n = 1, 2, …: the coefficients of sn (Eq. 20).";
         self.tokens.extend(quote!(#[doc = #doc] pub const COEFFICIENTS: [#float; #count] = [#(#values),*];));

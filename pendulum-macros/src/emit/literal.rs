@@ -1,16 +1,19 @@
-//! Numbers as literals that read back to the same bits.
+//! Numbers as literals that read back to the same bits, and their types.
 
 use crate::parse::Float;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, format_ident, quote};
+
+impl ToTokens for Float {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        format_ident!("{}", self.word()).to_tokens(tokens);
+    }
+}
 
 /// The shortest decimal that is this number of type `float`, without suffix; what isn't finite as ∞.
 pub(super) fn float(x: f64, float: Float) -> TokenStream {
     if !x.is_finite() {
-        return match float {
-            Float::F64 => quote!(f64::INFINITY),
-            Float::F32 => quote!(f32::INFINITY),
-        };
+        return quote!(#float::INFINITY);
     }
     let text = digits(x.abs(), float);
     let literal = text.parse::<Literal>().unwrap_or_else(|_| Literal::f64_unsuffixed(x.abs()));

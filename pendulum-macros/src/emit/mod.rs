@@ -97,14 +97,14 @@ fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
 /// `const fn name(t: f64) -> f64 { … }`, to be inlined wherever it is called: only then do loops over it vectorise, and
 /// the compiler by itself doesn't inline so long a function into more than one of them.
 fn function(scene: &Scene, function: &Function, root: &TokenStream) -> TokenStream {
-    let float = format_ident!("{}", scene.float.word());
+    let float = scene.float;
     let name = format_ident!("{}", function.name());
-    let results = function.program.results.len();
-    let result = if results == 1 {
-        quote!(#float)
-    } else {
-        let floats = vec![&float; results];
-        quote!((#(#floats),*))
+    let result = match function.program.results.len() {
+        1 => quote!(#float),
+        results => {
+            let floats = vec![float; results];
+            quote!((#(#floats),*))
+        }
     };
     let body = program::body(&function.program, &quote!(#root::__private::support));
     quote!(const fn #name(t: #float) -> #result { #body })

@@ -1,12 +1,13 @@
 //! [`Program`] → the statements of a function's body.
 
+mod bits;
+
 use super::literal;
 use crate::parse::Float;
-use crate::program::interpret::HEAD_MASK;
 use crate::program::{Id, Node, Op, Program};
 use pendulum_runtime::double::Double;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 /// `let`s and the result: a value, or a tuple of several.
 pub(super) fn body(program: &Program, support: &TokenStream) -> TokenStream {
@@ -24,11 +25,11 @@ pub(super) fn body(program: &Program, support: &TokenStream) -> TokenStream {
 /// The table, if there is one, by reference: of an array by value each call might make a copy.
 fn table(program: &Program) -> Option<TokenStream> {
     let entry = program.nodes.iter().find(|node| matches!(node.op, Op::Entry { .. }))?;
-    let float = format_ident!("{}", entry.float.word());
+    let float = entry.float;
     let columns = Literal::usize_unsuffixed(program.table.first()?.len());
     let rows = Literal::usize_unsuffixed(program.table.len());
     let row = |row: &Vec<Double>| {
-        let numbers = row.iter().map(|number| literal::float(entry.float.round(number.hi), entry.float));
+        let numbers = row.iter().map(|number| literal::float(float.round(number.hi), float));
         quote!([#(#numbers),*])
     };
     let table = program.table.iter().map(row);
@@ -129,8 +130,18 @@ impl Writer<'_> {
             Op::Sub(a, b) => infix(a, b, quote!(-), Sum, Product),
             Op::Mul(a, b) => infix(a, b, quote!(*), Product, Cast),
             Op::Div(a, b) => infix(a, b, quote!(/), Product, Cast),
-            Op::Widen(_) | Op::Narrow(_) => (self.call(node), Cast),
-            _ => (self.call(node), Atom),
+            Op::Widen(x) | Op::Narrow(x) => (self.cast(x, node.float), Cast),
+            Op::Root(x) => (self.root(x, node.float), Atom),
+            Op::Abs(x) => (self.abs(x), Atom),
+            Op::Min { limit, x } => (self.min(limit, x), Atom),
+            Op::Max { limit, x } => (self.max(limit, x), Atom),
+            Op::Select { a, b, then, otherwise } => (self.select([a, b], then, otherwise), Atom),
+            Op::Head(x) => (self.head(x), Atom),
+            Op::Alternate { x, magic, bit } => (self.alternate(x, magic, bit), Atom),
+            Op::Against { x, sign } => (self.against(x, sign), Atom),
+            Op::PowerOfTwo { magic } => (self.power_of_two(magic), Atom),
+            Op::Row { magic } => (self.row(magic), Atom),
+            Op::Entry { row, column } => (self.entry(row, column), Atom),
         }
     }
 
@@ -162,91 +173,43 @@ impl Writer<'_> {
         }
     }
 
-    fn call(&self, node: &Node) -> TokenStream {
-        let float = format_ident!("{}", node.float.word());
-        let support = self.support;
-        match node.op {
-            Op::Root(x) => {
-                let x = self.value(x);
-                let root = format_ident!("{}", if node.float == Float::F64 { "root" } else { "rootf" });
-                quote!(#support::#root(#x))
-            }
-            Op::Abs(x) => {
-                let x = self.atom(x);
-                quote!(#x.abs())
-            }
-            Op::Min { limit, x } => {
-                // A cast before `<` would read as the start of a generic type.
-                let (limit, x) = (self.atom(limit), self.value(x));
-                quote!(if #limit < #x { #limit } else { #x })
-            }
-            Op::Max { limit, x } => {
-                let (limit, x) = (self.value(limit), self.atom(x));
-                quote!(if #x < #limit { #limit } else { #x })
-            }
-            Op::Select { a, b, then, otherwise } => {
-                let a = self.atom(a);
-                let [b, then, otherwise] = [b, then, otherwise].map(|id| self.value(id));
-                quote!(if #a < #b { #then } else { #otherwise })
-            }
-            Op::Head(x) => {
-                let x = self.atom(x);
-                let mask =
-                    format!("{HEAD_MASK:#x}").parse::<Literal>().unwrap_or_else(|_| Literal::u64_unsuffixed(HEAD_MASK));
-                quote!(f64::from_bits(#x.to_bits() & #mask))
-            }
-            Op::Alternate { x, magic, bit } => self.alternate(x, magic, bit, &float),
-            Op::Against { x, sign } => {
-                let (x, sign) = (self.atom(x), self.atom(sign));
-                let mask = sign_bit(node.float);
-                quote!(#float::from_bits(#x.to_bits() ^ (!#sign.to_bits() & #mask)))
-            }
-            Op::PowerOfTwo { magic } => {
-                let magic = self.atom(magic);
-                quote!(f64::from_bits(#magic.to_bits().wrapping_add(1023) << 52))
-            }
-            Op::Row { magic } => {
-                let magic = self.atom(magic);
-                let mask = Literal::usize_unsuffixed(self.program.table.len() - 1);
-                quote!(&TABLE[(#magic.to_bits() & #mask) as usize])
-            }
-            Op::Entry { row, column } => {
-                let (row, column) = (self.atom(row), Literal::usize_unsuffixed(column));
-                quote!(#row[#column])
-            }
-            Op::Widen(x) => {
-                let x = self.atom(x);
-                quote!(#x as f64)
-            }
-            Op::Narrow(x) => {
-                let x = self.atom(x);
-                quote!(#x as f32)
-            }
-            _ => TokenStream::new(),
+    fn cast(&self, x: Id, float: Float) -> TokenStream {
+        let x = self.atom(x);
+        quote!(#x as #float)
+    }
+
+    fn root(&self, x: Id, float: Float) -> TokenStream {
+        let (support, x) = (self.support, self.value(x));
+        match float {
+            Float::F64 => quote!(#support::root(#x)),
+            Float::F32 => quote!(#support::rootf(#x)),
         }
     }
 
-    fn alternate(&self, x: Id, magic: Id, bit: u32, float: &Ident) -> TokenStream {
-        let [type_of_x, type_of_magic] = [x, magic].map(|id| self.program.nodes[id].float);
-        let (cast, sign) = match (type_of_x, type_of_magic) {
-            (Float::F64, _) => (quote!(), 63u32),
-            (Float::F32, Float::F32) => (quote!(), 31),
-            (Float::F32, Float::F64) => (quote!(as u32), 31),
-        };
-        let (x, magic) = (self.atom(x), self.atom(magic));
-        let shift = Literal::u32_unsuffixed(sign - bit);
-        let bits = if cast.is_empty() { quote!(#magic.to_bits()) } else { quote!((#magic.to_bits() #cast)) };
-        // The lowest bit shifts all others out.
-        if bit == 0 {
-            return quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift)));
-        }
-        let mask = sign_bit(type_of_x);
-        quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift & #mask)))
+    fn abs(&self, x: Id) -> TokenStream {
+        let x = self.atom(x);
+        quote!(#x.abs())
     }
-}
 
-/// In hexadecimal.
-fn sign_bit(float: Float) -> Literal {
-    let mask = if float == Float::F64 { "0x8000_0000_0000_0000" } else { "0x8000_0000" };
-    mask.parse::<Literal>().unwrap_or_else(|_| Literal::u64_unsuffixed(1 << 63))
+    fn min(&self, limit: Id, x: Id) -> TokenStream {
+        // A cast before `<` would read as the start of a generic type.
+        let (limit, x) = (self.atom(limit), self.value(x));
+        quote!(if #limit < #x { #limit } else { #x })
+    }
+
+    fn max(&self, limit: Id, x: Id) -> TokenStream {
+        let (limit, x) = (self.value(limit), self.atom(x));
+        quote!(if #x < #limit { #limit } else { #x })
+    }
+
+    fn select(&self, [a, b]: [Id; 2], then: Id, otherwise: Id) -> TokenStream {
+        let a = self.atom(a);
+        let [b, then, otherwise] = [b, then, otherwise].map(|id| self.value(id));
+        quote!(if #a < #b { #then } else { #otherwise })
+    }
+
+    fn entry(&self, row: Id, column: usize) -> TokenStream {
+        let (row, column) = (self.atom(row), Literal::usize_unsuffixed(column));
+        quote!(#row[#column])
+    }
 }

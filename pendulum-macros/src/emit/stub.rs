@@ -25,7 +25,6 @@ fn anywhere(errors: &[TokenStream]) -> TokenStream {
 
 fn structure(item: &Item, float: Float, errors: &[TokenStream]) -> TokenStream {
     let Item { attributes, visibility, name } = item;
-    let float = format_ident!("{}", float.word());
     let of_motion = ["THETA0", "OMEGA", "AMPLITUDE", "MODULUS", "K", "K_PRIME", "NOME", "PERIOD"];
     let of_outputs = Output::ALL.iter().map(|&output| Wording::of(output).max_error);
     let constants = of_motion.into_iter().chain(of_outputs).map(|name| format_ident!("{name}"));
