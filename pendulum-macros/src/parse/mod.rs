@@ -11,7 +11,7 @@ pub(crate) use value::Given;
 pub(crate) use words::{Float, Keyword, Method, Output};
 
 use crate::report::Report;
-use names::{PARAMETERS, canonical, unknown_parameter};
+use names::{PARAMETERS, ascii, canonical, unknown_parameter};
 use number::Number;
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -186,10 +186,10 @@ impl Request {
         });
         self.written.push((known, value.clone()));
         let parameter = Parameter { name, value, twice };
-        match parameter.name.to_string().as_str() {
-            "theta0" | "θ0" => parameter.fill(&mut self.theta0, number),
+        match ascii(&parameter.name.to_string()) {
+            "theta0" => parameter.fill(&mut self.theta0, number),
             "velocity0" => parameter.fill(&mut self.velocity0, number),
-            "omega" | "ω" => parameter.fill(&mut self.omega, number),
+            "omega" => parameter.fill(&mut self.omega, number),
             "g" => parameter.fill(&mut self.g, number),
             "length" => parameter.fill(&mut self.length, number),
             "tol" => parameter.fill(&mut self.tol, number),

@@ -19,13 +19,19 @@ const SYNONYMS: [(&str, &[&str]); 9] = [
     ("float", &["type"]),
 ];
 
-/// The parameter's name in ASCII, that of a misspelt one corrected.
-pub(super) fn canonical(name: &str) -> &str {
+/// The parameter's name in ASCII.
+pub(super) fn ascii(name: &str) -> &str {
     match name {
         "θ0" => "theta0",
         "ω" => "omega",
-        other => meant(other).unwrap_or(other),
+        other => other,
     }
+}
+
+/// The same, that of a misspelt one corrected.
+pub(super) fn canonical(name: &str) -> &str {
+    let name = ascii(name);
+    meant(name).unwrap_or(name)
 }
 
 fn meant(name: &str) -> Option<&'static str> {

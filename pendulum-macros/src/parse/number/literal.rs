@@ -1,6 +1,7 @@
 //! Literals: what they may end in, and how long they may be.
 
 use super::tree::{Tree, Unit};
+use crate::parse::names::ascii;
 use crate::parse::source;
 use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -12,8 +13,8 @@ const LARGEST_EXPONENT: u64 = 400;
 
 /// The units that a parameter's literals may end in, and what it is.
 fn meaning(parameter: &str) -> (&'static [&'static str], &'static str) {
-    match parameter {
-        "omega" | "ω" => (&[], "in radians per unit of t, a number without suffix"),
+    match ascii(parameter) {
+        "omega" => (&[], "in radians per unit of t, a number without suffix"),
         "g" => (&[], "in m/s², a number without suffix"),
         "length" => (&[], "in m, a number without suffix"),
         "tol" => {
