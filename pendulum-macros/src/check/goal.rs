@@ -82,12 +82,11 @@ impl Checker<'_> {
     pub(super) fn method(&mut self, motion: Option<&Motion>) -> Checked<Option<Method>> {
         let Some(given) = &self.request.method else { return Ok(None) };
         let method = given.value;
-        let word = method.word();
         if let Some(n) = &self.request.n
             && method != Method::Fourier
         {
             let message = format!(
-                "`method = {word}` takes no `n` (`n = {}`), which counts the terms of `fourier`: drop one of them{}",
+                "`{given}` takes no `n` (`n = {}`), which counts the terms of `fourier`: drop one of them{}",
                 n.value,
                 if matches!(method, Method::Series | Method::Polynomial) {
                     ", or state the error as `tol`"
@@ -105,7 +104,7 @@ impl Checker<'_> {
         match motion.map(|motion| &motion.regime) {
             Some(regime) if !serves(method, regime) => {
                 let message = format!(
-                    "`method = {word}` can't serve {}: {}",
+                    "`{given}` can't serve {}: {}",
                     kind(regime),
                     if serves(Method::Polynomial, regime) {
                         "use `polynomial`, or leave `method` out"

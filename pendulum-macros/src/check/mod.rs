@@ -28,10 +28,11 @@ type Checked<T> = Result<T, Reported>;
 pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
     let mut checker = Checker { context: Context::for_digits(request.digits()), request: &request, report };
     let motion = checker.motion();
-    let goal = checker.goal(motion.as_ref().ok());
-    let method = checker.method(motion.as_ref().ok());
-    let t_max = checker.t_max(motion.as_ref().ok());
-    let outputs = checker.outputs(motion.as_ref().ok());
+    let solved = motion.as_ref().ok();
+    let goal = checker.goal(solved);
+    let method = checker.method(solved);
+    let t_max = checker.t_max(solved);
+    let outputs = checker.outputs(solved);
     let source = source::of(&request);
     let blame = blame(&request);
     if !report.is_clean() {
@@ -99,12 +100,12 @@ impl Checker<'_> {
         if self.request.n.is_some() {
             self.served_by_terms(given)?;
         }
-        if let (Form::Expression, [_, second, ..]) = (&self.request.form, given.value.as_slice()) {
+        if let (Form::Expression, [first, second, ..]) = (&self.request.form, given.value.as_slice()) {
             let message = format!(
                 "the expression form is one function, of one output: use the item form, `struct Name; …`, for `{}` beside \
                  `{}`",
                 second.word(),
-                given.value[0].word()
+                first.word()
             );
             return Err(self.refuse(goal::word_in(&given.tokens, second.word()), message));
         }

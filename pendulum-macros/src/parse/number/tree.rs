@@ -35,9 +35,9 @@ impl Tree {
     pub(super) fn digits(&self, in_sum: bool) -> usize {
         match self {
             Self::Literal { digits, .. } => {
-                let mantissa = digits.split(['e', 'E']).next().map_or(0, str::len);
-                let exponent = digits.split(['e', 'E']).nth(1).and_then(|e| e.parse::<i64>().ok()).unwrap_or(0);
-                mantissa + if in_sum { exponent.unsigned_abs() as usize } else { 0 }
+                let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
+                let exponent = if in_sum { exponent.parse::<i64>().unwrap_or(0) } else { 0 };
+                mantissa.len() + exponent.unsigned_abs() as usize
             }
             Self::Pi => 0,
             Self::Negative(inner) | Self::Root(inner, _) => inner.digits(in_sum),
