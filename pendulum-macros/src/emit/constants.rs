@@ -79,7 +79,7 @@ impl Writer {
         }
         for part in &plan.parts {
             let Wording { max_error, bound, .. } = Wording::of(part.output);
-            self.number(max_error, round_up(part.bound.total() / part.unit, self.float), bound);
+            self.number(max_error, round_up(part.error(), self.float), bound);
         }
     }
 

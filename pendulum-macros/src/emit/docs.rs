@@ -104,7 +104,7 @@ fn part(part: &Part, plan: &Plan) -> String {
         "* {}: {}; proven error ≤ {:.3e} {unit} ({:.1e} of truncation, {:.1e} of phase, {:.1e} of rounding){operations}",
         part.output.word(),
         part.description,
-        bound.total() / part.unit,
+        part.error(),
         bound.truncation / part.unit,
         bound.phase / part.unit,
         bound.evaluation / part.unit,
