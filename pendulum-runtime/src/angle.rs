@@ -3,7 +3,7 @@
 use crate::double::Double;
 
 /// 1/(2π) after the binary point, most significant word first: enough for the largest `f64` and 200 guard bits.
-const INVERSE_TURN: [u64; 21] = [
+const INVERSE_TURN_WORDS: [u64; 21] = [
     0x28be60db9391054a,
     0x7f09d5f47d4d3770,
     0x36d8a5664f10e410,
@@ -75,7 +75,7 @@ fn fraction_of_turn(mantissa: u64, exponent: i32) -> Double {
 
 /// A word of 1/(2π); zero beyond the table, which the largest `f64` does not reach.
 fn word_at(i: usize) -> u64 {
-    INVERSE_TURN.get(i).copied().unwrap_or(0)
+    INVERSE_TURN_WORDS.get(i).copied().unwrap_or(0)
 }
 
 /// Σ wordᵢ · 2^(−64(i+1)); each half of a word converts exactly.

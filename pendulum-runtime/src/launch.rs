@@ -13,9 +13,6 @@ use crate::regime::Regime;
 use crate::rotation::Rotation;
 use crate::swing::Swing;
 
-/// 1/(2π).
-const INVERSE_TURN: Double = Double { hi: 0.159_154_943_091_895_35, lo: -9.839_338_337_591_243e-18 };
-
 /// |θ̇|/ω beyond which products would overflow.
 const LARGEST_SPEED: f64 = 1e290;
 
@@ -78,7 +75,7 @@ fn released(angle: Double, base: Double, theta: f64, omega: f64) -> Motion {
         regime: if magnitude.hi == 0.0 { Regime::Rest } else { Regime::Swing },
         shape: Shape::Swing(
             Swing::new(k, kc, mean.hi, magnitude.to_f64()),
-            Phase::new(mean * INVERSE_TURN, omega, Double::ZERO),
+            Phase::new(mean * Double::INVERSE_TURN, omega, Double::ZERO),
         ),
         base,
         direction: if angle.hi < 0.0 { -1.0 } else { 1.0 },
@@ -127,7 +124,7 @@ impl State {
 
     fn swing(&self, k: Double, kc: Double, since_bottom: Double) -> Motion {
         let mean = agm_double(kc);
-        let rate = mean * INVERSE_TURN;
+        let rate = mean * Double::INVERSE_TURN;
         let amplitude = four_atan(k.hi, 1.0 + kc.hi);
         let offset = rate * since_bottom - Double::new(0.25);
         Motion {
@@ -150,7 +147,7 @@ impl State {
     /// One turn takes T = 2κK(κ)/ω with κ = 1/k, so 1/T = ωk AGM(1, κ′)/π.
     fn rotation(&self, k: Double, kc: Double, since_bottom: Double) -> Motion {
         let mean = agm_double(kc);
-        let rate = mean * k * INVERSE_TURN.scale(2.0);
+        let rate = mean * k * Double::INVERSE_TURN.scale(2.0);
         let modulus = Double::ONE / k;
         Motion {
             regime: Regime::Rotation,

@@ -174,8 +174,7 @@ impl Motion {
 
     /// Eq. 3, the linearised motion from the same initial state: θ cos ωt + (θ̇/ω) sin ωt.
     pub(crate) fn small_angle(&self, t: f64) -> f64 {
-        let inverse_turn = Double::ONE / Double::PI.scale(2.0);
-        let (sine, cosine) = sine_cosine(Phase::new(inverse_turn, self.omega, Double::ZERO).reduce(t));
+        let (sine, cosine) = sine_cosine(Phase::new(Double::INVERSE_TURN, self.omega, Double::ZERO).reduce(t));
         let cosine_part = self.theta * cosine;
         if self.velocity == 0.0 { cosine_part } else { cosine_part + self.velocity / self.omega * sine }
     }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the constants of src/kernel.rs, src/double_trig.rs and src/angle.rs (needs mpmath only).
+"""Prints the constants of src/kernel.rs, src/double.rs, src/double_trig.rs and src/angle.rs (needs mpmath only).
 
 usage: constants.py
 
