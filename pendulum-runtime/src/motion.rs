@@ -250,10 +250,9 @@ impl Motion {
 
 /// (sin 2πs, cos 2πs).
 pub(crate) fn sine_cosine(phase: Reduced) -> (f64, f64) {
-    let (s, low) = if phase.high < 0.0 { (-phase.high, -phase.low) } else { (phase.high, phase.low) };
-    let sine = sin_turns(if s <= 0.25 { s + low } else { (0.5 - s) - low });
-    let cosine = sin_turns((0.25 - s) - low);
-    (if phase.high < 0.0 { -sine } else { sine }, cosine)
+    let (to_half, to_quarter) = phase.folded();
+    let sine = sin_turns(to_half);
+    (if phase.high < 0.0 { -sine } else { sine }, sin_turns(to_quarter))
 }
 
 #[cfg(test)]

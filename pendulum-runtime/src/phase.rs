@@ -30,6 +30,24 @@ pub(crate) struct Reduced {
     pub(crate) low: f64,
 }
 
+impl Reduced {
+    /// |high + low|, in two words.
+    #[inline]
+    pub(crate) fn magnitude(&self) -> (f64, f64) {
+        if self.high < 0.0 { (-self.high, -self.low) } else { (self.high, self.low) }
+    }
+
+    /// From the magnitude s: turns to the nearest multiple of ½, and ¼ − s.
+    ///
+    /// ¼ − s is exact from s = ⅛ on, ½ − s from ¼ on (Sterbenz), so what is steep near a multiple of ¼ keeps relative
+    /// accuracy.
+    #[inline]
+    pub(crate) fn folded(&self) -> (f64, f64) {
+        let (s, low) = self.magnitude();
+        (if s <= 0.25 { s + low } else { (0.5 - s) - low }, (0.25 - s) - low)
+    }
+}
+
 impl Phase {
     /// φ(t) = rate · omega · t + offset, for positive rate and omega.
     pub(crate) fn new(rate: Double, omega: f64, offset: Double) -> Self {

@@ -120,7 +120,7 @@ impl Series {
 /// (sin πs, cos πs) for the magnitude of s.
 #[inline]
 fn half_turn_sines(phase: Reduced) -> (f64, f64) {
-    let (s, low) = if phase.high < 0.0 { (-phase.high, -phase.low) } else { (phase.high, phase.low) };
+    let (s, low) = phase.magnitude();
     (sin_turns(0.5 * s), sin_turns((0.25 - 0.5 * s) - 0.5 * low))
 }
 

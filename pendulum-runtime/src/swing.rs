@@ -37,14 +37,11 @@ pub(crate) struct SwingPhase {
 
 impl SwingPhase {
     /// From the phase since the positive turning point.
-    ///
-    /// ¼ − |s| is exact from |s| = ⅛ on (Sterbenz), so the steep part near the zero crossings keeps relative accuracy.
     #[inline]
     pub(crate) fn new(phase: Reduced) -> Self {
-        let (s, low) = if phase.high < 0.0 { (-phase.high, -phase.low) } else { (phase.high, phase.low) };
-        let turning = if s <= 0.25 { s + low } else { (0.5 - s) - low };
+        let (turning, crossing) = phase.folded();
         Self {
-            crossing: (0.25 - s) - low,
+            crossing,
             turning: if turning < 0.0 { 0.0 } else { turning }, // keeps NaN
             growing: if phase.high < 0.0 { 1.0 } else { -1.0 },
         }
