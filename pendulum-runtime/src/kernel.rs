@@ -80,9 +80,14 @@ const EXPONENTIAL: [f64; 11] = [
     4.4549605981865186e-10,
 ];
 
-/// 2ˣ − 1 for 0 ≤ x ≤ 1000, relative error below 3 · 2⁻⁵³ (that of the argument apart).
+/// Exponents are held below this: beyond, 2⁻⁶⁰ says that the motion stands at the top, and no power of the exponential
+/// in a theta series can overflow.
+const LARGEST_EXPONENT: f64 = 60.0;
+
+/// 2ˣ − 1 for x ≥ 0, beyond `LARGEST_EXPONENT` as there; relative error below 3 · 2⁻⁵³ (that of the argument apart).
 #[inline]
 pub(crate) fn exp2_m1(x: f64) -> f64 {
+    let x = if x > LARGEST_EXPONENT { LARGEST_EXPONENT } else { x }; // keeps NaN
     let n = round(x);
     let f = x - n; // exact
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10] = EXPONENTIAL;
@@ -131,6 +136,13 @@ pub(crate) fn four_atan(n: f64, d: f64) -> f64 {
     high + (r + (r * (x * tail) + low))
 }
 
+/// (sin 2α, cos 2α) from tan α = n/d.
+#[inline]
+pub(crate) fn double_angle(n: f64, d: f64) -> (f64, f64) {
+    let norm = n * n + d * d;
+    (2.0 * (n * d) / norm, (d - n) * (d + n) / norm)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,7 +171,7 @@ mod tests {
     fn exponential_less_one() {
         let ln_2 = Double { hi: core::f64::consts::LN_2, lo: 2.3190468138462996e-17 };
         for i in 0..=4000 {
-            let x = 60.0 * (f64::from(i) / 4000.0) * (f64::from(i) / 4000.0);
+            let x = LARGEST_EXPONENT * (f64::from(i) / 4000.0) * (f64::from(i) / 4000.0);
             let whole = x as i32;
             let y = ln_2 * (x - f64::from(whole));
             let small = (1..28).rev().fold(Double::ZERO, |sum, n| (sum + Double::ONE) * y / Double::new(f64::from(n)));
@@ -168,6 +180,7 @@ mod tests {
             let error = (Double::new(exp2_m1(x)) - exact).to_f64().abs();
             assert!(error <= 3.0 * U * exact.hi, "{x}: {}", error / exact.hi / U);
         }
+        assert_eq!(exp2_m1(1e300), exp2_m1(LARGEST_EXPONENT));
         assert!(exp2_m1(f64::NAN).is_nan());
     }
 

@@ -7,11 +7,10 @@
 //!   itself the series stop at their first terms and 2X = ωt.
 
 use crate::agm::{agm, sqrt_nome};
-use crate::kernel::{exp2_m1, four_atan, horner, sin_turns};
+use crate::kernel::{double_angle, exp2_m1, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
-use crate::swing::{at_most, double_angle, twice_after_first};
 use crate::theta_polynomial::Harmonics::{EvenCosine, EvenSine, OddCosine, OddSine};
-use crate::theta_polynomial::{alternate, polynomial, power};
+use crate::theta_polynomial::{alternate, polynomial, power, twice_after_first};
 use core::f64::consts::{LOG2_E, PI, TAU};
 
 /// κ′ above which the direct series serve: q = 0.1 at κ′ = 0.446.
@@ -108,7 +107,7 @@ impl Series {
                 horner(n, eta) / horner(d, eta)
             }
             Self::Dual { growth, rate: (n, d), .. } => {
-                let e = exp2_m1(at_most(growth * s)) + 1.0;
+                let e = exp2_m1(growth * s) + 1.0;
                 let inverse = 1.0 / e;
                 let eta = -((e - inverse) * (e - inverse));
                 2.0 * horner(n, eta) / ((e + inverse) * horner(d, eta))
@@ -127,7 +126,7 @@ fn half_turn_sines(phase: Reduced) -> (f64, f64) {
 /// (n, d) with n/d = tan(θ/4), from 2X/ln 2.
 #[inline]
 fn dual_quarter_tangent(exponent: f64, (n, d): &([f64; 5], [f64; 5])) -> (f64, f64) {
-    let g = exp2_m1(at_most(exponent));
+    let g = exp2_m1(exponent);
     let eta = -(g * g) / (1.0 + g);
     (g * horner(n, eta), (g + 2.0) * horner(d, eta))
 }

@@ -10,19 +10,16 @@
 
 use crate::agm::{agm, sqrt_nome};
 use crate::double::Double;
-use crate::kernel::{exp2_m1, four_atan, horner, sin_turns};
+use crate::kernel::{double_angle, exp2_m1, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{EvenCosine, OddCosine, OddSine};
-use crate::theta_polynomial::{alternate, polynomial, power};
+use crate::theta_polynomial::{alternate, polynomial, power, twice_after_first};
 
 /// k′ above which the direct series serve: √q = ½ at k′ = 0.1115.
 const DIRECT_FROM: f64 = 0.12;
 
 /// 2/ln 2, so that e^{2X} = 2^{(2/ln 2) X}.
 const TWO_BY_LN_2: f64 = 2.0 * core::f64::consts::LOG2_E;
-
-/// Exponents are held below this: beyond, 2⁻⁶⁰ says that the motion stands at the top.
-pub(crate) const LARGEST_EXPONENT: f64 = 60.0;
 
 /// Where in a swing: all that is evaluated at.
 #[derive(Clone, Copy)]
@@ -131,7 +128,7 @@ impl Swing {
                 (m * horner(n, eta), horner(d, eta))
             }
             Series::Dual { growth, angle: (n, d), .. } => {
-                let g = exp2_m1(at_most(growth * z));
+                let g = exp2_m1(growth * z);
                 let eta = -(g * g) / (1.0 + g);
                 (g * horner(n, eta), (g + 2.0) * horner(d, eta))
             }
@@ -152,14 +149,14 @@ impl Series {
             }
             Self::Dual { growth, rate, .. } if at.turning > 0.125 => {
                 let (n, d) = &rate.crossing;
-                let e = exp2_m1(at_most(growth * at.crossing.abs())) + 1.0;
+                let e = exp2_m1(growth * at.crossing.abs()) + 1.0;
                 let inverse = 1.0 / e;
                 let eta = -((e - inverse) * (e - inverse));
                 horner(n, eta) / ((e + inverse) * horner(d, eta))
             }
             Self::Dual { growth, rate, .. } => {
                 let (n, d) = &rate.turning;
-                let g = exp2_m1(at_most(growth * at.turning));
+                let g = exp2_m1(growth * at.turning);
                 let twice_sinh = g + g / (1.0 + g);
                 let eta = -(twice_sinh * twice_sinh);
                 rate.joint * (twice_sinh * horner(n, eta)) / horner(d, eta)
@@ -219,22 +216,4 @@ fn dual(k: f64, kc: f64, mean: f64) -> Series {
     };
     let joint = at_joint(rate, 0.125_f64.next_up()) / at_joint(rate, 0.125);
     Series::Dual { growth, angle, rate: DualRate { joint, ..rate } }
-}
-
-/// (sin 2α, cos 2α) from tan α = n/d.
-#[inline]
-pub(crate) fn double_angle(n: f64, d: f64) -> (f64, f64) {
-    let norm = n * n + d * d;
-    (2.0 * (n * d) / norm, (d - n) * (d + n) / norm)
-}
-
-/// 1, 2, 2, …: the coefficients of a theta series in cosines.
-pub(crate) fn twice_after_first(j: i32) -> f64 {
-    if j == 0 { 1.0 } else { 2.0 }
-}
-
-/// Keeps an exponent where the powers of e^{2X} in the series cannot overflow.
-#[inline]
-pub(crate) fn at_most(exponent: f64) -> f64 {
-    if exponent > LARGEST_EXPONENT { LARGEST_EXPONENT } else { exponent }
 }

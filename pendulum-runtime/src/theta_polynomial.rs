@@ -67,6 +67,11 @@ pub(crate) fn alternate(j: i32) -> f64 {
     if j & 1 == 0 { 1.0 } else { -1.0 }
 }
 
+/// 1, 2, 2, …: the coefficients of a theta series in cosines.
+pub(crate) fn twice_after_first(j: i32) -> f64 {
+    if j == 0 { 1.0 } else { 2.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
