@@ -39,6 +39,7 @@ mod scalar;
 pub mod support;
 mod swing;
 mod theta_polynomial;
+mod theta_quotient;
 
 pub use error::Error;
 pub use fourier::Fourier;

@@ -7,10 +7,11 @@
 //!   itself the series stop at their first terms and 2X = ωt.
 
 use crate::agm::{agm, sqrt_nome};
-use crate::kernel::{double_angle, exp2_m1, four_atan, horner, sin_turns};
+use crate::kernel::{double_angle, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{EvenCosine, EvenSine, OddCosine, OddSine};
 use crate::theta_polynomial::{alternate, polynomial, power, twice_after_first};
+use crate::theta_quotient::{sech_quotient, tanh_quotient};
 use core::f64::consts::{LOG2_E, PI, TAU};
 
 /// κ′ above which the direct series serve: q = 0.1 at κ′ = 0.446.
@@ -62,7 +63,7 @@ impl Rotation {
                 TAU * s + four_atan(2.0 * (sine * cosine) * horner(a, eta), horner(b, eta))
             }
             Series::Dual { growth, angle, .. } => {
-                let (n, d) = dual_quarter_tangent(growth * s, angle);
+                let (n, d) = tanh_quotient(growth * s, angle);
                 four_atan(n, d)
             }
         };
@@ -81,7 +82,7 @@ impl Rotation {
                 (sine * c + cosine * s, cosine * c - sine * s)
             }
             Series::Dual { growth, angle, .. } => {
-                let (n, d) = dual_quarter_tangent(growth * phase.high.abs(), angle);
+                let (n, d) = tanh_quotient(growth * phase.high.abs(), angle);
                 double_angle(n, d)
             }
         };
@@ -106,11 +107,9 @@ impl Series {
                 let eta = 4.0 * (sine * sine);
                 horner(n, eta) / horner(d, eta)
             }
-            Self::Dual { growth, rate: (n, d), .. } => {
-                let e = exp2_m1(growth * s) + 1.0;
-                let inverse = 1.0 / e;
-                let eta = -((e - inverse) * (e - inverse));
-                2.0 * horner(n, eta) / ((e + inverse) * horner(d, eta))
+            Self::Dual { growth, rate, .. } => {
+                let (n, d) = sech_quotient(growth * s, rate);
+                2.0 * n / d
             }
         }
     }
@@ -121,14 +120,6 @@ impl Series {
 fn half_turn_sines(phase: Reduced) -> (f64, f64) {
     let (s, low) = phase.magnitude();
     (sin_turns(0.5 * s), sin_turns((0.25 - 0.5 * s) - 0.5 * low))
-}
-
-/// (n, d) with n/d = tan(θ/4), from 2X/ln 2.
-#[inline]
-fn dual_quarter_tangent(exponent: f64, (n, d): &([f64; 5], [f64; 5])) -> (f64, f64) {
-    let g = exp2_m1(exponent);
-    let eta = -(g * g) / (1.0 + g);
-    (g * horner(n, eta), (g + 2.0) * horner(d, eta))
 }
 
 /// The direct series of am (DLMF 22.16.9 summed) and dn.

@@ -10,10 +10,11 @@
 
 use crate::agm::{agm, sqrt_nome};
 use crate::double::Double;
-use crate::kernel::{double_angle, exp2_m1, four_atan, horner, sin_turns};
+use crate::kernel::{double_angle, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{EvenCosine, OddCosine, OddSine};
 use crate::theta_polynomial::{alternate, polynomial, power, twice_after_first};
+use crate::theta_quotient::{sech_quotient, sinh_quotient, tanh_quotient};
 
 /// k′ above which the direct series serve: √q = ½ at k′ = 0.1115.
 const DIRECT_FROM: f64 = 0.12;
@@ -127,11 +128,7 @@ impl Swing {
                 let eta = 4.0 * (m * m);
                 (m * horner(n, eta), horner(d, eta))
             }
-            Series::Dual { growth, angle: (n, d), .. } => {
-                let g = exp2_m1(growth * z);
-                let eta = -(g * g) / (1.0 + g);
-                (g * horner(n, eta), (g + 2.0) * horner(d, eta))
-            }
+            Series::Dual { growth, angle, .. } => tanh_quotient(growth * z, angle),
         }
     }
 }
@@ -148,18 +145,12 @@ impl Series {
                 cosine * horner(n, eta) / horner(d, eta)
             }
             Self::Dual { growth, rate, .. } if at.turning > 0.125 => {
-                let (n, d) = &rate.crossing;
-                let e = exp2_m1(growth * at.crossing.abs()) + 1.0;
-                let inverse = 1.0 / e;
-                let eta = -((e - inverse) * (e - inverse));
-                horner(n, eta) / ((e + inverse) * horner(d, eta))
+                let (n, d) = sech_quotient(growth * at.crossing.abs(), &rate.crossing);
+                n / d
             }
             Self::Dual { growth, rate, .. } => {
-                let (n, d) = &rate.turning;
-                let g = exp2_m1(growth * at.turning);
-                let twice_sinh = g + g / (1.0 + g);
-                let eta = -(twice_sinh * twice_sinh);
-                rate.joint * (twice_sinh * horner(n, eta)) / horner(d, eta)
+                let (n, d) = sinh_quotient(growth * at.turning, &rate.turning);
+                rate.joint * n / d
             }
         }
     }
