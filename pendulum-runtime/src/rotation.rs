@@ -57,10 +57,9 @@ impl Rotation {
     pub(crate) fn angle(&self, phase: Reduced) -> f64 {
         let s = phase.high.abs();
         let angle = match &self.series {
-            Series::Direct { angle: (a, b), .. } => {
-                let (sine, cosine) = half_turn_sines(phase);
-                let eta = 4.0 * (sine * sine);
-                TAU * s + four_atan(2.0 * (sine * cosine) * horner(a, eta), horner(b, eta))
+            Series::Direct { angle, .. } => {
+                let (n, d) = excess_tangent(half_turn_sines(phase), angle);
+                TAU * s + four_atan(n, d)
             }
             Series::Dual { growth, angle, .. } => {
                 let (n, d) = tanh_quotient(growth * s, angle);
@@ -75,10 +74,10 @@ impl Rotation {
     #[inline]
     pub(crate) fn half_angle(&self, phase: Reduced) -> (f64, f64) {
         let (sine, cosine) = match &self.series {
-            Series::Direct { angle: (a, b), .. } => {
+            Series::Direct { angle, .. } => {
                 let (sine, cosine) = half_turn_sines(phase);
-                let eta = 4.0 * (sine * sine);
-                let (s, c) = double_angle(2.0 * (sine * cosine) * horner(a, eta), horner(b, eta));
+                let (n, d) = excess_tangent((sine, cosine), angle);
+                let (s, c) = double_angle(n, d);
                 (sine * c + cosine * s, cosine * c - sine * s)
             }
             Series::Dual { growth, angle, .. } => {
@@ -120,6 +119,13 @@ impl Series {
 fn half_turn_sines(phase: Reduced) -> (f64, f64) {
     let (s, low) = phase.magnitude();
     (sin_turns(0.5 * s), sin_turns((0.25 - 0.5 * s) - 0.5 * low))
+}
+
+/// (n, d) with n/d = tan(θ/4 − z/2), θ − 2z being what the rotation is ahead of a uniform one, from (sin z, cos z).
+#[inline]
+fn excess_tangent((sine, cosine): (f64, f64), (a, b): &([f64; 3], [f64; 4])) -> (f64, f64) {
+    let eta = 4.0 * (sine * sine);
+    (2.0 * (sine * cosine) * horner(a, eta), horner(b, eta))
 }
 
 /// The direct series of am (DLMF 22.16.9 summed) and dn.
