@@ -24,7 +24,7 @@
 use crate::agm::{agm_double, complete};
 use crate::angle::reduce;
 use crate::carlson::carlson_rf;
-use crate::double::{Double, two_sum};
+use crate::double::Double;
 use crate::double_trig::half_angle;
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced};
@@ -144,9 +144,7 @@ impl Jacobi {
 
 /// √(1 − x²) for 0 ≤ x ≤ 1, with small relative error.
 fn complement(x: f64) -> Double {
-    let (s, e) = two_sum(1.0, -x);
-    let (t, f) = two_sum(1.0, x);
-    (Double { hi: s, lo: e } * Double { hi: t, lo: f }).sqrt()
+    (Double::from_sum(1.0, -x) * Double::from_sum(1.0, x)).sqrt()
 }
 
 /// The functions by one constructor, so that both modules say the same.
