@@ -113,12 +113,6 @@ impl Double {
     }
 }
 
-impl From<f64> for Double {
-    fn from(x: f64) -> Self {
-        Self::new(x)
-    }
-}
-
 impl Neg for Double {
     type Output = Self;
     #[inline]
@@ -224,7 +218,6 @@ mod tests {
         assert_eq!(Double::ZERO.sqrt(), Double::ZERO);
         assert_eq!((-Double::PI).abs(), Double::PI);
         assert_eq!(Double::from_sum(1e-30, 1.0).to_f64(), 1.0);
-        assert_eq!(Double::from(2.0), Double::new(2.0));
     }
 
     /// Where the first words cancel, what the second words' sum leaves over is the second word.
