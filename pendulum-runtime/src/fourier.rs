@@ -74,7 +74,7 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
             (here, next) = (amplitude + (twice_cosine * here - next), here);
         }
         let argument = (sine * (here + next)).clamp(-1.0, 1.0); // rounding alone can exceed 1 here
-        F::narrow(self.motion.unwrap(0.0, self.motion.direction * (2.0 * libm::asin(argument))))
+        F::narrow(self.motion.with_turns(0.0, self.motion.direction * (2.0 * libm::asin(argument))))
     }
 
     /// sup |θ̂ − θ| over all t, rad, of the formula (Eq. 22) itself: the true supremum over a period, wherever it is

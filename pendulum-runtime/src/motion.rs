@@ -90,16 +90,16 @@ impl Motion {
     #[inline(always)]
     pub(crate) fn angle(&self, point: &Point<'_>) -> f64 {
         match point {
-            Point::Swing(swing, phase) => self.unwrap(0.0, self.direction * swing.angle(*phase)),
+            Point::Swing(swing, phase) => self.with_turns(0.0, self.direction * swing.angle(*phase)),
             Point::Rotation(rotation, phase) => {
-                self.unwrap(self.direction * phase.turns, self.direction * rotation.angle(*phase))
+                self.with_turns(self.direction * phase.turns, self.direction * rotation.angle(*phase))
             }
         }
     }
 
     /// base + 2π · turns + angle, within the finite numbers.
     #[inline]
-    pub(crate) fn unwrap(&self, turns: f64, angle: f64) -> f64 {
+    pub(crate) fn with_turns(&self, turns: f64, angle: f64) -> f64 {
         if turns == 0.0 && self.base.hi == 0.0 {
             return angle;
         }
@@ -124,7 +124,7 @@ impl Motion {
 
     /// θ̇.
     #[inline(always)]
-    pub(crate) fn speed(&self, point: &Point<'_>) -> f64 {
+    pub(crate) fn velocity_at(&self, point: &Point<'_>) -> f64 {
         self.direction
             * self.top_speed
             * match point {
@@ -184,7 +184,7 @@ impl Motion {
         match &self.shape {
             Shape::Swing(_, phase) => {
                 let cosine = sine_cosine(phase.reduce(t)).1;
-                self.unwrap(0.0, self.direction * (self.amplitude * cosine))
+                self.with_turns(0.0, self.direction * (self.amplitude * cosine))
             }
             Shape::Rotation(..) | Shape::Separatrix(..) => f64::NAN,
         }

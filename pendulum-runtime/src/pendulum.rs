@@ -93,14 +93,14 @@ impl<F: Scalar> Pendulum<F> {
     /// θ̇(t), rad per unit of t.
     #[inline]
     pub fn velocity(&self, t: F) -> F {
-        F::narrow(self.motion.speed(&self.motion.at(t.widen())))
+        F::narrow(self.motion.velocity_at(&self.motion.at(t.widen())))
     }
 
     /// (θ(t), θ̇(t)), sharing one phase reduction.
     #[inline]
     pub fn state(&self, t: F) -> (F, F) {
         let point = self.motion.at(t.widen());
-        (F::narrow(self.motion.angle(&point)), F::narrow(self.motion.speed(&point)))
+        (F::narrow(self.motion.angle(&point)), F::narrow(self.motion.velocity_at(&point)))
     }
 
     /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared.
