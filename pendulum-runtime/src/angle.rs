@@ -37,8 +37,7 @@ pub(crate) fn reduce(theta: f64) -> Double {
     let mantissa = (bits & ((1 << 52) - 1)) | (1 << 52);
     let exponent = (bits >> 52) as i32 - 1075; // |θ| = mantissa · 2^exponent, exponent ≥ −51
     let fraction = fraction_of_turn(mantissa, exponent);
-    let turn = Double::PI.scale(2.0);
-    let reduced = fraction * turn;
+    let reduced = fraction * Double::TURN;
     if theta < 0.0 { -reduced } else { reduced }
 }
 

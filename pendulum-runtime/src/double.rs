@@ -56,6 +56,8 @@ impl Double {
     pub const ONE: Self = Self::new(1.0);
     /// π to 107 bits.
     pub const PI: Self = Self { hi: core::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+    /// 2π.
+    pub(crate) const TURN: Self = Self::PI.scale(2.0);
     /// 1/(2π).
     pub(crate) const INVERSE_TURN: Self = Self { hi: 0.159_154_943_091_895_35, lo: -9.839_338_337_591_243e-18 };
 
@@ -250,6 +252,6 @@ mod tests {
     fn pi_and_the_inverse_turn_have_their_second_words() {
         // sin x for x = the first word of π is π − x to third order.
         assert!((libm::sin(Double::PI.hi) - Double::PI.lo).abs() < U * U);
-        assert_eq!(Double::INVERSE_TURN, Double::ONE / Double::PI.scale(2.0));
+        assert_eq!(Double::INVERSE_TURN, Double::ONE / Double::TURN);
     }
 }

@@ -3,6 +3,8 @@
 //! Only + − × ÷, comparisons and integer operations in a fixed order, so the bits are the same on every IEEE target.
 //! The polynomials interpolate at Chebyshev nodes; `tools/constants.py` prints their coefficients and errors.
 
+use crate::double::Double;
+
 /// 1.5 · 2⁵²: adding and subtracting it rounds an `f64` below 2⁵¹ to the nearest integer (ties to even).
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
@@ -58,9 +60,7 @@ pub(crate) fn sin_turns(z: f64) -> f64 {
     let x = b * b;
     let x2 = x * x;
     let tail = (c0 + c1 * x) + ((c2 + c3 * x) + ((c4 + c5 * x) + c6 * x2) * x2) * x2;
-    // 2.449e-16 is the second word of 2π.
-    let (leading, factor, rest) =
-        if upper { (1.0, 1.0, 0.0) } else { (b * core::f64::consts::TAU, b, 2.449_293_598_294_706_4e-16) };
+    let (leading, factor, rest) = if upper { (1.0, 1.0, 0.0) } else { (b * Double::TURN.hi, b, Double::TURN.lo) };
     let sine = leading + factor * (x * tail + rest);
     if z < 0.0 { -sine } else { sine }
 }
@@ -116,7 +116,7 @@ const FOUR_ATAN: [(f64, f64); 5] = [
     (0.9799146525074566, 4.2795022474937806e-17),
     (1.8545904360032244, 9.079510981184675e-17),
     (2.5740044351731375, 6.333914020577714e-17),
-    (core::f64::consts::PI, 1.2246467991473532e-16),
+    (Double::PI.hi, Double::PI.lo),
 ];
 
 /// 4 atan(n/d) for 0 ≤ n ≤ 1.1 d with one division; relative error below 2.5 · 2⁻⁵³.
@@ -146,7 +146,6 @@ pub(crate) fn double_angle(n: f64, d: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::double::Double;
     use crate::double_trig::{half_angle, sin_small};
 
     /// 2⁻⁵³.

@@ -106,10 +106,10 @@ impl Motion {
         if turns.abs() > 1e290 {
             return (turns * TAU).clamp(f64::MIN, f64::MAX);
         }
-        let (p, e) = two_prod(turns, TAU);
+        let (p, e) = two_prod(turns, Double::TURN.hi);
         let (sum, f) = two_sum(p, self.base.hi);
         let (sum, g) = two_sum(sum, angle);
-        sum + (g + (f + (e + (turns * (2.0 * Double::PI.lo) + self.base.lo))))
+        sum + (g + (f + (e + (turns * Double::TURN.lo + self.base.lo))))
     }
 
     /// θ less whole turns, in [−π, π).
@@ -205,7 +205,7 @@ impl Motion {
             Shape::Rotation(_, phase) => {
                 let whole = (offset.hi / TAU).clamp(-1e15, 1e15);
                 let whole = round(whole);
-                let rest = offset - Double::PI.scale(2.0) * whole;
+                let rest = offset - Double::TURN * whole;
                 let turns = self.turns_since_bottom(rest, 0.5) + Double::new(whole) - phase.offset();
                 (turns.hi >= 0.0 && rest.hi.abs() <= 4.0).then(|| phase.time(turns))
             }
