@@ -10,7 +10,7 @@ use crate::agm::{agm, sqrt_nome};
 use crate::kernel::{double_angle, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{EvenCosine, EvenSine, OddCosine, OddSine};
-use crate::theta_polynomial::{alternate, polynomial, power, twice_after_first};
+use crate::theta_polynomial::{alternate, jacobi_theta2, jacobi_theta3, jacobi_theta4, polynomial, power};
 use crate::theta_quotient::{sech_quotient, tanh_quotient};
 use core::f64::consts::{LOG2_E, PI, TAU};
 
@@ -139,10 +139,7 @@ fn direct(q: f64) -> Series {
                 if j == 0 { 1.0 } else { alternate(j) * (power(q, j * (2 * j - 1)) + power(q, j * (2 * j + 1))) }
             }),
         ),
-        rate: (
-            polynomial(EvenCosine, |j| twice_after_first(j) * power(q, j * j)),
-            polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, j * j)),
-        ),
+        rate: (jacobi_theta3(q), jacobi_theta4(q)),
     }
 }
 
@@ -155,9 +152,6 @@ fn dual(p: f64, growth: f64) -> Series {
             polynomial(OddSine, |j| [1.0, 1.0, -1.0, -1.0][j as usize % 4] * power(p, j * (j + 1))),
             polynomial(OddCosine, |j| [1.0, -1.0, -1.0, 1.0][j as usize % 4] * power(p, j * (j + 1))),
         ),
-        rate: (
-            polynomial(EvenCosine, |j| twice_after_first(j) * power(qc, j * j)),
-            polynomial(OddCosine, |j| power(qc, j * (j + 1))),
-        ),
+        rate: (jacobi_theta3(qc), jacobi_theta2(qc)),
     }
 }

@@ -12,8 +12,7 @@ use crate::agm::{agm, sqrt_nome};
 use crate::double::Double;
 use crate::kernel::{double_angle, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
-use crate::theta_polynomial::Harmonics::{EvenCosine, OddCosine, OddSine};
-use crate::theta_polynomial::{alternate, polynomial, power, twice_after_first};
+use crate::theta_polynomial::{jacobi_theta1, jacobi_theta2, jacobi_theta3, jacobi_theta4};
 use crate::theta_quotient::{sech_quotient, sinh_quotient, tanh_quotient};
 
 /// k′ above which the direct series serve: √q = ½ at k′ = 0.1115.
@@ -161,9 +160,7 @@ impl Series {
 fn direct(k: Double, kc: Double) -> Series {
     let h = sqrt_nome(k.hi, kc.hi);
     let q = h * h;
-    let mut numerator: [f64; 4] = polynomial(OddSine, |j| alternate(j) * power(q, 2 * j * (j + 1)));
-    let mut denominator: [f64; 4] =
-        polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, 2 * j * j));
+    let (mut numerator, mut denominator): ([f64; 4], [f64; 4]) = (jacobi_theta1(q * q), jacobi_theta4(q * q));
     let constant = denominator[0];
     for c in &mut denominator {
         *c /= constant;
@@ -173,13 +170,7 @@ fn direct(k: Double, kc: Double) -> Series {
     for c in &mut numerator {
         *c = (scale * *c).to_f64();
     }
-    Series::Direct {
-        angle: (numerator, denominator),
-        rate: (
-            polynomial(OddCosine, |j| power(q, j * (j + 1))),
-            polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, j * j)),
-        ),
-    }
+    Series::Direct { angle: (numerator, denominator), rate: (jacobi_theta2(q), jacobi_theta4(q)) }
 }
 
 /// The dual series, in p = √q′.
@@ -187,19 +178,10 @@ fn dual(k: f64, kc: f64, mean: f64) -> Series {
     let p = sqrt_nome(kc, k);
     let qc = p * p;
     let growth = core::f64::consts::PI * TWO_BY_LN_2 * (agm(k) / mean);
-    let angle = (
-        polynomial(OddSine, |j| alternate(j) * power(p, j * (j + 1))),
-        polynomial(OddCosine, |j| power(p, j * (j + 1))),
-    );
+    let angle = (jacobi_theta1(p), jacobi_theta2(p));
     let rate = DualRate {
-        crossing: (
-            polynomial(EvenCosine, |j| twice_after_first(j) * alternate(j) * power(qc, j * j)),
-            polynomial(OddCosine, |j| power(qc, j * (j + 1))),
-        ),
-        turning: (
-            polynomial(OddSine, |j| alternate(j) * power(qc, j * (j + 1))),
-            polynomial(EvenCosine, |j| twice_after_first(j) * power(qc, j * j)),
-        ),
+        crossing: (jacobi_theta4(qc), jacobi_theta2(qc)),
+        turning: (jacobi_theta1(qc), jacobi_theta3(qc)),
         joint: 1.0,
     };
     let at_joint = |rate: DualRate, turning: f64| {

@@ -49,6 +49,26 @@ pub(crate) fn polynomial<const N: usize>(harmonics: Harmonics, weight: impl Fn(i
     sum
 }
 
+/// ϑ₁(w; q)/(2q^¼ sin w).
+pub(crate) fn jacobi_theta1<const N: usize>(q: f64) -> [f64; N] {
+    polynomial(Harmonics::OddSine, |j| alternate(j) * power(q, j * (j + 1)))
+}
+
+/// ϑ₂(w; q)/(2q^¼ cos w).
+pub(crate) fn jacobi_theta2<const N: usize>(q: f64) -> [f64; N] {
+    polynomial(Harmonics::OddCosine, |j| power(q, j * (j + 1)))
+}
+
+/// ϑ₃(w; q).
+pub(crate) fn jacobi_theta3<const N: usize>(q: f64) -> [f64; N] {
+    polynomial(Harmonics::EvenCosine, |j| twice_after_first(j) * power(q, j * j))
+}
+
+/// ϑ₄(w; q).
+pub(crate) fn jacobi_theta4<const N: usize>(q: f64) -> [f64; N] {
+    polynomial(Harmonics::EvenCosine, |j| twice_after_first(j) * alternate(j) * power(q, j * j))
+}
+
 /// xⁿ for n ≥ 0 by squaring.
 pub(crate) fn power(x: f64, n: i32) -> f64 {
     let (mut result, mut base, mut n) = (1.0, x, n);
@@ -68,7 +88,7 @@ pub(crate) fn alternate(j: i32) -> f64 {
 }
 
 /// 1, 2, 2, …: the coefficients of a theta series in cosines.
-pub(crate) fn twice_after_first(j: i32) -> f64 {
+fn twice_after_first(j: i32) -> f64 {
     if j == 0 { 1.0 } else { 2.0 }
 }
 
@@ -91,6 +111,18 @@ mod tests {
             close(only(Harmonics::OddCosine), libm::cos(odd * w) / libm::cos(w));
             close(only(Harmonics::EvenCosine), libm::cos(even * w));
             close(only(Harmonics::EvenSine), libm::sin((even + 2.0) * w) / libm::sin(2.0 * w));
+        }
+    }
+
+    /// ϑ₃⁴ = ϑ₂⁴ + ϑ₄⁴ and ϑ₁′ = ϑ₂ϑ₃ϑ₄ at w = 0 (DLMF 20.7.5, 20.4.6), where the polynomials are their first
+    /// coefficients.
+    #[test]
+    fn theta_functions_obey_jacobi() {
+        for q in [0.0, 0.01, 0.1, 0.2] {
+            let first: [[f64; 6]; 4] = [jacobi_theta1(q), jacobi_theta2(q), jacobi_theta3(q), jacobi_theta4(q)];
+            let [c1, c2, c3, c4] = first.map(|coefficients| coefficients[0]);
+            assert!((c1 / (c2 * c3 * c4) - 1.0).abs() < 1e-14, "{q}");
+            assert!(((16.0 * q * power(c2, 4) + power(c4, 4)) / power(c3, 4) - 1.0).abs() < 1e-14, "{q}");
         }
     }
 
