@@ -127,21 +127,14 @@ impl State {
         let rate = mean * Double::INVERSE_TURN;
         let amplitude = four_atan(k.hi, 1.0 + kc.hi);
         let offset = rate * since_bottom - Double::new(0.25);
-        Motion {
-            regime: Regime::Swing,
-            shape: Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset)),
-            amplitude,
-            moduli: Moduli { k, kc, mean },
-            ..self.outline(k)
-        }
+        let shape = Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset));
+        self.motion(Regime::Swing, shape, amplitude, k, Moduli { k, kc, mean })
     }
 
     fn separatrix(&self, since_bottom: Double) -> Motion {
-        Motion {
-            shape: Shape::Separatrix(Rotation::separatrix(), since_bottom),
-            amplitude: core::f64::consts::PI,
-            ..self.outline(Double::ONE)
-        }
+        let shape = Shape::Separatrix(Rotation::separatrix(), since_bottom);
+        let moduli = Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO };
+        self.motion(Regime::Separatrix, shape, core::f64::consts::PI, Double::ONE, moduli)
     }
 
     /// One turn takes T = 2κK(κ)/ω with κ = 1/k, so 1/T = ωk AGM(1, κ′)/π.
@@ -149,29 +142,21 @@ impl State {
         let mean = agm_double(kc);
         let rate = mean * k * Double::INVERSE_TURN.scale(2.0);
         let modulus = Double::ONE / k;
-        Motion {
-            regime: Regime::Rotation,
-            shape: Shape::Rotation(
-                Rotation::new(modulus.hi, kc.hi, mean.hi),
-                Phase::new(rate, self.omega, rate * since_bottom),
-            ),
-            amplitude: f64::INFINITY,
-            moduli: Moduli { k: modulus, kc, mean },
-            ..self.outline(k)
-        }
+        let phase = Phase::new(rate, self.omega, rate * since_bottom);
+        let shape = Shape::Rotation(Rotation::new(modulus.hi, kc.hi, mean.hi), phase);
+        self.motion(Regime::Rotation, shape, f64::INFINITY, k, Moduli { k: modulus, kc, mean })
     }
 
-    /// What the regimes share, the rest as on the separatrix; its shape and amplitude are placeholders.
-    fn outline(&self, k: Double) -> Motion {
+    fn motion(&self, regime: Regime, shape: Shape, amplitude: f64, k: Double, moduli: Moduli) -> Motion {
         Motion {
-            regime: Regime::Separatrix,
-            shape: Shape::Separatrix(Rotation::separatrix(), Double::ZERO),
+            regime,
+            shape,
             base: self.base,
             direction: self.direction,
             top_speed: top_speed(k, self.omega),
-            amplitude: 0.0,
+            amplitude,
             k,
-            moduli: Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO },
+            moduli,
             theta: self.theta,
             velocity: self.velocity,
             omega: self.omega,
