@@ -48,6 +48,11 @@ pub enum Error {
     NotASwing,
 }
 
+/// Refuses NaN and ±∞.
+pub(crate) fn finite(parameter: &'static str, value: f64) -> Result<(), Error> {
+    if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { parameter, value }) }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {

@@ -5,7 +5,7 @@ use crate::angle::reduce;
 use crate::carlson::elapsed;
 use crate::double::Double;
 use crate::double_trig::half_angle;
-use crate::error::Error;
+use crate::error::{Error, finite};
 use crate::kernel::four_atan;
 use crate::motion::{Moduli, Motion, Shape};
 use crate::phase::{Phase, binade};
@@ -55,10 +55,6 @@ pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion
         omega,
     };
     Ok(state.launch())
-}
-
-fn finite(parameter: &'static str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { parameter, value }) }
 }
 
 fn frequency(omega: f64) -> Result<(), Error> {

@@ -10,7 +10,7 @@ use crate::agm::complete;
 use crate::carlson::elapsed;
 use crate::double::{Double, two_prod, two_sum};
 use crate::double_trig::half_angle;
-use crate::error::Error;
+use crate::error::{Error, finite};
 use crate::kernel::{round, sin_turns};
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced, binade};
@@ -192,9 +192,7 @@ impl Motion {
 
     /// The first t ≥ 0 at which θ(t) = `angle`.
     pub(crate) fn time_at(&self, angle: f64) -> Result<f64, Error> {
-        if !angle.is_finite() {
-            return Err(Error::NotFinite { parameter: "theta", value: angle });
-        }
+        finite("theta", angle)?;
         if angle == self.theta {
             return Ok(0.0);
         }
