@@ -29,6 +29,14 @@ fn launched() {
 fn never_reached() {
     let p = Pendulum::<f64>::new(1.0, 1.0).expect("a swing");
     assert_eq!(p.time_at(1.5), Err(Error::NeverReached { angle: 1.5 }));
+    // In `f32` the amplitude is rounded: to more than the motion reaches, and to less.
+    for velocity in [0.227_424_12, 0.5, 0.7, 0.9] {
+        let p = Pendulum::<f32>::from_state(1.812_973_1, velocity, 1.5).expect("a swing");
+        for angle in [p.amplitude(), -p.amplitude()] {
+            let t = p.time_at(angle).expect("a turning point");
+            assert!(p.velocity(t).abs() < 1e-5 && (p.theta(t) - angle).abs() < 1e-6, "{velocity}: {angle} at {t}");
+        }
+    }
     assert!(matches!(p.time_at(f64::NAN), Err(Error::NotFinite { parameter: "theta", .. })));
 }
 

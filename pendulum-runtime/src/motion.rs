@@ -217,11 +217,15 @@ impl Motion {
 
     /// The turns from t = 0 until a swing is at `offset` from its base.
     fn swing_turns(&self, offset: Double, start: Double) -> Option<Double> {
-        if offset.hi.abs() > PI || (self.k - half_angle(offset.abs()).0).hi < 0.0 {
-            return None;
-        }
-        let since_bottom = self.turns_since_bottom(offset, 0.25);
         let quarter = Double::new(0.25);
+        let since_bottom = if offset.hi.abs() == self.amplitude {
+            // Rounded, the amplitude may be more than is reached.
+            quarter.scale(1f64.copysign(offset.hi))
+        } else if offset.hi.abs() > PI || (self.k - half_angle(offset.abs()).0).hi < 0.0 {
+            return None;
+        } else {
+            self.turns_since_bottom(offset, 0.25)
+        };
         let ahead = |phase: Double| {
             let turns = phase - start;
             if turns.hi < 0.0 { turns + Double::ONE } else { turns }

@@ -138,7 +138,10 @@ impl<F: Scalar> Pendulum<F> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn time_at(&self, theta: F) -> Result<F, Error> {
-        self.motion.time_at(theta.widen()).map(F::narrow)
+        let (angle, amplitude) = (theta.widen(), self.motion.amplitude);
+        // What `amplitude` returns is the turning point, wherever it was rounded to.
+        let turning = self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
+        self.motion.time_at(if turning { amplitude.copysign(angle) } else { angle }).map(F::narrow)
     }
 
     /// T = 4K/ω of a swing, 2π/ω at rest, the time of one turn of a rotation, ∞ on the separatrix.
