@@ -52,8 +52,8 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
         Some((scene, plan))
     });
     match planned {
-        Some((scene, plan)) => emit::emit(&scene, &plan, root),
-        None => emit::stub(shape, &errors(report)),
+        Some((scene, plan)) if report.is_clean() => emit::emit(&scene, &plan, root),
+        _ => emit::stub(shape, &errors(report)),
     }
 }
 

@@ -13,7 +13,7 @@ use crate::motion::Motion;
 use crate::parse::number::Number;
 use crate::parse::{Form, Given, Output, Request, source};
 use crate::report::Report;
-use crate::scene::{Blame, Scene};
+use crate::scene::{Blame, Goal, Scene};
 pub(crate) use goal::{most_useful_terms, smallest_working_terms};
 use quote::ToTokens;
 use std::fmt::Display;
@@ -24,7 +24,8 @@ struct Reported;
 /// The value, or the fact that its mistake has been reported.
 type Checked<T> = Result<T, Reported>;
 
-/// The scene that `request` asks for; `None` if it, or its syntax before, had a mistake, all of them in `report`.
+/// The scene that `request` asks for. All mistakes, those of its syntax too, are in `report`; where there are any, a scene
+/// is for the planner to say what it refuses besides: `None` if that might follow from a mistake.
 pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
     let mut checker = Checker { context: Context::for_digits(request.digits()), request: &request, report };
     let motion = checker.motion();
@@ -33,22 +34,17 @@ pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
     let method = checker.method(solved);
     let t_max = checker.t_max(solved);
     let outputs = checker.outputs(solved);
-    let source = source::of(&request);
-    let blame = blame(&request);
-    if !report.is_clean() {
-        return None;
-    }
-    Some(Scene {
-        source,
-        motion: motion.ok()?,
-        float: request.float(),
-        goal: goal.ok()?,
-        method: method.ok()?,
-        t_max: t_max.ok()?,
-        outputs: outputs.ok()?,
-        blame,
-        form: request.form,
-    })
+    let (motion, goal) = (motion.ok()?, goal.ok()?);
+    let (method, t_max, outputs) = match (method, t_max, outputs) {
+        (Ok(method), Ok(t_max), Ok(outputs)) if report.is_clean() || request.is_understood() => {
+            (method, t_max, outputs)
+        }
+        // Whether the argument of the arcsine in Eq. 22 exceeds 1 depends on none of these.
+        _ if matches!(goal, Goal::Terms(_)) && request.float_is_understood() => (None, None, vec![Output::Theta]),
+        _ => return None,
+    };
+    let (source, blame, float) = (source::of(&request), blame(&request), request.float());
+    Some(Scene { source, motion, float, goal, method, t_max, outputs, blame, form: request.form })
 }
 
 fn blame(request: &Request) -> Blame {

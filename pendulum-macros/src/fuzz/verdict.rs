@@ -40,7 +40,7 @@ pub(crate) fn judge(text: &str) -> Result<(Verdict, Duration), String> {
     let (scene, errors) = scene(tokens);
     errors_are_placed(&errors, text)?;
     match (refused, scene.map(|scene| (plan(&scene), scene))) {
-        (true, None) if !errors.is_empty() => Ok((Verdict::Refused, time)),
+        (true, None | Some((Ok(_), _))) if !errors.is_empty() => Ok((Verdict::Refused, time)),
         (true, Some((Err(refusal), scene))) => refusal_is_clean(&refusal, &scene).map(|()| (Verdict::Refused, time)),
         (false, Some((Ok(plan), scene))) => {
             functions.iter().try_for_each(straight_line)?;

@@ -153,6 +153,19 @@ impl Request {
         self.written.iter().any(|(written, _)| written == name)
     }
 
+    /// Whether every parameter that was written, but for words that are none, has its value, once.
+    pub(crate) fn is_understood(&self) -> bool {
+        let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length, &self.tol, &self.t_max];
+        let words = [self.n.is_some(), self.method.is_some(), self.float.is_some(), self.outputs.is_some()];
+        let valued = numbers.into_iter().flatten().count() + words.into_iter().filter(|&given| given).count();
+        self.written.iter().filter(|(name, _)| PARAMETERS.contains(&name.as_str())).count() == valued
+    }
+
+    /// Whether what was said of the type, if anything was, could be read.
+    pub(crate) fn float_is_understood(&self) -> bool {
+        self.float.is_some() || !self.mentions("float")
+    }
+
     /// The type of t and of the results.
     pub(crate) fn float(&self) -> Float {
         self.float.as_ref().map_or(Float::F64, |given| given.value)
