@@ -26,10 +26,10 @@ use core::marker::PhantomData;
 /// (2/ω) ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in
 /// π − θ0 and of 7.5e-6 in the period, and after n periods θ may differ by anything that 2πn · 7.5e-6 turns of phase
 /// make of it. The same holds for a velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state
-/// beside the separatrix. There, away from the bottom, 1 − k² is a difference of transcendental numbers carried to
-/// 2⁻¹⁰²: θ is then within the promise plus 2⁻⁴⁵ of what an ulp of the initial velocity would change. What this type
-/// computes is the motion of the number it was given, not of the one that was meant; where that is a formula such as
-/// π − 10⁻¹², the macro `pendulum!` takes it exactly.
+/// beside the separatrix. Of a state in motion 1 − k² is a difference carried to 2⁻¹⁰²: θ is then within the promise
+/// plus 2⁻⁴⁵ of what an ulp of the initial velocity would change, which counts beside the separatrix alone. What this
+/// type computes is the motion of the number it was given, not of the one that was meant; where that is a formula such
+/// as π − 10⁻¹², the macro `pendulum!` takes it exactly.
 ///
 /// ```
 /// # use pendulum_runtime::{Error, Pendulum};

@@ -100,15 +100,14 @@ impl Checker<'_> {
             (Some(omega), Some(_), Some(_)) => {
                 let name = &omega.name;
                 let message = format!(
-                    "`{name}` is given beside `g` and `length`, which determine it by ω = √(g/length): keep `{name}`, or \
+                    "`{omega}` is given beside `g` and `length`, which determine it by ω = √(g/length): keep `{name}`, or \
                      `g` and `length`"
                 );
                 Err(self.refuse(name, message))
             }
             (_, Some(given), _) | (_, _, Some(given)) if mentioned("omega") => {
                 let message = format!(
-                    "`{}` is given beside `omega`, which it determines: keep `omega`, or `g` and `length`",
-                    given.name
+                    "`{given}` is given beside `omega`, which it determines: keep `omega`, or `g` and `length`"
                 );
                 Err(self.refuse(&given.name, message))
             }

@@ -106,10 +106,10 @@ fn refuses_rates_that_are_none() {
     refused("struct A; theta0 = 1, omega = 1e200, outputs = [acceleration]", &["the largest acceleration above"]);
     refused("theta0 = 1, omega = 2deg", &["`omega = 2deg` has the suffix `deg`"]);
     // One mistake, one message, where removing one token's parameter mends it.
-    let both = &["`omega`", "beside `g` and `length`", "keep `omega`"];
+    let both = &["`omega = 1`", "beside `g` and `length`", "keep `omega`"];
     refused("theta0 = 1, omega = 1, g = 9.81, length = 1", both);
-    refused("theta0 = 1, g = 9.81, length = 1, ω = 1", &["`ω` is given beside `g` and `length`", "keep `ω`"]);
-    refused("theta0 = 1, omega = 1, length = 1", &["`length` is given beside `omega`"]);
+    refused("theta0 = 1, g = 9.81, length = 1, ω = 1", &["`ω = 1` is given beside `g` and `length`", "keep `ω`"]);
+    refused("theta0 = 1, omega = 1, length = 1", &["`length = 1` is given beside `omega`"]);
     let also_zero = checked("theta0 = 1, omega = 0, g = 9.81, length = 1").err().unwrap();
     assert_eq!(also_zero.len(), 2, "{also_zero:#?}");
 }
