@@ -18,6 +18,8 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// What takes a tenth of that there, forty times over: single expansions are too short for the clock.
 const YARDSTICK: &str = "theta0 = 7π/8, outputs = [theta, velocity, acceleration, position]";
 
+const TRIES: usize = 5;
+
 /// What became of an invocation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
@@ -31,8 +33,7 @@ pub(crate) enum Verdict {
 pub(crate) fn judge(text: &str) -> Result<(Verdict, Duration), String> {
     let Ok(tokens) = text.parse::<TokenStream>() else { return Ok((Verdict::Unlexable, Duration::ZERO)) };
     let (expansion, time) = timed(&tokens)?;
-    let slow = time > PATIENCE && timed(&tokens)?.1 > patience()?;
-    if slow {
+    if time > PATIENCE && is_slow(&tokens)? {
         return Err(format!("takes {time:?}"));
     }
     let refused = mentions(&expansion, "compile_error");
@@ -50,6 +51,16 @@ pub(crate) fn judge(text: &str) -> Result<(Verdict, Duration), String> {
         }
         _ => Err("stages and expansion disagree".to_owned()),
     }
+}
+
+/// What else a machine does comes and goes: what is slow is slow each time that it is tried.
+fn is_slow(tokens: &TokenStream) -> Result<bool, String> {
+    for _ in 0..TRIES {
+        if timed(tokens)?.1 <= patience()? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// [`PATIENCE`] where and while the machine is slower: threads that share a core take up to twice the time.
