@@ -242,3 +242,27 @@ fn the_outputs_are_one_motion() {
         approx::assert_abs_diff_eq!(y, -theta.cos(), epsilon = 8e-15);
     }
 }
+
+/// Just below a power of two anchors a sum with another phase at t = 0 is rounded in the binade above, where a tie may go
+/// either way: the remainder is then a little beyond its range, and isn't cut off. (Exact values: mpmath, 60 digits.)
+#[test]
+fn remainders_beside_a_tie() {
+    pendulum! { struct Below; velocity0 = 2 - 702e-14, t_max = 233109.097, tol = 2.792e-11, outputs = [velocity] }
+    pendulum! { struct Above; velocity0 = 2 + 767e-16, t_max = 4221.6134, tol = 5.663e-13, outputs = [velocity] }
+    pendulum! { struct Angle; velocity0 = 2 - 491e-12, t_max = 31.895692, tol = 7.5e-15 }
+    for (found, exact, bound) in [
+        (Below::velocity(-2.331_014_366_020_370_5e5), 1.625_024_782_947_224_7, Below::MAX_VELOCITY_ERROR),
+        (Above::velocity(4.219_574_547_649_768e3), 1.522_367_110_575_919_5, Above::MAX_VELOCITY_ERROR),
+        (Angle::theta(-24.018_047_231_087_934), -0.376_002_259_025_195_9, Angle::MAX_ERROR),
+    ] {
+        let error: f64 = found - exact;
+        assert!(error.abs() <= bound, "{error:e} exceeds {bound:e}");
+    }
+}
+
+/// Beyond 2⁵¹ anchors the sum that rounds in one word has no odd numbers: the sign of a swing would be lost.
+#[test]
+fn signs_after_many_anchors() {
+    let theta = pendulum!(theta0 = 0.5, tol = 0.7, float = f32, t_max = 1e16);
+    assert!((theta(-7_436_522_735_271_936.0) + 0.499_979_86).abs() < 0.7);
+}

@@ -116,7 +116,8 @@ impl<'a> Clock<'a> {
         let drift = self.horizon() * self.off(&[rate]);
         (anchors < self.float.magic() / 8.0).then(|| {
             let error = drift + self.rounding_in_one_word(anchors, self.float);
-            self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], 0.0)
+            let overshoot = self.beside_a_tie(Origin::Anchor, anchors, self.float);
+            self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], overshoot)
         })
     }
 
@@ -169,8 +170,8 @@ impl<'a> Clock<'a> {
         let crosses = exponent(half * (1.0 + 1e-6)) != exponent(half * (1.0 - 1e-6));
         let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * 1.000_001;
-        // Of three words the second difference is rounded, too; the third then isn't where the first is.
-        let differences = (count as f64 - 1.0).max(1.0 + self.halfway(origin));
+        // Of three words the second difference is rounded, too, and half-way between two origins all three are.
+        let differences = count as f64 - 1.0 + self.halfway(origin);
         let rounding = |anchors: f64| half_ulp(anchors / rate * 1.001, self.float) * rate;
         // Another launch is added last: a constant below a quarter, after two differences below three quarters.
         let launched = if self.is_exact() { 0.0 } else { 2.0 * rounding(0.75) + rounding(0.25) };
@@ -187,11 +188,21 @@ impl<'a> Clock<'a> {
         3.01 * anchors * self.float.unit()
     }
 
+    /// How far beyond half an anchor, or half a piece, a remainder may be because n was rounded from a rounded sum with
+    /// another phase at t = 0: just below a power of two that is in the binade above, where a tie can go either way.
+    fn beside_a_tie(&self, origin: Origin, anchors: f64, float: Float) -> f64 {
+        let without_sum = origin == Origin::Anchor && self.launch == Double::ZERO;
+        if without_sum { 0.0 } else { 2.0 * half_ulp(anchors * 1.001 + 1.0, float) }
+    }
+
     fn wide(&self, origin: Origin) -> Reduction {
         let rate = self.rate.to_f64();
         let anchors = self.horizon() * rate;
         let drift = self.horizon() * self.off(&[rate]) + self.rounding_in_one_word(anchors, Float::F64);
-        let reduction = self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), 0.0);
+        // Beyond, the sum that rounds has no odd numbers.
+        let drift = if anchors < Float::F64.magic() / 8.0 { drift } else { f64::INFINITY };
+        let overshoot = self.beside_a_tie(origin, anchors, Float::F64);
+        let reduction = self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), overshoot);
         Reduction { rounding: NARROWING, ..reduction }
     }
 

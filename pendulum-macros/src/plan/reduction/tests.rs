@@ -151,11 +151,12 @@ fn errors_are_those_promised() {
     // Every way from every launch, but for the one that is only for none.
     assert_eq!(worst.len(), 17 * 4 + 2, "{worst:?}");
     for (way, worst) in worst {
-        // Of any time, sums of several parts are rarely all at their worst; of three words the drift depends on the
-        // rate.
+        // Of any time, sums of several parts are rarely all at their worst, nor are three differences; of three words
+        // the drift depends on the rate.
         let least = match way.0.as_str() {
             "AnyTime 3" => 0.02,
             "AnyTime 4" => 0.2,
+            "CodyWaite 3" => 0.3,
             _ => 0.35,
         };
         assert!(worst > least, "{way:?}: of its error only {worst} was seen");
@@ -296,7 +297,7 @@ fn cody_waite(
 fn roundings_of_differences() {
     let u = Float::F64.unit();
     for (rate, half, escapes) in [("0.7", u / 2.0, 0.0), ("0.49999995", u, u), ("0.50000005", u, u)] {
-        for (count, launch, differences) in [(2, 0.0, 1.0), (3, 0.0, 2.0), (2, 0.5, 2.0), (3, 0.5, 2.0)] {
+        for (count, launch, differences) in [(2, 0.0, 1.0), (3, 0.0, 2.0), (2, 0.5, 2.0), (3, 0.5, 3.0)] {
             let (from_anchor, rate) = cody_waite(rate, launch, 3.0, (count, Origin::Anchor), Float::F64);
             let (from_lowest, _) =
                 cody_waite(&rate.to_f64().to_string(), launch, 3.0, (count, Origin::Lowest), Float::F64);
@@ -304,7 +305,7 @@ fn roundings_of_differences() {
             let excess = from_anchor.error / (rate * (escapes + differences * half)) - 1.0;
             assert!((-1e-15..2e-6).contains(&excess), "{from_anchor:?}: {excess:e}");
             // Half an anchor on, an origin is half-way between two of the others.
-            let differences = if count == 2 { 3.0 - differences } else { 2.0 };
+            let differences = 2.0 * count as f64 - 1.0 - differences;
             let excess = from_lowest.relative_error / (differences * u) - 1.0;
             assert!((0.0..2e-3).contains(&excess), "{from_lowest:?}: {excess:e}");
             assert!((from_lowest.error - rate * escapes).abs() <= 2e-6 * u, "{from_lowest:?}");
