@@ -24,8 +24,8 @@ struct Reported;
 /// The value, or the fact that its mistake has been reported.
 type Checked<T> = Result<T, Reported>;
 
-/// The scene that `request` asks for. All mistakes, those of its syntax too, are in `report`; where there are any, a scene
-/// is for the planner to say what it refuses besides: `None` if that might follow from a mistake.
+/// The scene that `request` asks for. All mistakes, those of its syntax too, are in `report`; where there are any, a
+/// scene is for the planner to say what it refuses besides: `None` if that might follow from a mistake.
 pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
     let mut checker = Checker { context: Context::for_digits(request.digits()), request: &request, report };
     let motion = checker.motion();

@@ -1,7 +1,7 @@
 //! Straight-line programs: what a plan computes, one operation a node.
 //!
-//! The same value is interpreted to check it, analysed for rounding, counted for its cost and printed as Rust. All of them
-//! therefore speak of the very same operations in the very same order.
+//! The same value is interpreted to check it, analysed for rounding, counted for its cost and printed as Rust. All of
+//! them therefore speak of the very same operations in the very same order.
 
 pub(crate) mod cost;
 pub(crate) mod interpret;

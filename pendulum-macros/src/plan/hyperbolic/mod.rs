@@ -98,7 +98,7 @@ impl Hyperbolic {
     pub(crate) fn new(output: Output, passage: Passage, half: f64, factor: Double, limit: f64) -> Self {
         let q = passage.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
-        // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83.
+        // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83: less than the bound that is given.
         let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * LN_2) * 2.0);
         let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));

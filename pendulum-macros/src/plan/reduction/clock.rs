@@ -25,6 +25,13 @@ pub(crate) struct Clock<'a> {
     pub(crate) float: Float,
 }
 
+/// The time times the rate in one word, how wrong that is, and how far the remainder may be beyond its range.
+struct Product {
+    rate: f64,
+    error: f64,
+    overshoot: f64,
+}
+
 impl<'a> Clock<'a> {
     /// For the horizon and the float of a scene.
     pub(crate) fn new(scene: &Scene, rate: &'a Real, launch: &Real) -> Self {
@@ -47,7 +54,7 @@ impl<'a> Clock<'a> {
             Float::F64 => vec![self.any_time(3, Anchor), self.any_time(4, Anchor), self.any_time(4, Lowest)],
             Float::F32 => {
                 let any_time = [self.wide_any_time(Anchor), self.wide_any_time(Lowest), self.fine_any_time()];
-                [self.wide(Anchor), self.wide(Lowest)].into_iter().chain(any_time).collect()
+                [self.wide(Anchor), self.wide(Lowest)].into_iter().flatten().chain(any_time).collect()
             }
         };
         let unsure = common.into_iter().chain(cody_waite).flatten();
@@ -109,16 +116,23 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// |t|·|R − fl(R)| and the rounding of the product; the subtraction is exact.
     fn one_word(&self) -> Option<Reduction> {
+        let Product { rate, error, overshoot } = self.product(Origin::Anchor, self.float)?;
+        Some(self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], overshoot))
+    }
+
+    /// The error is |t|·|R − fl(R)| and the rounding of the product; the subtraction of n is exact.
+    ///
+    /// With another phase at t = 0 n is rounded from a rounded sum: just below a power of two that is in the binade above,
+    /// where a tie can go either way, and the remainder is beyond half an anchor, or half a piece, by as much.
+    fn product(&self, origin: Origin, float: Float) -> Option<Product> {
         let anchors = self.horizon() * self.rate.to_f64();
-        let rate = self.float.round(self.rate.to_f64());
-        let drift = self.horizon() * self.off(&[rate]);
-        (anchors < self.float.magic() / 8.0).then(|| {
-            let error = drift + self.rounding_in_one_word(anchors, self.float);
-            let overshoot = self.beside_a_tie(Origin::Anchor, anchors, self.float);
-            self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], overshoot)
-        })
+        let rate = float.round(self.rate.to_f64());
+        let error = self.horizon() * self.off(&[rate]) + self.rounding_in_one_word(anchors, float);
+        let without_sum = origin == Origin::Anchor && self.launch == Double::ZERO;
+        let overshoot = if without_sum { 0.0 } else { 2.0 * half_ulp(anchors * 1.001 + 1.0, float) };
+        // Beyond, the sum that rounds has no odd numbers.
+        (anchors < float.magic() / 8.0).then_some(Product { rate, error, overshoot })
     }
 
     /// |t|·|AR − R′|, the rounding of the product t·R′ (least for its digits where the last of them stands just below a
@@ -188,22 +202,10 @@ impl<'a> Clock<'a> {
         3.01 * anchors * self.float.unit()
     }
 
-    /// How far beyond half an anchor, or half a piece, a remainder may be because n was rounded from a rounded sum with
-    /// another phase at t = 0: just below a power of two that is in the binade above, where a tie can go either way.
-    fn beside_a_tie(&self, origin: Origin, anchors: f64, float: Float) -> f64 {
-        let without_sum = origin == Origin::Anchor && self.launch == Double::ZERO;
-        if without_sum { 0.0 } else { 2.0 * half_ulp(anchors * 1.001 + 1.0, float) }
-    }
-
-    fn wide(&self, origin: Origin) -> Reduction {
-        let rate = self.rate.to_f64();
-        let anchors = self.horizon() * rate;
-        let drift = self.horizon() * self.off(&[rate]) + self.rounding_in_one_word(anchors, Float::F64);
-        // Beyond, the sum that rounds has no odd numbers.
-        let drift = if anchors < Float::F64.magic() / 8.0 { drift } else { f64::INFINITY };
-        let overshoot = self.beside_a_tie(origin, anchors, Float::F64);
-        let reduction = self.reduction(Method::Wide { rate }, origin, self.narrowed(drift, origin), overshoot);
-        Reduction { rounding: NARROWING, ..reduction }
+    fn wide(&self, origin: Origin) -> Option<Reduction> {
+        let Product { rate, error, overshoot } = self.product(origin, Float::F64)?;
+        let reduction = self.reduction(Method::Wide { rate }, origin, self.narrowed(error, origin), overshoot);
+        Some(Reduction { rounding: NARROWING, ..reduction })
     }
 
     /// The first two products are exact (24 + 29 bits); the sum of the second and third, below 2²⁶, is rounded to 2⁻²⁸.
@@ -307,3 +309,6 @@ impl<'a> Clock<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

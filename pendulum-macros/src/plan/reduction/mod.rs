@@ -126,7 +126,7 @@ impl Reduction {
         })
     }
 
-    /// By that method, from an anchor passed at t = 0, without an error: what others differ from.
+    /// By that method, with an anchor passed at t = 0 and without an error: what others differ from.
     fn exact(method: Method, origin: Origin, float: Float) -> Self {
         Self {
             method,
