@@ -22,12 +22,12 @@ pub(crate) struct Arcsine {
 const DIRECT: f64 = 0.4;
 
 impl Arcsine {
-    /// For arguments up to `most`, with an error of the ratio of at most `limit`.
-    pub(crate) fn new(most: f64, limit: f64) -> Self {
+    /// For arguments from −`beyond`, which is little, to `most`, with an error of the ratio of at most `limit`.
+    pub(crate) fn new(beyond: f64, most: f64, limit: f64) -> Self {
         let direct = most * most < DIRECT;
-        let end = if direct { (most * most).max(1e-6) } else { 0.5 };
-        // Rounded up to few bits, so that the change of variable is exact.
-        let end = f64::from((end * 1.0001) as f32);
+        let end = if direct { (most * most).max(1e-6) * 1.0001 } else { 0.5 + beyond.max(5e-5) };
+        // To few bits, so that the change of variable is exact.
+        let end = f64::from(end as f32);
         let ratio = Fit::new(&Domain::reaching(end, end - 1.0, FRAC_PI_2), limit, ratio);
         Self { ratio, complement: !direct }
     }
@@ -64,7 +64,7 @@ impl Arcsine {
     }
 }
 
-/// arcsin √z/√z = Σ (2j)!/(4ʲ j!² (2j + 1)) zʲ, for 0 ≤ z ≤ 0.51.
+/// arcsin √z/√z = Σ (2j)!/(4ʲ j!² (2j + 1)) zʲ, for 0 ≤ z < 1.
 fn ratio(z: Double) -> Double {
     let (mut weight, mut sum, mut j) = (Double::ONE, Double::ONE, 0.0);
     while weight.hi > 1e-34 {
@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn keeps_its_bound_directly_and_by_the_complement() {
         for most in [0.1, 0.6, 0.95, 0.999_999] {
-            let arcsine = Arcsine::new(most, 1e-17);
+            let arcsine = Arcsine::new(0.0, most, 1e-17);
             let mut b = Builder::new(Float::F64);
             let y = b.input();
             let result = arcsine.lower(&mut b, y, 1.0);
@@ -98,6 +98,22 @@ mod tests {
         }
     }
 
+    /// Of arguments below 0, too, by the complement.
+    #[test]
+    fn beyond_the_lowest_point() {
+        for (beyond, limit) in [(1e-3, 1e-9), (0.05, 1e-7), (0.3, 1e-5)] {
+            let mut b = Builder::new(Float::F64);
+            let y = b.input();
+            let result = Arcsine::new(beyond, 0.9, limit).lower(&mut b, y, 1.0);
+            let program = b.finish(vec![result]);
+            for y in [-beyond, -0.5 * beyond, 0.0] {
+                let bound = program.rounding(&[(0, Known::between(y, y))])[0].error;
+                let error = (program.run(y)[0] - 2.0 * y.asin()).abs();
+                assert!(error <= bound && bound <= 3.0 * limit, "{y} of {beyond}: {error:e} of {bound:e}");
+            }
+        }
+    }
+
     /// Coarse fits are wrong by what their bound says, most so at the end of their range: the largest y, or 0 of the
     /// complement.
     #[test]
@@ -106,7 +122,7 @@ mod tests {
             for limit in [1e-3, 1e-5, 1e-7] {
                 let mut b = Builder::new(Float::F64);
                 let y = b.input();
-                let result = Arcsine::new(most, limit).lower(&mut b, y, 1.0);
+                let result = Arcsine::new(0.0, most, limit).lower(&mut b, y, 1.0);
                 let program = b.finish(vec![result]);
                 let bound = program.rounding(&[(0, Known::between(worst, worst))])[0].error;
                 let error = (program.run(worst)[0] - 2.0 * worst.asin()).abs();

@@ -138,7 +138,9 @@ impl Harmonics {
     pub(super) fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
         let float = reduction.float;
         let sum = |name, curve, order, weights: &[Double], factor: f64| {
-            let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * total(weights, 0);
+            // The factor before u₁ ∓ u₂, which are at most these.
+            let both = total(weights, 0) + total(weights, 1);
+            let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * both;
             let error =
                 if self.folded.is_some() { cosine } else { recurrence() + half_ulp(total(weights, 0).min(1.0), float) };
             Sum { name, curve, order, error }

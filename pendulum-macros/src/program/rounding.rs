@@ -53,12 +53,15 @@ impl Known {
         self.low.abs().max(self.high.abs())
     }
 
-    /// The interval of an operation that is monotone in each operand, its ends rounded as the program rounds.
-    fn corners(self, other: Self, float: Float, f: impl Fn(f64, f64) -> f64) -> (f64, f64) {
-        let ends =
-            hull([f(self.low, other.low), f(self.low, other.high), f(self.high, other.low), f(self.high, other.high)]);
-        (float.round(ends.0), float.round(ends.1))
+    /// The interval of an operation that is monotone in each operand, before it is rounded.
+    fn corners(self, other: Self, f: impl Fn(f64, f64) -> f64) -> (f64, f64) {
+        hull([f(self.low, other.low), f(self.low, other.high), f(self.high, other.low), f(self.high, other.high)])
     }
+}
+
+/// The ends of an interval, rounded as the program rounds.
+fn rounded((low, high): (f64, f64), float: Float) -> (f64, f64) {
+    (float.round(low), float.round(high))
 }
 
 /// The least interval with all of them.
@@ -153,7 +156,7 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
         Op::Widen(x) => known[x].passed_on(),
         Op::Narrow(x) => {
             let Known { low, high, error, .. } = known[x];
-            Known::result((float.round(low), float.round(high)), error, half_ulp(known[x].magnitude(), float))
+            Known::result(rounded((low, high), float), error, half_ulp(known[x].magnitude(), float))
         }
     }
 }
@@ -164,18 +167,23 @@ fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
 }
 
 fn sum(a: Known, b: Known, float: Float) -> Known {
-    let (low, high) = a.corners(b, float, |x, y| x + y);
+    let (low, high) = rounded(a.corners(b, |x, y| x + y), float);
     let ends = [(a.low, b.low), (a.high, b.high)];
     let exact = ends.into_iter().all(|(x, y)| two_sum(x, y).1 == 0.0 && float.round(x + y) == x + y);
     Known::result((low, high), a.error + b.error, rounding(low, high, exact, float))
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
-    let (low, high) = a.corners(b, float, |x, y| x * y);
+    let (low, high) = rounded(a.corners(b, |x, y| x * y), float);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
     let exact = ends.into_iter().all(|(x, y)| two_prod(x, y).1 == 0.0 && float.round(x * y) == x * y);
-    let scaling = [a, b].iter().any(|x| x.low == x.high && x.error == 0.0 && is_power_of_two(x.low.abs()));
-    let rounding = if scaling { 0.0 } else { rounding(low, high, exact, float) };
+    let power = [a, b].into_iter().filter(|x| x.low == x.high && x.error == 0.0).map(|x| x.low.abs());
+    let rounding = match power.filter(|&x| is_power_of_two(x)).reduce(f64::max) {
+        Some(power) if power >= 1.0 => 0.0,
+        // Nothing but what may underflow.
+        Some(_) => half_ulp(0.0, float),
+        None => rounding(low, high, exact, float),
+    };
     Known::result((low, high), a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error, rounding)
 }
 
@@ -198,16 +206,19 @@ fn quotient(a: Known, b: Known, float: Float) -> Known {
     if b.low <= 0.0 && b.high >= 0.0 || least <= 0.0 {
         return Known::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
     }
-    let (low, high) = a.corners(b, float, |x, y| x / y);
-    let magnitude = low.abs().max(high.abs());
-    Known::result((low, high), (a.error + magnitude * b.error) / least, half_ulp(magnitude, float))
+    let exact = a.corners(b, |x, y| x / y);
+    let magnitude = exact.0.abs().max(exact.1.abs());
+    let range = rounded(exact, float);
+    let local = half_ulp(range.0.abs().max(range.1.abs()), float);
+    Known::result(range, (a.error + magnitude * b.error) / least, local)
 }
 
 /// |√a − √b| is at most both |a − b|/√a and √|a − b|.
 fn root(x: Known, float: Float) -> Known {
-    let (low, high) = (float.round(x.low.max(0.0).sqrt()), float.round(x.high.max(0.0).sqrt()));
-    let inherited = if low > 0.0 { (x.error / low).min(x.error.sqrt()) } else { x.error.sqrt() };
-    let local = ROOT_ERROR * float.unit() * high;
+    let exact = (x.low.max(0.0).sqrt(), x.high.max(0.0).sqrt());
+    let inherited = if exact.0 > 0.0 { (x.error / exact.0).min(x.error.sqrt()) } else { x.error.sqrt() };
+    let local = ROOT_ERROR * float.unit() * exact.1;
+    let (low, high) = rounded(exact, float);
     Known::result((low * (1.0 - 1e-6), high * (1.0 + 1e-6)), inherited, local)
 }
 

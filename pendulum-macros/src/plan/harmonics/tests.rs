@@ -94,10 +94,11 @@ fn intervals_hold(harmonics: &Harmonics, reduction: &Reduction, errors: [f64; 2]
         let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
         assert!(known.low <= least - known.error && known.high >= most + known.error, "{name} {low}: {known:?}");
         let unit = reduction.float.unit();
+        let both: f64 = weights.iter().enumerate().map(|(n, w)| w.hi.abs() * (2 * n + 1) as f64).sum();
         let sum = if harmonics.folded.is_some() {
             error
         } else {
-            recurrence_error(weights, errors[0], unit) + error * total(weights, 0) + half_ulp(1.0, reduction.float)
+            recurrence_error(weights, errors[0], unit) + error * both + half_ulp(1.0, reduction.float)
         };
         assert!((known.error / sum - 1.0).abs() < 1e-12 || sum == 0.0, "{name}: {:e} {sum:e}", known.error);
         // What Taylor's theorem leaves is little beside what the sum does in the interval.

@@ -103,10 +103,6 @@ impl Hyperbolic {
         let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
-        // On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of whose inverse the arctangent is a mean.
-        let angle = output.is_angle();
-        let arctangent =
-            angle.then(|| Fit::new(&Domain::reaching(1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
         // With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at
         // most √q′, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by
         // q′F·2E(1 − E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. What no
@@ -119,6 +115,12 @@ impl Hyperbolic {
         ];
         let matters = |&&(_, change): &&(Images, f64)| change > limit / 8.0;
         let images = levels.iter().rev().find(matters).map_or(Images::Nothing, |level| level.0);
+        // At the lowest point A = (1 + q′)/(1 + q′M) in a swing, of which the divisor may not matter. On the ellipse that
+        // reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of whose inverse the arctangent is a mean.
+        let largest = if images == Images::Sum { (1.0 + q) * (1.0 + q) } else { 1.0 };
+        let arctangent = output
+            .is_angle()
+            .then(|| Fit::new(&Domain::reaching(largest * 1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
         let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
         let truncation = left_out.sum::<f64>() + 5.0 * q.powi(6);
         // A truncation of a few units of rounding is asked for where full precision is.

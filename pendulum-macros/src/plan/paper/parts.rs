@@ -15,6 +15,7 @@ use crate::plan::{Bound, Part, bias};
 use crate::program::rounding::half_ulp;
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
+use std::f64::consts::PI;
 
 /// An output, and what doesn't depend on the reduction.
 pub(super) struct Wanted {
@@ -122,7 +123,7 @@ impl Sum {
         let one = scene.motion.omega.context().integer(1);
         let cosine = base(&Curve::cosine(&one));
         let sine = derivative.then(|| base(&Curve::sine()));
-        let arcsine = (!self.coefficients.is_empty()).then(|| self.arcsine(scene));
+        let arcsine = (!self.coefficients.is_empty()).then(|| self.arcsine(reduction));
         let cosines = match (derivative, &arcsine) {
             (_, Some(_)) => self.weights.clone(),
             (false, None) => self.weights.iter().map(|&weight| weight * direction).collect(),
@@ -154,9 +155,11 @@ impl Sum {
         self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
     }
 
-    /// For arguments up to the largest that occurs.
-    fn arcsine(&self, scene: &Scene) -> Arcsine {
-        Arcsine::new(self.size(), scene.float.unit() / 2.0)
+    /// For arguments up to the largest that occurs, from the lowest point, or a little beyond it, on.
+    fn arcsine(&self, reduction: &Reduction) -> Arcsine {
+        let slope = |(index, w): (usize, &Double)| w.hi.abs() * (2 * index + 1) as f64 * PI;
+        let steepest: f64 = self.weights.iter().enumerate().map(slope).sum();
+        Arcsine::new(steepest * reduction.overshoot, self.size(), reduction.float.unit() / 2.0)
     }
 
     /// Bounds the argument of the arcsine.

@@ -45,8 +45,8 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     (1..=3).find_map(|more| {
         let points = (terms * (1.0 + 0.15 * f64::from(more))).ceil() as usize + 4;
         let series = interpolant(&sum, map, points)?;
-        let error = error(&sum, map, &series, negligible)?;
-        (error <= negligible).then(|| Approximation::known(map, series, error))
+        let Distance { within, growth } = distance(&sum, map, &series, negligible)?;
+        (within <= negligible).then(|| Approximation::known(map, series, within, growth))
     })
 }
 
@@ -94,9 +94,19 @@ pub(super) fn twice_arcsine(y: Double) -> Option<Double> {
     (y.hi.abs() < 1.0).then_some(x * Double::PI * 2.0)
 }
 
-/// Bounds the distance of `series` from θ̂ on the interval; `None` if the sum may reach 1.
-fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<f64> {
-    let Interpolation { points, error, .. } = enough_points(sum, map, series, negligible * 1e-4)?;
+/// A bound of how far a series is from θ̂ on the interval, and by which power of its parameter it grows on ellipses
+/// about it.
+struct Distance {
+    within: f64,
+    growth: f64,
+}
+
+/// The distance of `series`; `None` if the sum may reach 1.
+///
+/// By Hadamard's theorem of three circles a residual below r on the interval and below B on the ellipse with parameter ρ
+/// is below r·(B/r)^(ln x/ln ρ) on that with parameter x.
+fn distance(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<Distance> {
+    let Interpolation { points, rho, error } = enough_points(sum, map, series, negligible * 1e-4)?;
     let sample = |u: Double| {
         let s = phase(map, u);
         let y = sum.at(s);
@@ -104,7 +114,10 @@ fn error(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -
         (Point { s: s.hi, y: y.hi.abs() }, residual.hi.abs())
     };
     let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = CosineTable::new(points).points().map(sample).unzip();
-    of_residual(sum, &points_of_sum, residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + error)
+    let residual = residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + error;
+    let within = of_residual(sum, &points_of_sum, residual)?;
+    let growth = libm::log(bound(sum, map, series, rho)? / residual) / libm::log(rho);
+    Some(Distance { within, growth })
 }
 
 /// What a residual of the sine makes of the angle; `None` if the sum, known at some points, may reach 1.
@@ -188,7 +201,7 @@ pub(super) mod tests {
             let epsilon = 1e-9 * largest;
             for map in [None, Some(Moebius::new(0.14))] {
                 let Some(series) = interpolant(&sum, map, 90) else { panic!("{theta0} {terms}") };
-                let exact = error(&sum, map, &series, 1e-26).unwrap();
+                let exact = distance(&sum, map, &series, 1e-26).unwrap().within;
                 // Without a map 90 terms leave 10⁻¹⁵ at 7π/8.
                 assert!(exact <= if map.is_some() { 1e-24 } else { 1e-15 }, "{theta0} {terms} {map:?}: {exact:e}");
                 for spoilt in [0, 3, 40] {
@@ -196,11 +209,42 @@ pub(super) mod tests {
                     series[spoilt] = series[spoilt] + Double::new(epsilon);
                     let Interpolation { points, .. } = enough_points(&sum, map, &series, 1e-30).unwrap();
                     let expected = epsilon * lebesgue(points) / (1.0 - largest * largest).sqrt();
-                    let seen = error(&sum, map, &series, 1e-26).unwrap() / expected;
+                    let seen = distance(&sum, map, &series, 1e-26).unwrap().within / expected;
                     assert!((0.99..1.02).contains(&seen), "{theta0} {terms} {map:?} {spoilt}: {seen}");
                 }
             }
         }
+    }
+
+    /// Somewhat beyond the lowest point the series is no farther from twice the arcsine than the growth of its distance
+    /// says.
+    #[test]
+    fn distances_grow_beyond_the_lowest_point() {
+        let mut grown = 0;
+        for (theta0, terms, points, beyond) in [("1", 2, 12, 0.05), ("7π/8", 4, 24, 0.01), ("2", 3, 16, 0.03)] {
+            let scene = scene(&format!("theta0 = {theta0}"));
+            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+            let sum = Wave::harmonics(&weights(swing, terms));
+            for map in [None, Some(Moebius::new(0.25))] {
+                let series = interpolant(&sum, map, points).unwrap();
+                let Distance { within, growth } = distance(&sum, map, &series, 1e-20).unwrap();
+                let known = Approximation::known(map, series.clone(), within, growth);
+                let error = |s: f64| {
+                    let p = Double::new(s) * s;
+                    let image = map.map_or(p, |map| {
+                        Double::new(map.end()) - Double::new(map.scale()) / (p + Double::new(map.place))
+                    });
+                    (value(&series, image * 8.0 - Double::ONE) - twice_arcsine(sum.at(Double::new(s))).unwrap())
+                        .hi
+                        .abs()
+                };
+                let seen = (0..=100).map(|i| error(0.5 + beyond * f64::from(i) / 100.0)).fold(0.0, f64::max);
+                let [inner, outer] = [0.0, beyond].map(|beyond| known.truncation(points, beyond));
+                assert!(seen <= outer, "{theta0} {map:?}: {inner:e} {seen:e} {outer:e}");
+                grown += u32::from(seen > inner);
+            }
+        }
+        assert!(grown > 3, "{grown}");
     }
 
     /// Of a series that is right, few points see nothing but their own error.
@@ -213,7 +257,7 @@ pub(super) mod tests {
         let map = Some(Moebius::new(0.25));
         let series = interpolant(&sum, map, 90).unwrap();
         let Interpolation { error: own, .. } = enough_points(&sum, map, &series, 1e-6).unwrap();
-        let found = error(&sum, map, &series, 1e-2).unwrap();
+        let found = distance(&sum, map, &series, 1e-2).unwrap().within;
         // The largest sum between points is overestimated.
         let times = found / (2.0 * own / (1.0 - largest * largest).sqrt());
         assert!((1.0..1.5).contains(&times), "{found:e}: {times}");
@@ -233,7 +277,7 @@ pub(super) mod tests {
         let residual = 0.5 * epsilon * lebesgue(points);
         let most = sum.at(Double::ZERO).hi + residual;
         let expected = 2.0 * residual / (1.0 - most * most).sqrt();
-        let found = error(&sum, Some(Moebius::new(0.14)), &series, 1e-26).unwrap();
+        let found = distance(&sum, Some(Moebius::new(0.14)), &series, 1e-26).unwrap().within;
         assert!((found / expected - 1.0).abs() < 0.01, "{found:e} {expected:e}");
     }
 

@@ -37,22 +37,45 @@ pub(crate) struct Approximation {
     /// Applied to p, if any: the series is of its image.
     map: Option<Moebius>,
     series: Vec<Double>,
-    /// Error of the whole series.
+    /// Error of the whole series on the interval, and what is known of it outside.
     remainder: f64,
-    /// Points of interpolation, and ln ρ of the ellipse where the curve is bounded.
-    points: usize,
-    log_rho: f64,
+    growth: Growth,
     /// What dropping all but so many terms changes, once it is known.
     dropped: RefCell<BTreeMap<usize, f64>>,
     /// The shifts found, by terms and chunk.
     choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
 }
 
+/// How the error of a whole series grows on ellipses about its interval.
+#[derive(Clone, Debug)]
+enum Growth {
+    /// It is due to so many points of interpolation, ln ρ being that of the ellipse where the curve is bounded: a sum of
+    /// Tⱼ for j from their number on, in which the weights fall like ρ⁻ʲ.
+    Points { points: usize, log_rho: f64 },
+    /// By this power of their parameter at most.
+    Power(f64),
+}
+
+impl Growth {
+    /// Where the ellipse has this logarithm of its parameter.
+    fn at(&self, log: f64) -> f64 {
+        match *self {
+            Self::Points { log_rho, .. } if log >= 0.9 * log_rho => f64::INFINITY,
+            // Outside of the interval Tⱼ grows by a factor from one to the next.
+            Self::Points { points, log_rho } => {
+                let tail = (1.0 - libm::exp(-log_rho)) / (1.0 - libm::exp(log - log_rho));
+                tail * libm::cosh(points as f64 * log)
+            }
+            Self::Power(power) => libm::exp(power * log),
+        }
+    }
+}
+
 impl Approximation {
     /// Interpolates `curve`, over `pole` if any, so well that the error left is below `negligible`; `None` if that takes
     /// too many points.
     pub(crate) fn new(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Self> {
-        let negligible = negligible * pole.map_or(1.0, Pole::least);
+        let negligible = negligible * pole.map_or(1.0, |pole| pole.least(0.5));
         let interpolation = enough_points(curve, pole, negligible)?;
         Some(Self::with_points(curve, pole, negligible, &interpolation))
     }
@@ -87,24 +110,22 @@ impl Approximation {
             map: None,
             series,
             remainder,
-            points,
-            log_rho: libm::log(rho),
+            growth: Growth::Points { points, log_rho: libm::log(rho) },
             dropped: RefCell::default(),
             choices: RefCell::default(),
         }
     }
 
-    /// An even function of which the series and its error are known.
-    pub(crate) fn known(map: Option<Moebius>, series: Vec<Double>, remainder: f64) -> Self {
-        let (parity, pole, points, log_rho) = (Parity::Even, None, series.len(), f64::INFINITY);
+    /// An even function of which the series and its error are known, and by which power of an ellipse's parameter that
+    /// grows.
+    pub(crate) fn known(map: Option<Moebius>, series: Vec<Double>, remainder: f64, growth: f64) -> Self {
         Self {
-            parity,
-            pole,
+            parity: Parity::Even,
+            pole: None,
             map,
             series,
             remainder,
-            points,
-            log_rho,
+            growth: Growth::Power(growth),
             dropped: RefCell::default(),
             choices: RefCell::default(),
         }
@@ -113,11 +134,10 @@ impl Approximation {
     /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
         let dropped = terms.min(self.series.len())..self.series.len();
-        let beyond = self.sum(dropped.clone(), |j| libm::cosh(j * growth(overshoot)) - 1.0);
+        let beyond = self.sum(dropped.clone(), |j| libm::cosh(j * ellipse_of(overshoot)) - 1.0);
         let whole = self.without(dropped, overshoot);
         let within = *self.dropped.borrow_mut().entry(terms).or_insert_with(|| self.supremum(terms));
-        // Of the margin is what the poles and the phase are beyond, as for the least value of poles.
-        let sharp = within * (1.0 + 1e-3) + beyond * self.outer_weight(overshoot);
+        let sharp = within * self.gain(overshoot) + beyond * self.weight(overshoot);
         whole.min(sharp) + self.least_truncation(overshoot)
     }
 
@@ -129,8 +149,7 @@ impl Approximation {
 
     /// What dropping these terms changes at most, whatever their signs.
     fn without(&self, dropped: Range<usize>, overshoot: f64) -> f64 {
-        let growth = growth(overshoot);
-        self.sum(dropped, |j| libm::cosh(j * growth)) * self.outer_weight(overshoot)
+        self.sum(dropped, |j| libm::cosh(j * ellipse_of(overshoot))) * self.weight(overshoot)
     }
 
     /// The magnitudes of these coefficients, each weighted.
@@ -138,20 +157,24 @@ impl Approximation {
         of.map(|j| self.series[j].hi.abs() * weight(j as f64)).sum()
     }
 
-    /// The error of the whole series. Its part due to the points is a sum of Tⱼ for j from their number on, in which
-    /// the weights fall like ρ⁻ʲ; outside of the interval Tⱼ grows by a factor from one to the next.
+    /// The error of the whole series.
     fn least_truncation(&self, overshoot: f64) -> f64 {
-        let growth = growth(overshoot);
-        if growth >= 0.9 * self.log_rho {
-            return f64::INFINITY;
-        }
-        let tail = (1.0 - libm::exp(-self.log_rho)) / (1.0 - libm::exp(growth - self.log_rho));
-        self.remainder * tail * libm::cosh(self.points as f64 * growth) * self.outer_weight(overshoot)
+        self.remainder * self.growth.at(ellipse_of(overshoot)) * self.weight(overshoot)
     }
 
-    fn outer_weight(&self, overshoot: f64) -> f64 {
-        let weight = if self.parity == Parity::Odd { 0.5 + overshoot } else { 1.0 };
-        weight / self.pole.map_or(1.0, Pole::least) * (1.0 + 1e-12)
+    /// What an error of the polynomial is multiplied with in the value, at most.
+    fn weight(&self, overshoot: f64) -> f64 {
+        let phase = 0.5 + overshoot;
+        let odd = if self.parity == Parity::Odd { phase } else { 1.0 };
+        odd / self.pole.map_or(1.0, |pole| pole.least(phase)) * (1.0 + 1e-12)
+    }
+
+    /// How much more than at the end of the interval that is beyond it.
+    fn gain(&self, overshoot: f64) -> f64 {
+        let phase = 0.5 + overshoot;
+        let odd = if self.parity == Parity::Odd { 2.0 * phase } else { 1.0 };
+        let least = |pole: Pole, phase: f64| pole.least_between(0.25, phase * phase);
+        odd * self.pole.map_or(1.0, |pole| least(pole, 0.5) / least(pole, phase))
     }
 
     /// The fewest terms, at least two, whose truncation error is at most `limit`.
@@ -204,7 +227,7 @@ impl Approximation {
         let Form::Adapted { chunk } = form else {
             return Some(self.in_powers(terms, form, reduction, alternates));
         };
-        let choice = self.choices(terms, chunk)?.within(limit / (reduction.float.unit() * self.weight()))?;
+        let choice = self.choices(terms, chunk)?.within(limit / (reduction.float.unit() * self.weight(0.0)))?;
         let variable = self.variable(form, choice.shift, reduction);
         let coefficients = self.powers_of(terms, variable, reduction);
         if !is_moderate(&coefficients, self.quarter(reduction), reduction.float) {
@@ -237,7 +260,7 @@ impl Approximation {
         let lost = blocks.mismatch + lost_to_underflow(blocks.terms(), area);
         // Farther from 1 the second word of a pole's unit would lose bits.
         let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
-        let lost = if bounded { lost * self.weight() * poles / unit } else { f64::INFINITY };
+        let lost = if bounded { lost * self.weight(reduction.overshoot) * poles / unit } else { f64::INFINITY };
         let truncation = self.truncation(blocks.terms(), reduction.overshoot) + lost;
         let pole = self.pole.map(|pole| pole.scaled(self.area(reduction)));
         let (parity, map) = (self.parity, self.map);
@@ -286,12 +309,6 @@ impl Approximation {
         let look = || Choices::new(&self.shifted(terms, Double::ZERO, Double::ONE), chunk);
         *self.choices.borrow_mut().entry((terms, chunk)).or_insert_with(look)
     }
-
-    /// What an error of the polynomial is multiplied with in the value, at most.
-    fn weight(&self) -> f64 {
-        let odd = if self.parity == Parity::Odd { 0.5 } else { 1.0 };
-        odd / self.pole.map_or(1.0, Pole::least)
-    }
 }
 
 /// The variable of a polynomial: p/`area` + `shift`, and its largest magnitude.
@@ -324,8 +341,9 @@ fn is_moderate(coefficients: &[Double], quarter: f64, float: Float) -> bool {
     (1.0 / widest..widest).contains(&quarter) && (1e-150..1e150).contains(&largest.0)
 }
 
-/// 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot); there |Tⱼ| ≤ cosh(j·arcosh(1 + ε)) ≤ cosh(j·√(2ε)).
-fn growth(overshoot: f64) -> f64 {
+/// ln of an ellipse's parameter: 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot), and there |Tⱼ| ≤ cosh(j·arcosh(1 +
+/// ε)) ≤ cosh(j·√(2ε)).
+fn ellipse_of(overshoot: f64) -> f64 {
     (16.0 * overshoot * (1.0 + overshoot)).sqrt()
 }
 

@@ -48,7 +48,7 @@ impl Series {
     fn terms(&self, pole: Pole, limit: f64) -> Option<usize> {
         let [constant, linear] = pole.coefficients();
         let divided = |index| self.at(2, index) + linear * self.at(1, index) + constant * self.at(0, index);
-        let most = limit * pole.least() * if self.odd { 2.0 } else { 1.0 };
+        let most = limit * pole.least(0.5) * if self.odd { 2.0 } else { 1.0 };
         let length = self.powers[2].len();
         let mut left = 0.0;
         let last = (0..length).rev().find(|&index| {

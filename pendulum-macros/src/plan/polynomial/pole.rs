@@ -57,9 +57,9 @@ impl Pole {
         (1..self.power).fold(single, |product, _| product * single)
     }
 
-    /// The least magnitude for 0 ≤ p ≤ ¼.
-    pub(super) fn least(self) -> f64 {
-        self.least_between(0.0, 0.25) * (1.0 - 1e-3)
+    /// The least magnitude for |s| ≤ `phase`.
+    pub(super) fn least(self, phase: f64) -> f64 {
+        self.least_between(0.0, phase * phase)
     }
 
     /// The least magnitude for p between these.

@@ -184,14 +184,17 @@ impl<'a> Clock<'a> {
         let crosses = exponent(half * (1.0 + 1e-6)) != exponent(half * (1.0 - 1e-6));
         let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * 1.000_001;
-        // Of three words the second difference is rounded, too, and half-way between two origins all three are.
-        let differences = count as f64 - 1.0 + self.halfway(origin);
         let rounding = |anchors: f64| half_ulp(anchors / rate * 1.001, self.float) * rate;
-        // Another launch is added last: a constant below a quarter, after two differences below three quarters.
-        let launched = if self.is_exact() { 0.0 } else { 2.0 * rounding(0.75) + rounding(0.25) };
+        let (before, last) = if self.is_exact() {
+            // Of three words the second difference is rounded, too, and half-way between two origins all three are.
+            (0.0, count as f64 - 1.0 + self.halfway(origin))
+        } else {
+            // Another launch is added last: a constant below a quarter, after differences below three quarters.
+            (count as f64 * rounding(0.75) + rounding(0.25), 1.0)
+        };
         let errors = match origin {
-            Origin::Anchor => [drift + launched + differences * rounding(0.5), 0.0],
-            Origin::Lowest => [drift + launched, differences * self.float.unit() * 1.001],
+            Origin::Anchor => [drift + before + last * rounding(0.5), 0.0],
+            Origin::Lowest => [drift + before, last * self.float.unit() * 1.001],
         };
         Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, self.misplaced(anchors)))
     }

@@ -90,6 +90,11 @@ fn products() {
         expect(after(Op::Mul(0, 1), Float::F64, &[x, scale]), ends, 4e-9, 0.0);
         expect(after(Op::Mul(1, 0), Float::F64, &[x, scale]), ends, 4e-9, 0.0);
     }
+    // Of one below 1 there is what underflows.
+    for (float, least) in [(Float::F64, f64::from_bits(1)), (Float::F32, f64::from(f32::from_bits(1)))] {
+        let half = after(Op::Mul(0, 1), float, &[Known::between(-0.75, 0.5), Known::between(0.5, 0.5)]);
+        expect(half, (-0.375, 0.25), least, least);
+    }
     let (x, scale) = (Known::between(0.1, 0.3), Known::within(4.0, 4.0, 1e-9));
     expect(after(Op::Mul(0, 1), Float::F64, &[x, scale]), (0.4, 1.2), 0.3e-9 + U, U);
     let (x, scale) = (Known::between(0.1, 0.3), Known::between(2.0, 4.0));
@@ -124,6 +129,13 @@ fn quotients() {
         let inherited = (3e-10 + 3.0 * 5e-10) / (2.0 - 5e-10);
         expect(after(Op::Div(0, 1), Float::F64, &[a, b]), ends, inherited + 2.0 * U, 2.0 * U);
     }
+    // The quotient of exact operands counts, though it is rounded down in `f32`.
+    let one = Known::between(1.0, 1.0);
+    let three = Known::within(f64::from(1.0 + 3.0 * f32::EPSILON), f64::from(1.0 + 3.0 * f32::EPSILON), 1e-3);
+    let quotient = after(Op::Div(0, 1), Float::F32, &[one, three]);
+    let exact = 1.0 / three.low;
+    assert!(quotient.high < exact, "rounded down");
+    expect(quotient, (quotient.high, quotient.high), exact * 1e-3 / (three.low - 1e-3) + U32 / 2.0, U32 / 2.0);
     // Nothing is known where the divisor may vanish, or its exact value may.
     for (low, high, error) in
         [(-1.0, 1.0, 0.0), (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), (1e-9, 1.0, 1e-9), (-1.0, -1e-9, 2e-9)]
