@@ -129,12 +129,25 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let decades = if scene.method.is_some() { 1..1 } else { 1..10 };
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
-    Err(Refusal::Unreachable { best: first_kept(scene, &offers).unwrap_or(f64::INFINITY) })
+    let best = first_kept(scene, &offers).map_or(f64::INFINITY, |kept| finest(scene, kept));
+    Err(Refusal::Unreachable { best })
+}
+
+/// A tolerance that can be promised, and the bound of the plan that promises it.
+#[derive(Clone, Copy)]
+struct Kept {
+    tolerance: f64,
+    bound: f64,
+}
+
+/// Asks for another tolerance.
+fn kept(scene: &Scene, tolerance: f64) -> Result<Kept, Refusal> {
+    let plan = cheapest(&Scene { goal: Goal::Tolerance(tolerance), ..scene.clone() })?;
+    Ok(Kept { tolerance, bound: plan.worst() })
 }
 
 /// The first of the tolerances that can be promised; those below what was reached where another was refused come last.
-fn first_kept(scene: &Scene, offers: &[f64]) -> Option<f64> {
-    let ask = |offer: f64| cheapest(&Scene { goal: Goal::Tolerance(offer), ..scene.clone() });
+fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
     let mut reached = 0.0;
     let mut unlikely = Vec::new();
     for &offer in offers {
@@ -142,13 +155,27 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<f64> {
             unlikely.push(offer);
             continue;
         }
-        match ask(offer) {
-            Ok(_) => return Some(offer),
+        match kept(scene, offer) {
+            Ok(kept) => return Some(kept),
             Err(Refusal::Unreachable { best }) if best.is_finite() => reached = best,
             Err(_) => {}
         }
     }
-    unlikely.into_iter().find(|&offer| ask(offer).is_ok())
+    unlikely.into_iter().find_map(|offer| kept(scene, offer).ok())
+}
+
+/// The finest that can be promised, too: what a promise leaves is asked for, and parts of it, as long as that helps.
+/// Forced methods, whose plans take longer, are asked for coarse parts only.
+fn finest(scene: &Scene, mut found: Kept) -> f64 {
+    let parts: &[f64] = if scene.method.is_some() { &[1.0, 0.03] } else { &[1.0, 0.03, 0.5, 0.8] };
+    for part in parts {
+        for _ in 0..4 {
+            let offer = three_digits(part * found.tolerance.min(1.01 * found.bound));
+            let Some(finer) = (offer < found.tolerance).then(|| kept(scene, offer).ok()).flatten() else { break };
+            found = finer;
+        }
+    }
+    found.tolerance
 }
 
 /// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.

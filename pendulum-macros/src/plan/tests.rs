@@ -148,6 +148,26 @@ fn the_best_tolerance_of_other_rates() {
     }
 }
 
+/// What is offered can be had, and a fifth less can't: of these scenes full precision promises more than that, or a
+/// method's worst plan is far from its best.
+#[test]
+fn nothing_finer_than_what_is_offered() {
+    for text in [
+        "theta0 = 1.739144, t_max = 0.680, outputs = [acceleration]",
+        "theta0 = 0.164612, velocity0 = -0.343825",
+        "velocity0 = 0.714662, t_max = 5.142, outputs = [wrapped]",
+        "theta0 = 1.666054, velocity0 = -0.744599, t_max = 1.844e2, float = f32",
+        "theta0 = π - 1.402e-6, t_max = 2.112, float = f32",
+    ] {
+        let Refusal::Unreachable { best } = refused(&format!("{text}, tol = 1e-17")) else { panic!("another refusal") };
+        planned(&format!("{text}, tol = {best:e}"));
+        refused(&format!("{text}, tol = {:e}", 0.8 * best));
+    }
+    let series = "velocity0 = 2 - 1e-12, t_max = 6.206e6, method = series, tol = 1e-16";
+    let Refusal::Unreachable { best } = refused(series) else { panic!("another refusal") };
+    assert!(best < 0.1, "{best:e}");
+}
+
 #[test]
 fn overshoot_names_the_smallest_number_of_terms() {
     for (theta0, n, least) in [("0.731π", 1, 2), ("0.905π", 2, 3), ("0.955π", 4, 5), ("0.987π", 8, 9)] {
