@@ -150,6 +150,12 @@ impl Task {
         })
     }
 
+    /// The first and the last phase within the horizon, where that is less than from one anchor to the next.
+    pub(super) fn met(&self, scene: &Scene) -> Option<(f64, f64)> {
+        let arc = Arc::new(Arc::reach(scene)?, &self.rate, &self.launch)?;
+        Some((arc.phase(Double::new(-0.5)).hi, arc.phase(Double::new(0.5)).hi))
+    }
+
     /// The reductions of its phase.
     pub(super) fn reductions(&self, scene: &Scene) -> Vec<Reduction> {
         if let Some(time) = &self.unreduced {

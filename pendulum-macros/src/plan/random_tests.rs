@@ -226,6 +226,13 @@ fn bounds_are_close_to_errors() {
         ("velocity0 = 2, tol = 1e-6, outputs = [position]", 2.0),
         ("velocity0 = 2, tol = 2e-8, t_max = 1, outputs = [acceleration]", 3.0),
         ("velocity0 = 2 + 1e-11, tol = 1.5e-10, t_max = 1e5, outputs = [velocity]", 3.0),
+        // Steep pieces, far binades and what is less than the rounding of 1 aren't met by all scenes.
+        ("theta0 = π - 1e-9, tol = 1e-9, t_max = 20", 2.0),
+        ("theta0 = π - 1e-9, tol = 1e-4, t_max = 20, outputs = [velocity]", 1.2),
+        ("velocity0 = 2, tol = 1e-2, t_max = 0.01, outputs = [position]", 1.3),
+        ("velocity0 = 2, tol = 1e-9, t_max = 0.1, outputs = [acceleration]", 3.0),
+        ("theta0 = 1e-9, tol = 1e-3, t_max = 1, float = f32, outputs = [position]", 1.2),
+        ("theta0 = π - 1e-6, tol = 1e-2, t_max = 0.01, float = f32, outputs = [acceleration]", 1.2),
         ("velocity0 = 3, tol = 1e-9, t_max = 1e4", 1.3),
         ("velocity0 = 3, tol = 1e-9, t_max = 1e4, outputs = [wrapped]", 1.3),
         ("velocity0 = 3, tol = 1e-9, t_max = 1e4, outputs = [velocity]", 1.2),

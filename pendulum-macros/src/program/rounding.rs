@@ -49,6 +49,11 @@ impl Known {
         Self { local: 0.0, ..self }
     }
 
+    /// Whether every computed value is the same.
+    fn is_number(self) -> bool {
+        self.low == self.high
+    }
+
     fn magnitude(self) -> f64 {
         self.low.abs().max(self.high.abs())
     }
@@ -166,25 +171,38 @@ fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
     Known::result((choose(limit.low, x.low), choose(limit.high, x.high)), x.error.max(limit.error), 0.0)
 }
 
+/// The operands are numbers of the type themselves: none is nearer to the sum than either, so that what is lost is at
+/// most the smaller one.
 fn sum(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded(a.corners(b, |x, y| x + y), float);
-    let ends = [(a.low, b.low), (a.high, b.high)];
-    let exact = ends.into_iter().all(|(x, y)| two_sum(x, y).1 == 0.0 && float.round(x + y) == x + y);
-    Known::result((low, high), a.error + b.error, rounding(low, high, exact, float))
+    let exact = [(a.low, b.low), (a.high, b.high)].into_iter().all(|(x, y)| lost(two_sum(x, y), float) == 0.0);
+    let local = rounding(low, high, exact, float).min(a.magnitude()).min(b.magnitude());
+    Known::result((low, high), a.error + b.error, of_numbers(a, b, two_sum, float).unwrap_or(local))
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded(a.corners(b, |x, y| x * y), float);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
-    let exact = ends.into_iter().all(|(x, y)| two_prod(x, y).1 == 0.0 && float.round(x * y) == x * y);
-    let power = [a, b].into_iter().filter(|x| x.low == x.high && x.error == 0.0).map(|x| x.low.abs());
-    let rounding = match power.filter(|&x| is_power_of_two(x)).reduce(f64::max) {
+    let exact = ends.into_iter().all(|(x, y)| lost(two_prod(x, y), float) == 0.0);
+    let power = [a, b].into_iter().filter(|x| x.is_number() && x.error == 0.0).map(|x| x.low.abs());
+    let local = match power.filter(|&x| is_power_of_two(x)).reduce(f64::max) {
         Some(power) if power >= 1.0 => 0.0,
         // Nothing but what may underflow.
         Some(_) => half_ulp(0.0, float),
-        None => rounding(low, high, exact, float),
+        None => of_numbers(a, b, two_prod, float).unwrap_or(rounding(low, high, exact, float)),
     };
-    Known::result((low, high), a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error, rounding)
+    Known::result((low, high), a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error, local)
+}
+
+/// The rounding of an operation on two numbers, if they are that, by one that tells it.
+fn of_numbers(a: Known, b: Known, operation: fn(f64, f64) -> (f64, f64), float: Float) -> Option<f64> {
+    let lost = || lost(operation(a.low, b.low), float) + half_ulp(0.0, float);
+    (a.is_number() && b.is_number()).then(lost).filter(|lost| lost.is_finite())
+}
+
+/// How much of a result in two words rounding takes.
+fn lost((result, rest): (f64, f64), float: Float) -> f64 {
+    (result - float.round(result)).abs() + rest.abs()
 }
 
 /// A product of a number with itself isn't negative.

@@ -171,7 +171,8 @@ impl Hyperbolic {
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
     pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
-        let binades = (self.passage.rate.hi * self.half).ceil() as i32;
+        let furthest = self.passage.rate.hi * self.half * (1.0 + 1e-6);
+        let binades = furthest.ceil() as i32;
         let most = binades.min(NEGLIGIBLE_BINADE);
         let slices = |j: i32| {
             let count = match j {
@@ -181,10 +182,11 @@ impl Hyperbolic {
             };
             // w ≥ 0: the first binade has no left half.
             let first = if j == 0 { count / 2 } else { 0 };
-            (first..count).map(move |slice| {
+            let slice = move |slice: i32| {
                 let at = |index: i32| f64::from(index) / f64::from(count) - 0.5;
                 (j, at(slice), at(slice + 1))
-            })
+            };
+            (first..count).map(slice).take_while(move |&(j, low, _)| f64::from(j) + low <= furthest)
         };
         let bound = |(j, low, high): (i32, f64, f64)| {
             let power = |exponent: i32| 2f64.powi(exponent.max(-1022));

@@ -88,6 +88,8 @@ impl Piece {
 mod tests {
     use super::*;
     use crate::motion::Regime;
+    use crate::parse::Float;
+    use crate::plan::reduction::Reduction;
     use crate::plan::tests::scene;
 
     /// Of a release from θ0.
@@ -100,9 +102,10 @@ mod tests {
     /// The numbers of pieces and of terms for an error of 2⁻⁵²; nearer to an overshoot there are no pieces.
     #[test]
     fn pieces_and_terms() {
+        let time = Reduction::time(1.0, false, Float::F64).unwrap();
         let found = |theta0: &str, terms: usize| {
             let piecewise = approximation(&weights(theta0, terms), 1e-16)?;
-            Some((piecewise.pieces(), piecewise.terms_for(2e-16)?))
+            Some((piecewise.pieces(), piecewise.terms_for(2e-16, &time)?))
         };
         assert_eq!(found("1", 1), Some((32, 9)));
         assert_eq!(found("7π/8", 4), Some((32, 12)));

@@ -26,6 +26,8 @@ pub(crate) struct Piecewise {
     error: f64,
     parity: Parity,
     alternates: bool,
+    /// The phases from the first to the last that are met, where that isn't all.
+    met: Option<(f64, f64)>,
 }
 
 impl Piecewise {
@@ -43,12 +45,18 @@ impl Piecewise {
             error: error + (1.0 + lebesgue(points)) * curve.omitted(),
             parity: curve.parity(),
             alternates: curve.alternates,
+            met: None,
         })
+    }
+
+    /// The same, of which a short horizon meets no more than these phases.
+    pub(crate) fn meeting(self, phases: Option<(f64, f64)>) -> Self {
+        Self { met: phases, ..self }
     }
 
     /// A curve like θ, even about a turning point and alternating, of which the series and their error are known.
     pub(crate) fn known(series: Vec<Vec<Double>>, error: f64) -> Self {
-        Self { series, error, parity: Parity::Even, alternates: true }
+        Self { series, error, parity: Parity::Even, alternates: true, met: None }
     }
 
     /// About how many terms leave `limit`, by the distance of the nearest singularities.
@@ -62,15 +70,24 @@ impl Piecewise {
         2 * (self.series.len() - 1)
     }
 
-    /// The error with the first `terms` coefficients of each piece.
-    fn truncation(&self, terms: usize) -> f64 {
-        let dropped = |own: &Vec<Double>| own[terms..].iter().map(|c| c.hi.abs()).sum();
-        self.error + self.series.iter().map(dropped).fold(0.0, f64::max)
+    /// Whether a phase of which a reduction makes a remainder from the middle of a piece, or of its mirror image, is met.
+    fn meets(&self, index: usize, reduction: &Reduction) -> bool {
+        let Some((first, last)) = self.met else { return true };
+        let (place, wrong) = (index as f64 / self.pieces() as f64, reduction.error + reduction.relative_error);
+        let reach = half(self.pieces()) + 2.0 * wrong;
+        [place, -place].into_iter().any(|place| place + (first - reach - place).ceil() <= last + reach)
+    }
+
+    /// The error with the first `terms` coefficients of each piece that is met.
+    fn truncation(&self, terms: usize, reduction: &Reduction) -> f64 {
+        let met = self.series.iter().enumerate().filter(|&(index, _)| self.meets(index, reduction));
+        let dropped = met.map(|(_, own)| own[terms..].iter().map(|c| c.hi.abs()).sum());
+        self.error + dropped.fold(0.0, f64::max)
     }
 
     /// The fewest terms, at least two, that are wrong by at most `limit`.
-    pub(crate) fn terms_for(&self, limit: f64) -> Option<usize> {
-        (2..=self.series[0].len()).find(|&terms| self.truncation(terms) <= limit)
+    pub(crate) fn terms_for(&self, limit: f64, reduction: &Reduction) -> Option<usize> {
+        (2..=self.series[0].len()).find(|&terms| self.truncation(terms, reduction) <= limit)
     }
 
     /// The kernel with as few terms as are wrong by at most `limit`, and its truncation, for a reduction to the nearest
@@ -78,10 +95,16 @@ impl Piecewise {
     pub(crate) fn kernel(&self, reduction: &Reduction, limit: f64) -> Option<(Pieces, f64)> {
         let width = half(self.pieces());
         let within = reduction.half() * reduction.unit.hi <= width * (1.0 - MARGIN / 64.0);
-        let terms = self.terms_for(limit).filter(|_| within)?;
+        let terms = self.terms_for(limit, reduction).filter(|_| within)?;
         let unit = reduction.unit / Double::new(width);
-        let mut powers: Vec<Vec<Double>> =
-            self.series.iter().map(|own| scale(to_powers(&own[..terms]), unit)).collect();
+        let row = |(index, own): (usize, &Vec<Double>)| {
+            if self.meets(index, reduction) {
+                return scale(to_powers(&own[..terms]), unit);
+            }
+            // Beyond the horizon: a value of the motion, whatever the remainder.
+            to_powers(own)[..1].iter().copied().chain([Double::ZERO; MOST_POINTS]).take(terms).collect()
+        };
+        let mut powers: Vec<Vec<Double>> = self.series.iter().enumerate().map(row).collect();
         // About the ends the curve is even or odd: what the other powers are is rounding, of two words.
         let odd = self.parity == Parity::Odd;
         for (end, is_odd) in [(0, odd), (self.series.len() - 1, odd != self.alternates)] {
@@ -89,7 +112,7 @@ impl Piecewise {
             others.for_each(|c| *c = Double::ZERO);
         }
         let pieces = Pieces::new(reduction.clone(), &powers, self.parity, self.alternates);
-        Some((pieces, self.truncation(terms)))
+        Some((pieces, self.truncation(terms, reduction)))
     }
 }
 
@@ -165,7 +188,7 @@ mod tests {
                 // Remainders from fewer pieces go beyond what was interpolated.
                 let fewer = reduction.in_pieces(pieces as f64 / 2.0).unwrap();
                 assert!(piecewise.kernel(&fewer, limit).is_none());
-                assert!(truncation <= limit && kernel.terms() == piecewise.terms_for(limit).unwrap());
+                assert!(truncation <= limit && kernel.terms() == piecewise.terms_for(limit, &reduction).unwrap());
                 let mut b = Builder::new(Float::F64);
                 let result = kernel.lower(&mut b, "result");
                 let program = b.finish(vec![result]);
@@ -184,12 +207,51 @@ mod tests {
         }
     }
 
+    /// What a horizon of less than an anchor meets decides what is promised; beyond it is a value of the motion.
+    #[test]
+    fn pieces_that_are_met() {
+        let scene = scene("theta0 = π - 1e-6");
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let curve = SwingCurves::new(swing, &scene.motion.omega).angle();
+        let rate = crate::exact::Context::for_digits(40).ratio(1, 2);
+        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(2.0), float: Float::F64 };
+        let reduction = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64.0)).unwrap();
+        let whole = Piecewise::new(&curve, 64, 1e-14).unwrap();
+        for (first, last, rows) in
+            [(-0.2, 0.2, 0..=13), (0.1, 0.3, 6..=19), (-0.3, -0.1, 6..=19), (1.9, 2.25, 0..=16), (0.4, 0.7, 19..=32)]
+        {
+            let met = whole.clone().meeting(Some((first, last)));
+            let found: Vec<usize> = (0..=32).filter(|&index| met.meets(index, &reduction)).collect();
+            assert_eq!(found, rows.collect::<Vec<_>>(), "{first} {last}");
+            let (kernel, truncation) = met.kernel(&reduction, 1e-9).unwrap();
+            let mut b = Builder::new(Float::F64);
+            let result = kernel.lower(&mut b, "result");
+            let program = b.finish(vec![result]);
+            let most = truncation + kernel.rounding();
+            let mut worst = 0.0_f64;
+            for step in 0..=1000 {
+                let s = first + (last - first) * f64::from(step) / 1000.0;
+                let sign = if s.round() % 2.0 == 0.0 { 1.0 } else { -1.0 };
+                let exact = curve.at(Double::new(s - s.round())) * sign;
+                worst = worst.max((Double::new(program.run(2.0 * s)[0]) - exact).hi.abs());
+            }
+            assert!(worst <= most && most < 4.0 * worst, "{first} {last}: {worst:e} {most:e}");
+            for step in -1000..=1000 {
+                let far = program.run(f64::from(step) / 100.0)[0];
+                assert!(far.abs() <= swing.amplitude.to_f64() + most, "{step}: {far}");
+            }
+            assert!(kernel.terms() <= whole.terms_for(1e-9, &reduction).unwrap());
+        }
+    }
+
     /// The estimate is seldom one term too low, and then by one, and never more than two too high.
     #[test]
     fn estimates() {
+        let time = Reduction::time(1.0, false, Float::F64).unwrap();
         for (start, curve) in curves() {
             for (pieces, limit) in [(32, 1e-3), (64, 1e-6), (64, 1e-9), (64, 1e-12), (128, 1e-15)] {
-                let needed = Piecewise::new(&curve, pieces, limit / 512.0).unwrap().terms_for(limit).unwrap() as i64;
+                let piecewise = Piecewise::new(&curve, pieces, limit / 512.0).unwrap();
+                let needed = piecewise.terms_for(limit, &time).unwrap() as i64;
                 let off = Piecewise::estimate(&curve, pieces, limit) as i64 - needed;
                 assert!((-1..=3).contains(&off), "{start} {pieces} {limit:e}: {needed} {off}");
             }

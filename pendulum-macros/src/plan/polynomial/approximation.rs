@@ -28,6 +28,9 @@ use std::ops::Range;
 /// More points than this take too long.
 const MOST_POINTS: usize = 240;
 
+/// Of fewer the bound of the error says little where a polynomial of two terms is as good as exact.
+const FEWEST_POINTS: usize = 12;
+
 /// A curve's Chebyshev coefficients on p ∈ [0, ¼], in 8p − 1; of curve/s if it is odd, times a power of the pole's
 /// polynomial if that is divided out.
 #[derive(Clone, Debug)]
@@ -363,7 +366,7 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
         }
         (bound, libm::exp(log_rho))
     };
-    Interpolation::fewest(heights.into_iter().map(ellipse), negligible, 4, MOST_POINTS)
+    Interpolation::fewest(heights.into_iter().map(ellipse), negligible, FEWEST_POINTS, MOST_POINTS)
 }
 
 #[cfg(test)]

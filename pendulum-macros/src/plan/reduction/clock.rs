@@ -240,13 +240,15 @@ impl<'a> Clock<'a> {
             [r1, r2, r3]
         };
         let launch = self.launch.hi.abs();
+        let furthest = (self.horizon() * self.rate.to_f64() + launch) * (1.0 + 8.0 * self.float.unit());
+        let half = self.float.round(furthest).min(LINEAR_HALF);
         let relative = if self.float == Float::F64 { 3.001 } else { 1.001 } * self.float.unit();
         Reduction {
             launch: self.launch,
             error: (launch + 1.0) * 2f64.powi(-74),
             relative_error: relative,
             cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
-            ..Reduction::exact(Method::Linear { words }, Origin::Lowest, self.float)
+            ..Reduction::exact(Method::Linear { words, half }, Origin::Lowest, self.float)
         }
     }
 

@@ -24,7 +24,7 @@ impl Reduction {
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
             Method::Time { .. } => self.unreduced(b, t),
-            Method::Linear { words } => {
+            Method::Linear { words, .. } => {
                 let wide = b.convert(t, Float::F64);
                 self.linear(b, wide, words)
             }

@@ -88,8 +88,9 @@ pub(crate) enum Method {
     AnyTime { words: Vec<f64> },
     /// s = t: the horizon is less than an arc, whether the motion over it is symmetric or not.
     Time { lopsided: bool },
-    /// z = t·R + launch, never reduced: the separatrix has one lowest point. R in three words where there is a launch.
-    Linear { words: [f64; 3] },
+    /// z = t·R + launch, |z| ≤ `half`, never reduced: the separatrix has one lowest point. R in three words where there is
+    /// a launch.
+    Linear { words: [f64; 3], half: f64 },
 }
 
 /// The reduced phase in a program.
@@ -223,8 +224,8 @@ impl Reduction {
 
     /// The largest |s|, in units of the reduced variable, rounded up to a number of its type.
     pub(crate) fn half(&self) -> f64 {
-        if matches!(self.method, Method::Linear { .. }) {
-            return LINEAR_HALF;
+        if let Method::Linear { half, .. } = self.method {
+            return half;
         }
         if self.overshoot == 0.0 && self.unit == Double::ONE {
             return 0.5 / self.pieces;

@@ -216,6 +216,11 @@ fn the_separatrix() {
             let (rate, launch) = (rate(&mut random), context.decimal(launch).unwrap());
             let reduction = Clock { rate: &rate, launch: launch.to_double(), t_max: None, float }.linear();
             assert_eq!((reduction.origin, reduction.unit), (Origin::Lowest, Double::ONE));
+            // No farther than the horizon.
+            let short = Clock { rate: &rate, launch: launch.to_double(), t_max: Some(3.0 / rate.to_f64()), float };
+            let excess = short.linear().half() / (3.0 + launch.to_f64().abs()) - 1.0;
+            assert!(excess > 0.0 && excess < 20.0 * float.unit(), "{excess:e}");
+            assert_eq!(reduction.half(), 700.0);
             // Beyond the cap nothing moves.
             let cap = 2.0 * (700.0 + launch.to_f64().abs()) / rate.to_f64();
             assert_eq!(reduction.cap, Some(cap));

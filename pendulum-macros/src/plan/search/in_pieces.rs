@@ -10,6 +10,8 @@ use std::cell::OnceCell;
 /// All outputs in pieces.
 pub(super) struct InPieces {
     pieces: usize,
+    /// The phases within a short horizon.
+    met: Option<(f64, f64)>,
     /// To the nearest piece.
     pub(super) reductions: Vec<Reduction>,
     /// None where one of them takes too many points.
@@ -36,7 +38,7 @@ impl InPieces {
                 aim.terms_of_pieces(pieces, reduction).is_some_and(|terms| terms <= Self::MOST_TERMS)
             };
             let serves = reductions.iter().any(|reduction| task.aims.iter().all(|aim| few(aim, reduction)));
-            serves.then(|| Self { pieces, reductions, curves: OnceCell::new() })
+            serves.then(|| Self { pieces, met: task.met(scene), reductions, curves: OnceCell::new() })
         };
         Self::COUNTS.into_iter().filter(|_| serves).find_map(all)
     }
@@ -55,7 +57,8 @@ impl InPieces {
 
     /// Made when they are wanted first.
     pub(super) fn curves(&self, aims: &[Aim]) -> Option<&[Piecewise]> {
-        let all = || aims.iter().map(|aim| aim.piecewise(self.pieces)).collect();
+        let one = |aim: &Aim| Some(aim.piecewise(self.pieces)?.meeting(self.met));
+        let all = || aims.iter().map(one).collect();
         self.curves.get_or_init(all).as_deref()
     }
 }

@@ -52,8 +52,17 @@ fn sums_and_differences() {
     expect(after(Op::Sub(0, 1), Float::F64, &[a, b]), (0.5, 1.25), 8e-10 + U, U);
     expect(after(Op::Sub(1, 0), Float::F64, &[a, b]), (-1.25, -0.5), 8e-10 + U, U);
     // To 1 by rounding at either end: the sum may be above.
-    let tiny = Known::between(2f64.powi(-60), 2f64.powi(-60));
-    expect(after(Op::Add(0, 1), Float::F64, &[Known::between(0.0, 1.0), tiny]), (2f64.powi(-60), 1.0), U, U);
+    let tiny = 2f64.powi(-53) * 0.75;
+    let next = Known::between(tiny, tiny);
+    expect(after(Op::Add(0, 1), Float::F64, &[Known::between(0.0, 1.0), next]), (tiny, 1.0), tiny, tiny);
+    // No more than the smaller operand is lost.
+    for (low, high) in [(1e-20, 1e-20), (-1e-20, 5e-21)] {
+        let tiny = Known::between(low, high);
+        let sum = after(Op::Add(0, 1), Float::F64, &[Known::within(1.0, 1.5, 1e-9), tiny]);
+        expect(sum, (1.0, 1.5), 1e-9 + 1e-20, 1e-20);
+        let difference = after(Op::Sub(1, 0), Float::F32, &[Known::within(1.0, 1.5, 1e-9), tiny]);
+        expect(difference, (-1.5, -1.0), 1e-9 + 1e-20, 1e-20);
+    }
     let (c, d) = (Known::between(0.1, 0.5), Known::between(0.2, 0.5));
     expect(after(Op::Add(0, 1), Float::F64, &[c, d]), (0.1 + 0.2, 1.0), U, U);
     // 1 + 2⁻²⁴ is exact in two words of `f64` but rounded to 1 in `f32`, by as much as results above 1 are.
@@ -99,6 +108,29 @@ fn products() {
     expect(after(Op::Mul(0, 1), Float::F64, &[x, scale]), (0.4, 1.2), 0.3e-9 + U, U);
     let (x, scale) = (Known::between(0.1, 0.3), Known::between(2.0, 4.0));
     expect(after(Op::Mul(0, 1), Float::F64, &[x, scale]), (0.2, 1.2), U, U);
+}
+
+/// Of numbers what is lost is known.
+#[test]
+fn operations_on_numbers() {
+    let number = |x: f64| Known::within(x, x, 1e-9);
+    let (third, single) = (1.0 / 3.0, f64::from(1.0f32 / 3.0));
+    for (op, a, b, float, result, lost) in [
+        (Op::Add(0, 1), 1.0, 0.5, Float::F64, 1.5, 0.0),
+        (Op::Sub(0, 1), 1.0, 2f64.powi(-60), Float::F64, 1.0, 2f64.powi(-60)),
+        (Op::Add(0, 1), 1.0, 2f64.powi(-26), Float::F32, 1.0, 2f64.powi(-26)),
+        (Op::Mul(0, 1), 1.5, 3.0, Float::F32, 4.5, 0.0),
+        (Op::Mul(0, 1), third, third, Float::F64, third * third, two_prod(third, third).1.abs()),
+        (Op::Mul(0, 1), single, 3.0, Float::F32, 1.0, (3.0 * single - 1.0).abs()),
+    ] {
+        let found = after(op, float, &[number(a), number(b)]);
+        assert_eq!((found.low, found.high), (result, result), "{a} {b}");
+        let excess = found.local - lost;
+        assert!((0.0..1e-44).contains(&excess), "{a} {b}: {excess:e}");
+    }
+    // Too large to tell.
+    let huge = after(Op::Mul(0, 1), Float::F64, &[number(1e305), number(1.1)]);
+    assert_eq!(huge.local, half_ulp(1.1e305, Float::F64));
 }
 
 #[test]
