@@ -97,12 +97,14 @@ impl Piecewise {
         let within = reduction.half() * reduction.unit.hi <= width * (1.0 - MARGIN / 64.0);
         let terms = self.terms_for(limit, reduction).filter(|_| within)?;
         let unit = reduction.unit / Double::new(width);
+        // Beyond the horizon: a value of the motion, whatever the remainder.
+        let constant = |own: &[Double]| {
+            let mut row = vec![Double::ZERO; terms];
+            row[0] = to_powers(own)[0];
+            row
+        };
         let row = |(index, own): (usize, &Vec<Double>)| {
-            if self.meets(index, reduction) {
-                return scale(to_powers(&own[..terms]), unit);
-            }
-            // Beyond the horizon: a value of the motion, whatever the remainder.
-            to_powers(own)[..1].iter().copied().chain([Double::ZERO; MOST_POINTS]).take(terms).collect()
+            if self.meets(index, reduction) { scale(to_powers(&own[..terms]), unit) } else { constant(own) }
         };
         let mut powers: Vec<Vec<Double>> = self.series.iter().enumerate().map(row).collect();
         // About the ends the curve is even or odd: what the other powers are is rounding, of two words.
