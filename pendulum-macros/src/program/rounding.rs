@@ -196,7 +196,7 @@ fn product(a: Known, b: Known, float: Float) -> Known {
 
 /// The rounding of an operation on two numbers, if they are that, by one that tells it.
 fn of_numbers(a: Known, b: Known, operation: fn(f64, f64) -> (f64, f64), float: Float) -> Option<f64> {
-    let lost = || lost(operation(a.low, b.low), float) + half_ulp(0.0, float);
+    let lost = || lost(operation(a.low, b.low), float) + half_ulp(0.0, float).max(UNDERFLOW);
     (a.is_number() && b.is_number()).then(lost).filter(|lost| lost.is_finite())
 }
 
