@@ -156,6 +156,18 @@ impl Task {
         Some((arc.phase(Double::new(-0.5)).hi, arc.phase(Double::new(0.5)).hi))
     }
 
+    /// The least and the largest distance from a lowest point within the horizon, in units of the reduced phase.
+    pub(super) fn met_from_lowest(&self, scene: &Scene, reduction: &Reduction) -> (f64, f64) {
+        let half = reduction.half();
+        let Some((first, last)) = self.met(scene).filter(|_| !reduction.is_linear()) else { return (0.0, half) };
+        let passes = |origin: f64| (last - origin).floor() >= (first - origin).ceil();
+        let ends = [first, last].map(|s| (s - 0.5 - (s - 0.5).round()).abs());
+        let wrong = 2.0 * (reduction.error + reduction.relative_error);
+        let least = if passes(0.5) { 0.0 } else { (ends[0].min(ends[1]) - wrong).max(0.0) };
+        let largest = if passes(0.0) { half } else { (ends[0].max(ends[1]) + wrong) / reduction.unit.hi };
+        (least / reduction.unit.hi, half.min(largest))
+    }
+
     /// The reductions of its phase.
     pub(super) fn reductions(&self, scene: &Scene) -> Vec<Reduction> {
         if let Some(time) = &self.unreduced {

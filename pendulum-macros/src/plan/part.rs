@@ -238,8 +238,9 @@ impl Aim {
         };
         let scaled = Passage { rate: passage.rate * reduction.unit, ..passage.clone() };
         let mut limit = self.limit.min(self.truncation) / factor.hi;
+        let met = task.met_from_lowest(scene, reduction);
         self.first_kept(scene, reduction, phase, |_| {
-            let kernel = Hyperbolic::new(self.output, scaled.clone(), reduction.half(), factor, limit);
+            let kernel = Hyperbolic::new(self.output, scaled.clone(), met, factor, limit);
             limit *= 0.125;
             let truncation = kernel.truncation * factor.hi;
             Ok((self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), None), truncation))

@@ -57,8 +57,8 @@ pub(crate) struct Passage {
 pub(crate) struct Hyperbolic {
     pub(crate) output: Output,
     passage: Passage,
-    /// The largest |phase|.
-    half: f64,
+    /// The least and the largest |phase| within the horizon.
+    met: (f64, f64),
     images: Images,
     /// Whether Q/P is formed with as little rounding as can be, at the price of a division.
     careful: bool,
@@ -94,8 +94,8 @@ impl Passage {
 }
 
 impl Hyperbolic {
-    /// For phases up to `half`, with all approximations within `limit`, in units of `factor`.
-    pub(crate) fn new(output: Output, passage: Passage, half: f64, factor: Double, limit: f64) -> Self {
+    /// For phases of these magnitudes, with all approximations within `limit`, in units of `factor`.
+    pub(crate) fn new(output: Output, passage: Passage, met: (f64, f64), factor: Double, limit: f64) -> Self {
         let q = passage.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
         // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83: less than the bound that is given.
@@ -125,7 +125,7 @@ impl Hyperbolic {
         let truncation = left_out.sum::<f64>() + 5.0 * q.powi(6);
         // A truncation of a few units of rounding is asked for where full precision is.
         let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
-        Self { output, passage, half, images, careful, even, odd, arctangent, factor, truncation }
+        Self { output, passage, met, images, careful, even, odd, arctangent, factor, truncation }
     }
 
     /// For the reader.
@@ -171,7 +171,8 @@ impl Hyperbolic {
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
     pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
-        let furthest = self.passage.rate.hi * self.half * (1.0 + 1e-6);
+        let rate = self.passage.rate.hi;
+        let (nearest, furthest) = (rate * self.met.0 * (1.0 - 1e-6), rate * self.met.1 * (1.0 + 1e-6));
         let binades = furthest.ceil() as i32;
         let most = binades.min(NEGLIGIBLE_BINADE);
         let slices = |j: i32| {
@@ -180,18 +181,21 @@ impl Hyperbolic {
                 1..4 => 16,
                 _ => 2,
             };
-            // w ≥ 0: the first binade has no left half.
-            let first = if j == 0 { count / 2 } else { 0 };
             let slice = move |slice: i32| {
                 let at = |index: i32| f64::from(index) / f64::from(count) - 0.5;
                 (j, at(slice), at(slice + 1))
             };
-            (first..count).map(slice).take_while(move |&(j, low, _)| f64::from(j) + low <= furthest)
+            (0..count).map(slice)
+        };
+        // The last binade stands for all that follow.
+        let is_met = |&(j, low, high): &(i32, f64, f64)| {
+            let from = f64::from(j) + low;
+            let to = if j == most && most < binades { f64::INFINITY } else { f64::from(j) + high };
+            from <= furthest && to > nearest
         };
         let bound = |(j, low, high): (i32, f64, f64)| {
             let power = |exponent: i32| 2f64.powi(exponent.max(-1022));
             let image = |j: i32| power(j + self.passage.image_exponent);
-            // The last one stands for all that follow.
             let (powers, images) = if j == most && most < binades {
                 ((0.0, power(-j)), (0.0, image(binades)))
             } else {
@@ -204,7 +208,7 @@ impl Hyperbolic {
                 .collect();
             norm(program.rounding(&given).iter().map(|known| known.error))
         };
-        largest((0..=most).flat_map(slices).map(bound), cap)
+        largest((0..=most).flat_map(slices).filter(is_met).map(bound), cap)
     }
 
     /// What the rounding of w adds, relative to w: the rate's, and the product's.

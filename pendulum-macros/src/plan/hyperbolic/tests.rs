@@ -67,7 +67,7 @@ impl Trial {
             Output::Acceleration => Double::new(9.0),
             _ => Double::ONE,
         };
-        let hyperbolic = Hyperbolic::new(output, self.passage.clone(), 0.5, factor, limit);
+        let hyperbolic = Hyperbolic::new(output, self.passage.clone(), (0.0, 0.5), factor, limit);
         let kernel = Kernel::Hyperbolic(Box::new(hyperbolic.clone()));
         let program = function(&self.reduction, &[&kernel]);
         let bound = (hyperbolic.truncation * factor.hi + hyperbolic.rounding(&program, f64::INFINITY)) / factor.hi;
@@ -135,7 +135,7 @@ fn velocities_at_the_lowest_point() {
         let trial = Trial::new(text, "f64");
         let fastest = Task::fastest(&trial.scene);
         for limit in limits {
-            let kernel = Hyperbolic::new(Output::Velocity, trial.passage.clone(), 0.5, fastest, limit);
+            let kernel = Hyperbolic::new(Output::Velocity, trial.passage.clone(), (0.0, 0.5), fastest, limit);
             let program = function(&trial.reduction, &[&Kernel::Hyperbolic(Box::new(kernel))]);
             let mut given = program.clone();
             given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
@@ -158,7 +158,7 @@ fn the_last_binade_stands_for_all_that_follow() {
             alternates: true,
             direction: 1.0,
         };
-        Hyperbolic::new(Output::Theta, passage, 0.5, Double::ONE, 1e-16)
+        Hyperbolic::new(Output::Theta, passage, (0.0, 0.5), Double::ONE, 1e-16)
     };
     for (name, factor, constant) in [("power", 2f64.powi(30), 0.0), ("image_power", -(2f64.powi(15)), 1.0)] {
         let mut b = Builder::new(Float::F64);
@@ -223,6 +223,28 @@ fn arctangents() {
     }
 }
 
+/// A horizon of less than an anchor meets phases between these, from the lowest point, in units of the reduced phase.
+#[test]
+fn what_of_a_passage_is_met() {
+    // Half a period of these takes 22.6 and 23.5.
+    for (start, t_max, least, largest) in [
+        ("theta0 = π - 1e-4", 5.0, 0.2786, 0.5),
+        ("theta0 = π - 1e-4", 12.0, 0.0, 0.5),
+        ("theta0 = π - 1e-4", 100.0, 0.0, 0.5),
+        ("velocity0 = 1.999999999", 5.0, 0.0, 0.211),
+    ] {
+        let scene = scene(&format!("struct Motion; {start}, tol = 1e-6, t_max = {t_max}"));
+        let task = Task::new(&scene);
+        for reduction in task.reductions(&scene) {
+            let unit = reduction.unit.hi;
+            let found = task.met_from_lowest(&scene, &reduction);
+            let near = |found: f64, expected: f64| (found * unit - expected).abs() < 1e-2;
+            assert!(near(found.0, least) && near(found.1, largest), "{start} {t_max}: {found:?} of {reduction:?}");
+            assert!(found.1 <= reduction.half() && (least > 0.0) == (found.0 > 0.0), "{found:?}");
+        }
+    }
+}
+
 /// Whatever the unit of the phase, half of a passage is as long.
 #[test]
 fn passages_in_other_units() {
@@ -233,7 +255,7 @@ fn passages_in_other_units() {
     for reduction in task.reductions(&scene).iter().filter(|reduction| reduction.origin == Origin::Lowest) {
         let part = task.aims[0].passage_part(&scene, &task, reduction, passage).unwrap();
         let Kernel::Hyperbolic(kernel) = part.kernel else { panic!("another kernel") };
-        let (rate, half) = (kernel.passage.rate, kernel.half);
+        let (rate, half) = (kernel.passage.rate, kernel.met.1);
         assert!((rate / (passage.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");
         let length = rate.hi * half / (passage.rate.hi * (0.5 + reduction.overshoot));
         assert!((1.0..1.0 + 1e-14).contains(&length), "{reduction:?}: {length}");

@@ -48,11 +48,7 @@ impl Reduction {
     /// Phase of t = 0 from the origin nearest to it: where t is small nothing of it is lost.
     fn offset(&self) -> Double {
         let offset = self.whole_offset();
-        if matches!(self.method, Method::Linear { .. }) {
-            offset
-        } else {
-            offset - Double::new(offset.hi.round_ties_even())
-        }
+        if self.is_linear() { offset } else { offset - Double::new(offset.hi.round_ties_even()) }
     }
 
     /// Phase of t = 0 from the origin numbered 0.

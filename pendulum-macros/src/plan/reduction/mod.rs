@@ -193,6 +193,11 @@ impl Reduction {
         self.error < 0.5 && self.half().is_finite()
     }
 
+    /// Whether the phase is that of the separatrix, which isn't reduced.
+    pub(crate) fn is_linear(&self) -> bool {
+        matches!(self.method, Method::Linear { .. })
+    }
+
     /// The number of its operations.
     pub(crate) fn operations(&self) -> usize {
         let mut b = Builder::new(self.float);

@@ -36,7 +36,7 @@ impl Trial {
         let run = program.run(t);
         let (remainder, count) = (run[0], run[2]);
         let computed = real(remainder) * self.reduction.unit.to_real(context);
-        let linear = matches!(self.reduction.method, Method::Linear { .. });
+        let linear = self.reduction.is_linear();
         let halves = i64::from(self.reduction.origin == Origin::Lowest && !linear);
         let passed = &self.rate * &real(t) + &self.launch - context.ratio(halves, 2);
         // Beyond 2⁵³ anchors their number itself is rounded, its parity isn't.
