@@ -165,15 +165,22 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
 }
 
 /// The finest that can be promised, too: what a promise leaves is asked for, and parts of it, as long as that helps.
-/// Forced methods, whose plans take longer, are asked for coarse parts only.
+/// Where a fifth less is refused so is the rest. Forced methods, whose plans take longer, are asked for less only.
 fn finest(scene: &Scene, mut found: Kept) -> f64 {
-    let parts: &[f64] = if scene.method.is_some() { &[1.0, 0.03] } else { &[1.0, 0.03, 0.5, 0.8] };
-    for part in parts {
-        for _ in 0..4 {
-            let offer = three_digits(part * found.tolerance.min(1.01 * found.bound));
-            let Some(finer) = (offer < found.tolerance).then(|| kept(scene, offer).ok()).flatten() else { break };
-            found = finer;
-        }
+    let mut finer = |part: f64| {
+        let offer = three_digits(part * found.tolerance.min(1.01 * found.bound));
+        let finer = (offer < found.tolerance).then(|| kept(scene, offer).ok()).flatten();
+        found = finer.unwrap_or(found);
+        finer.is_some()
+    };
+    finer(1.0);
+    let parts: &[f64] = match scene.method {
+        Some(_) => &[0.03],
+        None if finer(0.8) => &[0.03, 0.5, 0.8],
+        None => &[],
+    };
+    for &part in parts {
+        while finer(part) {}
     }
     found.tolerance
 }
