@@ -164,23 +164,22 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
     unlikely.into_iter().find_map(|offer| kept(scene, offer).ok())
 }
 
-/// The finest that can be promised, too: what a promise leaves is asked for, and parts of it, as long as that helps.
-/// Where a fifth less is refused so is the rest. Forced methods, whose plans take longer, are asked for less only.
+/// The finest that can be promised, too: where a promise leaves more than half, what it takes is asked for; of one output
+/// by the planner's own choice, whose plans are quick, a fifth less, and then parts as long as these are kept.
 fn finest(scene: &Scene, mut found: Kept) -> f64 {
-    let mut finer = |part: f64| {
+    let mut finer = |part: f64, least_gain: f64| {
         let offer = three_digits(part * found.tolerance.min(1.01 * found.bound));
-        let finer = (offer < found.tolerance).then(|| kept(scene, offer).ok()).flatten();
+        let finer = (offer < least_gain * found.tolerance).then(|| kept(scene, offer).ok()).flatten();
         found = finer.unwrap_or(found);
         finer.is_some()
     };
-    finer(1.0);
-    let parts: &[f64] = match scene.method {
-        Some(_) => &[0.03],
-        None if finer(0.8) => &[0.03, 0.5, 0.8],
-        None => &[],
-    };
-    for &part in parts {
-        while finer(part) {}
+    while finer(1.0, 0.5) {}
+    if scene.method.is_none() && scene.outputs.len() == 1 {
+        finer(1.0, 1.0);
+        let parts: &[f64] = if finer(0.8, 1.0) { &[0.03, 0.5, 0.8] } else { &[] };
+        for &part in parts {
+            while finer(part, 1.0) {}
+        }
     }
     found.tolerance
 }

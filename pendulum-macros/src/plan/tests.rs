@@ -165,7 +165,7 @@ fn nothing_finer_than_what_is_offered() {
     }
     let series = "velocity0 = 2 - 1e-12, t_max = 6.206e6, method = series, tol = 1e-16";
     let Refusal::Unreachable { best } = refused(series) else { panic!("another refusal") };
-    assert!(best < 0.1, "{best:e}");
+    assert!(best < 3.0, "{best:e}: more than the motion");
 }
 
 #[test]

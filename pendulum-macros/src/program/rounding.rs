@@ -175,7 +175,7 @@ fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
 /// most the smaller one.
 fn sum(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded(a.corners(b, |x, y| x + y), float);
-    let exact = [(a.low, b.low), (a.high, b.high)].into_iter().all(|(x, y)| lost(two_sum(x, y), float) == 0.0);
+    let exact = [(a.low, b.low), (a.high, b.high)].into_iter().all(|(x, y)| is_exact(two_sum(x, y), float));
     let local = rounding(low, high, exact, float).min(a.magnitude()).min(b.magnitude());
     Known::result((low, high), a.error + b.error, of_numbers(a, b, two_sum, float).unwrap_or(local))
 }
@@ -183,13 +183,14 @@ fn sum(a: Known, b: Known, float: Float) -> Known {
 fn product(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded(a.corners(b, |x, y| x * y), float);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
-    let exact = ends.into_iter().all(|(x, y)| lost(two_prod(x, y), float) == 0.0);
-    let power = [a, b].into_iter().filter(|x| x.is_number() && x.error == 0.0).map(|x| x.low.abs());
-    let local = match power.filter(|&x| is_power_of_two(x)).reduce(f64::max) {
-        Some(power) if power >= 1.0 => 0.0,
+    let exact = ends.into_iter().all(|(x, y)| is_exact(two_prod(x, y), float));
+    let power = |x: Known| x.is_number() && x.error == 0.0 && is_power_of_two(x.low.abs());
+    let local = match (power(a), power(b)) {
+        (false, false) => of_numbers(a, b, two_prod, float).unwrap_or_else(|| rounding(low, high, exact, float)),
+        (true, _) if a.low.abs() >= 1.0 => 0.0,
+        (_, true) if b.low.abs() >= 1.0 => 0.0,
         // Nothing but what may underflow.
-        Some(_) => half_ulp(0.0, float),
-        None => of_numbers(a, b, two_prod, float).unwrap_or(rounding(low, high, exact, float)),
+        _ => half_ulp(0.0, float),
     };
     Known::result((low, high), a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error, local)
 }
@@ -198,6 +199,11 @@ fn product(a: Known, b: Known, float: Float) -> Known {
 fn of_numbers(a: Known, b: Known, operation: fn(f64, f64) -> (f64, f64), float: Float) -> Option<f64> {
     let lost = || lost(operation(a.low, b.low), float) + half_ulp(0.0, float).max(UNDERFLOW);
     (a.is_number() && b.is_number()).then(lost).filter(|lost| lost.is_finite())
+}
+
+/// Whether a result in two words is one of the type.
+fn is_exact((result, rest): (f64, f64), float: Float) -> bool {
+    rest == 0.0 && float.round(result) == result
 }
 
 /// How much of a result in two words rounding takes.
