@@ -172,16 +172,6 @@ fn refusals_of_forced_methods_near_the_top_take_less_than_a_second() {
     refused(&both("1e-12"), "leave `method` out");
 }
 
-/// The best that can be promised of four outputs is looked for in few steps.
-#[test]
-fn refusals_of_many_outputs_take_less_than_a_second() {
-    let outputs = "outputs = [position, wrapped, acceleration, velocity]";
-    refused(
-        &format!("struct A; theta0 = 180deg, velocity0 = 1e-280, tol = 1e-17, t_max = 1e-2, {outputs}"),
-        "the best is",
-    );
-}
-
 /// Each limit of an expression was harmless by itself: 240 literals of 490 digits took eleven seconds together.
 #[test]
 fn limits_of_length_do_not_multiply() {

@@ -164,7 +164,7 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
     unlikely.into_iter().find_map(|offer| kept(scene, offer).ok())
 }
 
-/// The finest that can be promised, too: where a promise leaves more than half, what it takes is asked for; of one output
+/// The finest of one output that can be promised, too: where a promise leaves more than half, what it takes is asked for;
 /// by the planner's own choice, whose plans are quick, a fifth less, and then parts as long as these are kept.
 fn finest(scene: &Scene, mut found: Kept) -> f64 {
     let mut finer = |part: f64, least_gain: f64| {
@@ -173,8 +173,9 @@ fn finest(scene: &Scene, mut found: Kept) -> f64 {
         found = finer.unwrap_or(found);
         finer.is_some()
     };
-    while finer(1.0, 0.5) {}
-    if scene.method.is_none() && scene.outputs.len() == 1 {
+    let one = scene.outputs.len() == 1;
+    while one && finer(1.0, 0.5) {}
+    if one && scene.method.is_none() {
         finer(1.0, 1.0);
         let parts: &[f64] = if finer(0.8, 1.0) { &[0.03, 0.5, 0.8] } else { &[] };
         for &part in parts {
