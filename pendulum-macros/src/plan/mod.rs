@@ -166,23 +166,25 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
 
 /// The finest of one output that can be promised, too: where a promise leaves more than half, what it takes is asked for;
 /// by the planner's own choice, whose plans are quick, a fifth less, and then parts as long as these are kept.
-fn finest(scene: &Scene, mut found: Kept) -> f64 {
-    let mut finer = |part: f64, least_gain: f64| {
-        let offer = three_digits(part * found.tolerance.min(1.01 * found.bound));
-        let finer = (offer < least_gain * found.tolerance).then(|| kept(scene, offer).ok()).flatten();
-        found = finer.unwrap_or(found);
-        finer.is_some()
-    };
-    let one = scene.outputs.len() == 1;
-    while one && finer(1.0, 0.5) {}
-    if one && scene.method.is_none() {
-        finer(1.0, 1.0);
-        let parts: &[f64] = if finer(0.8, 1.0) { &[0.03, 0.5, 0.8] } else { &[] };
-        for &part in parts {
-            while finer(part, 1.0) {}
-        }
+fn finest(scene: &Scene, found: Kept) -> f64 {
+    if scene.outputs.len() > 1 {
+        return found.tolerance;
     }
-    found.tolerance
+    let offer = |of: &Kept, part: f64| three_digits(part * of.tolerance.min(1.01 * of.bound));
+    let finer = |of: &Kept, part: f64| kept(scene, Some(offer(of, part)).filter(|&offer| offer < of.tolerance)?).ok();
+    let half_left = |of: &Kept| if offer(of, 1.0) < 0.5 * of.tolerance { finer(of, 1.0) } else { None };
+    let found = last(found, half_left);
+    if scene.method.is_some() {
+        return found.tolerance;
+    }
+    let found = finer(&found, 1.0).unwrap_or(found);
+    let Some(less) = finer(&found, 0.8) else { return found.tolerance };
+    [0.03, 0.5, 0.8].into_iter().fold(less, |found, part| last(found, |of| finer(of, part))).tolerance
+}
+
+/// What is left when nothing finer is found any more.
+fn last(found: Kept, finer: impl Fn(&Kept) -> Option<Kept>) -> Kept {
+    std::iter::successors(Some(found), finer).last().unwrap_or(found)
 }
 
 /// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.

@@ -187,16 +187,16 @@ impl Hyperbolic {
             };
             (0..count).map(slice)
         };
-        // The last binade stands for all that follow.
+        let stands_for_all_that_follow = |j: i32| j == most && most < binades;
         let is_met = |&(j, low, high): &(i32, f64, f64)| {
             let from = f64::from(j) + low;
-            let to = if j == most && most < binades { f64::INFINITY } else { f64::from(j) + high };
+            let to = if stands_for_all_that_follow(j) { f64::INFINITY } else { f64::from(j) + high };
             from <= furthest && to > nearest
         };
         let bound = |(j, low, high): (i32, f64, f64)| {
             let power = |exponent: i32| 2f64.powi(exponent.max(-1022));
             let image = |j: i32| power(j + self.passage.image_exponent);
-            let (powers, images) = if j == most && most < binades {
+            let (powers, images) = if stands_for_all_that_follow(j) {
                 ((0.0, power(-j)), (0.0, image(binades)))
             } else {
                 ((power(-j), power(-j)), (image(j), image(j)))

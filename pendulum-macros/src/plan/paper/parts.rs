@@ -4,6 +4,7 @@ use super::{Sum, drift, pieces, whole};
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
+use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::form::{Division, Form};
 use crate::plan::harmonics::Harmonics;
@@ -15,7 +16,6 @@ use crate::plan::{Bound, Part, bias};
 use crate::program::rounding::half_ulp;
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
-use std::f64::consts::PI;
 
 /// An output, and what doesn't depend on the reduction.
 pub(super) struct Wanted {
@@ -157,8 +157,7 @@ impl Sum {
 
     /// For arguments up to the largest that occurs, from the lowest point, or a little beyond it, on.
     fn arcsine(&self, reduction: &Reduction) -> Arcsine {
-        let slope = |(index, w): (usize, &Double)| w.hi.abs() * (2 * index + 1) as f64 * PI;
-        let steepest: f64 = self.weights.iter().enumerate().map(slope).sum();
+        let steepest = Cosines::odd(&self.weights).magnitude(1);
         Arcsine::new(steepest * reduction.overshoot, self.size(), reduction.float.unit() / 2.0)
     }
 
