@@ -70,8 +70,8 @@ fn rounded((low, high): (f64, f64), float: Float) -> (f64, f64) {
 }
 
 /// The least interval with all of them.
-fn hull(corners: [f64; 4]) -> (f64, f64) {
-    corners.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+fn hull([a, b, c, d]: [f64; 4]) -> (f64, f64) {
+    (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
 }
 
 /// The interval of the products of numbers from two intervals.

@@ -138,7 +138,7 @@ impl Sum {
     fn folded(&self, scene: &Scene, reduction: &Reduction) -> Option<Polynomial> {
         let size = self.size();
         let precision = size * scene.float.unit() / 2.0;
-        let approximation = Approximation::entire(&Curve::harmonics(&self.weights), precision / 16.0);
+        let approximation = Approximation::new(&Curve::harmonics(&self.weights), None, precision / 16.0)?;
         let terms = approximation.terms_for(precision, reduction.overshoot)?;
         Form::ALL.into_iter().find_map(|form| {
             // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.

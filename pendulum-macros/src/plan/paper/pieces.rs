@@ -34,20 +34,24 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise>
 }
 
 fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
-    let (mut series, mut points, mut residual) = (Vec::new(), Vec::new(), 0.0_f64);
     let table = CosineTable::new(POINTS);
-    for index in 0..=pieces / 2 {
-        let piece = Piece { pieces, index };
-        let phases: Vec<Double> = table.points().map(|u| piece.phase(u)).collect();
-        let sines: Vec<Double> = phases.iter().map(|&s| sum.at(s)).collect();
-        let values: Option<Vec<Double>> = sines.iter().map(|&y| twice_arcsine(y)).collect();
-        let own = table.coefficients(&values?);
-        residual = residual.max(piece.residual(sum, &own, negligible)?);
-        points.extend(phases.iter().zip(&sines).map(|(s, y)| Point { s: s.hi, y: y.hi.abs() }));
-        series.push(own);
-    }
+    let sampled = |index: usize| -> Vec<(Double, Double)> {
+        let phases = table.points().map(|u| Piece { pieces, index }.phase(u));
+        phases.map(|s| (s, sum.at(s))).collect()
+    };
+    let samples: Vec<Vec<(Double, Double)>> = (0..=pieces / 2).map(sampled).collect();
+    let mut points: Vec<Point> = samples.iter().flatten().map(|(s, y)| Point { s: s.hi, y: y.hi.abs() }).collect();
     // From the lowest point on.
     points.sort_by(|a, b| b.s.total_cmp(&a.s));
+    // A sum that may reach 1 isn't worth the interpolation.
+    of_residual(sum, &points, 0.0)?;
+    let (mut series, mut residual) = (Vec::new(), 0.0_f64);
+    for (index, own) in samples.iter().enumerate() {
+        let values: Option<Vec<Double>> = own.iter().map(|&(_, y)| twice_arcsine(y)).collect();
+        let own = table.coefficients(&values?);
+        residual = residual.max(Piece { pieces, index }.residual(sum, &own, negligible)?);
+        series.push(own);
+    }
     let error = of_residual(sum, &points, residual)?;
     (error <= negligible).then(|| Piecewise::known(series, error))
 }
