@@ -72,6 +72,35 @@ fn roundings_of_launches() {
     }
 }
 
+/// Where n is rounded from a rounded sum, the remainder is beyond half an anchor by a unit in the last place of the sum:
+/// with an anchor at t = 0 there is none but for remainders from the lowest point.
+#[test]
+fn remainders_beyond_half_an_anchor() {
+    let rate = Context::for_digits(60).decimal("0.5").unwrap();
+    // 1 + 127.5 and somewhat more is in the binade of 128.
+    for (horizon, binade) in [(250.0, 6), (255.0, 7)] {
+        let ways = |launch: f64, float: Float| {
+            Clock { rate: &rate, launch: Double::new(launch), t_max: Some(horizon), float }.reductions()
+        };
+        for (float, bits) in [(Float::F64, 52), (Float::F32, 23)] {
+            for (launch, expected) in [(0.0, 0.0), (0.5, 2f64.powi(binade - bits)), (-0.5, 2f64.powi(binade - bits))] {
+                let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+                let found = ways(launch, float).into_iter().find(one_word).unwrap().overshoot;
+                assert_eq!(found, expected, "{horizon} {launch} {float:?}");
+            }
+        }
+        for (origin, launch, expected) in [
+            (Origin::Anchor, 0.0, 0.0),
+            (Origin::Anchor, 0.5, 2f64.powi(binade - 52)),
+            (Origin::Lowest, 0.0, 2f64.powi(binade - 52)),
+        ] {
+            let wide = |way: &Reduction| matches!(way.method, Method::Wide { .. }) && way.origin == origin;
+            let found = ways(launch, Float::F32).into_iter().find(wide).unwrap().overshoot;
+            assert_eq!(found, expected, "{horizon} {launch} {origin:?}");
+        }
+    }
+}
+
 fn cody_waite(
     rate: &str,
     launch: f64,
