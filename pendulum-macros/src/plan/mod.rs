@@ -164,17 +164,14 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
     unlikely.into_iter().find_map(|offer| kept(scene, offer).ok())
 }
 
-/// The finest of one output that can be promised, too: where a promise leaves more than half, what it takes is asked for;
+/// The finest that can be promised, too: where a promise leaves more than half, what it takes is asked for; of one output
 /// by the planner's own choice, whose plans are quick, a fifth less, and then parts as long as these are kept.
 fn finest(scene: &Scene, found: Kept) -> f64 {
-    if scene.outputs.len() > 1 {
-        return found.tolerance;
-    }
     let offer = |of: &Kept, part: f64| three_digits(part * of.tolerance.min(1.01 * of.bound));
     let finer = |of: &Kept, part: f64| kept(scene, Some(offer(of, part)).filter(|&offer| offer < of.tolerance)?).ok();
     let half_left = |of: &Kept| if offer(of, 1.0) < 0.5 * of.tolerance { finer(of, 1.0) } else { None };
     let found = last(found, half_left);
-    if scene.method.is_some() {
+    if scene.outputs.len() > 1 || scene.method.is_some() {
         return found.tolerance;
     }
     let found = finer(&found, 1.0).unwrap_or(found);
