@@ -74,7 +74,11 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
         Goal::Tolerance(_) => "an error of at most `tol`".to_owned(),
         Goal::Full => format!("the full precision of `{}`", scene.float.word()),
     };
-    let horizon = scene.t_max.as_ref().map_or_else(|| "2⁵³ periods".to_owned(), |t| format!("|t| ≤ {}", shown(t)));
+    let horizon = match (&scene.t_max, &scene.motion.regime) {
+        (Some(t_max), _) => format!("|t| ≤ {}", shown(t_max)),
+        (None, Regime::Separatrix(_)) => "any time".to_owned(),
+        (None, _) => "2⁵³ periods".to_owned(),
+    };
     let mut lines = vec![format!("Planned for {goal}, over {horizon}:"), String::new()];
     let reduction = &plan.reduction;
     let wrong = match reduction.error + 0.5 * reduction.relative_error {

@@ -64,8 +64,9 @@ impl Cosines {
             derivatives[6] -= cosine * (m4 * m * m);
             derivatives[7] += sine * (m4 * m * m * m);
         }
-        // Sums of some hundred terms, and cosines of angles that are rounded.
-        let slack = std::array::from_fn(|j| 1e-14 * self.magnitudes[j] + 2.3e-16 * self.magnitudes[j + 1]);
+        // A sum of n terms is rounded n − 1 times, a term up to a dozen; and the angle mπs by 2.3e-16·mπ for |s| ≤ 0.85.
+        let rounding = 1e-14_f64.max((self.terms.len() + 12) as f64 * f64::EPSILON / 2.0);
+        let slack = std::array::from_fn(|j| rounding * self.magnitudes[j] + 2.3e-16 * self.magnitudes[j + 1]);
         Local { derivatives, remainder: self.magnitudes[ORDER], slack, half }
     }
 }

@@ -3,10 +3,11 @@
 //!
 //! With X = 2 cos 2φ and uₙ = wₙ + X·uₙ₊₁ − uₙ₊₂, Σ wₙ cos((2n−1)φ) = cos φ·(u₁ − u₂) and
 //! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). The recurrence is linear in the weights, so that a rounding error made in uₙ is
-//! an error of wₙ, which the sum passes on undiminished at most: the errors add, they don't multiply.
+//! an error of wₙ, which the sum passes on at most undiminished: the errors add, they don't multiply.
 
 use super::arcsine::Arcsine;
 use super::cosines::Cosines;
+use super::kernel::RESULT;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
@@ -125,19 +126,17 @@ impl Harmonics {
     }
 
     /// The errors of the cosine and the sine, given the rounding of a polynomial.
-    pub(super) fn errors(&self, reduction: &Reduction, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
-        let error = |polynomial: &Polynomial, largest: f64| {
-            rounding(polynomial) + polynomial.truncation + 2.0 * largest * reduction.float.unit()
-        };
-        let folded = self.folded.as_ref().map(|folded| error(folded, total(&self.cosines, 0).min(1.0)));
-        let cosine = folded.unwrap_or_else(|| error(&self.cosine, 1.0));
-        [cosine, self.sine.as_ref().map_or(0.0, |sine| error(sine, 1.0))]
+    pub(super) fn errors(&self, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
+        let error = |polynomial: &Polynomial| rounding(polynomial) + polynomial.truncation;
+        let cosine = self.folded.as_ref().unwrap_or(&self.cosine);
+        [error(cosine), self.sine.as_ref().map_or(0.0, error)]
     }
 
     /// The sums that the program computes, given the errors of the cosine and the sine.
     pub(super) fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
         let float = reduction.float;
         let sum = |name, curve, order, weights: &[Double], factor: f64| {
+            let name = if self.arcsine.is_some() { name } else { RESULT };
             // The factor before u₁ ∓ u₂, which are at most these.
             let both = total(weights, 0) + total(weights, 1);
             let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * both;
@@ -202,6 +201,9 @@ fn total(weights: &[Double], n: usize) -> f64 {
 }
 
 /// What the recurrence's roundings and the cosine's error `cosine` add, relative to the final product's factor.
+///
+/// They are relative to the uₙ as computed, which exceed their bounds by at most a part η: each of the roundings is at
+/// most a part c of these, and is passed on as often as weights follow.
 fn recurrence_error(weights: &[Double], cosine: f64, unit: f64) -> f64 {
     let x_error = 8.0 * cosine + 6.0 * unit;
     let local = |n: usize| {
@@ -209,8 +211,9 @@ fn recurrence_error(weights: &[Double], cosine: f64, unit: f64) -> f64 {
         unit * (2.0 * next + (weights[n].hi.abs() + 2.0 * next) + here + weights[n].hi.abs()) + x_error * next
     };
     let steps: f64 = (0..weights.len()).map(local).sum();
-    // The last sum and product.
-    steps + 2.0 * unit * (total(weights, 0) + total(weights, 1))
+    let last_sum_and_product = 2.0 * unit * (total(weights, 0) + total(weights, 1));
+    let eta = (7.0 * unit + x_error) * 0.5 * (weights.len() * (weights.len() + 1)) as f64;
+    if eta < 1.0 { (steps + last_sum_and_product) / (1.0 - eta) } else { f64::INFINITY }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Kernels: what computes one output from the reduced phase; and the functions made of them.
 
-use super::harmonics::Harmonics;
+use super::harmonics::{Harmonics, Sum};
 use super::hyperbolic::Hyperbolic;
 use super::pieces::Pieces;
 use super::polynomial::Polynomial;
@@ -124,7 +124,8 @@ impl Kernel {
             return angle.rounding(reduction, cap);
         }
         if let Self::Within(angle) = self {
-            // Between the largest number below π and π itself is less than a unit of π.
+            // From the largest number that it may be to π itself it is 0.63 units of π in `f32`, 1.27 in `f64`: less than
+            // this and the rounding of the angle's own last sum, half a unit.
             return angle.rounding(reduction, cap) + 2.0 * half_ulp(PI, reduction.float);
         }
         if let Self::Wrapped(angle) = self {
@@ -142,17 +143,23 @@ impl Kernel {
         let [least, most] = reduction.range();
         let of_polynomial =
             |polynomial: &Polynomial| Self::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
-        let harmonics = if let Self::Harmonics(harmonics) = self { Some(harmonics) } else { None };
-        let sums = harmonics
-            .map_or_else(Vec::new, |harmonics| harmonics.sums(reduction, harmonics.errors(reduction, of_polynomial)));
-        let between = |low: f64, high: f64| {
+        let harmonics = if let Self::Harmonics(harmonics) = self { Some(harmonics.as_ref()) } else { None };
+        let sums =
+            harmonics.map_or_else(Vec::new, |harmonics| harmonics.sums(reduction, harmonics.errors(of_polynomial)));
+        let given = |sums: &[Sum], low: f64, high: f64| {
             let mut known = vec![(phase, Known::between(low, high))];
             known.extend(
                 sums.iter().filter_map(|sum| Some((program.named(sum.name)?, sum.known(reduction, low, high)))),
             );
             norm(program.rounding(&known).iter().map(|known| known.error))
         };
-        if harmonics.is_some_and(|harmonics| harmonics.peaks()) {
+        // A sum of few terms that is the result itself is analysed better step by step.
+        let is_sum = harmonics.is_some_and(|harmonics| harmonics.arcsine.is_none());
+        let between = |low: f64, high: f64| {
+            let closed = given(&sums, low, high);
+            if is_sum { closed.min(given(&[], low, high)) } else { closed }
+        };
+        if harmonics.is_some_and(Harmonics::peaks) {
             return by_halves([least, most], SLICES, MOST_HALVED, between);
         }
         let at = |index: u32| least + (most - least) * f64::from(index) / f64::from(SLICES);
@@ -184,6 +191,9 @@ fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Po
     vec![x, b.name(y, "y")]
 }
 
+/// The name of a single result, before it takes the sign of the phase.
+pub(super) const RESULT: &str = "result";
+
 /// One function of the time, the kernels' results its own.
 pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
     const NAMES: [&str; 2] = ["first_result", "second_result"];
@@ -192,7 +202,7 @@ pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
     let phase = reduction.lower(&mut b, t);
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
     let variables = Variables::lower(&mut b, phase, reduction, odd);
-    let names = if kernels.len() == 1 { ["result"; 2] } else { NAMES };
+    let names = if kernels.len() == 1 { [RESULT; 2] } else { NAMES };
     let mut results = Vec::new();
     for (kernel, name) in kernels.iter().zip(names) {
         let of_magnitude = kernel.lower(&mut b, &variables, name);

@@ -2,7 +2,7 @@
 //! an error of the phase that is relative to z costs.
 //!
 //! From the lowest point to the anchor v = θ̇ falls, so that in a slice of z it lies between its values at the ends. By
-//! the energy, cos θ = 1 − (F² − v²)/(2ω²) with F = v(0) falls with it. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded
+//! the energy, 1 − cos θ = (F² − v²)/(2ω²) with F = v(0) rises as it falls. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded
 //! by the same intervals.
 
 use crate::series::Wave;
@@ -36,9 +36,10 @@ impl Moments {
             let z = end(slice + 1).min(0.5);
             let here = speed(z);
             let (slow, fast) = (here - SLACK * fastest, before + SLACK * fastest);
-            let [low, high] = [slow.max(0.0), fast].map(|v| cosine(v, fastest));
-            let sine = if low <= 0.0 && high >= 0.0 { 1.0 } else { (1.0 - low.abs().min(high.abs()).powi(2)).sqrt() };
-            let steepest = [fast, sine, low.abs().max(high.abs()) * fast].map(|steepest| z * steepest / rate);
+            let [high, low] = [slow.max(0.0), fast].map(|v| height(v, fastest));
+            let sine = if low <= 1.0 && high >= 1.0 { 1.0 } else { sine(low).max(sine(high)) };
+            let cosine = (1.0 - low).abs().max((1.0 - high).abs());
+            let steepest = [fast, sine, cosine * fast].map(|steepest| z * steepest / rate);
             moments.angle = moments.angle.max(steepest[0]);
             moments.velocity = moments.velocity.max(steepest[1]);
             moments.acceleration = moments.acceleration.max(steepest[2]);
@@ -50,7 +51,12 @@ impl Moments {
     }
 }
 
-/// cos θ at the velocity v, in units of ω.
-fn cosine(v: f64, fastest: f64) -> f64 {
-    (1.0 - (fastest - v) * (fastest + v) / 2.0).clamp(-1.0, 1.0)
+/// 1 − cos θ at the velocity v, in units of ω.
+fn height(v: f64, fastest: f64) -> f64 {
+    (0.5 * (fastest - v) * (fastest + v)).clamp(0.0, 2.0)
+}
+
+/// sin θ from 1 − cos θ: of a small swing 1 − cos² θ would keep no digit.
+fn sine(height: f64) -> f64 {
+    (height * (2.0 - height)).sqrt()
 }

@@ -115,7 +115,7 @@ pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     within_half_turn(b, angle)
 }
 
-/// The nearest number within [−π, π).
+/// The nearest number from −π to below π, the number next to π in `f64` being π itself.
 pub(super) fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
     let (most, least) = match b.float() {
         Float::F64 => (std::f64::consts::PI.next_down(), -std::f64::consts::PI),

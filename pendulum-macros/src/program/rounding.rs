@@ -126,7 +126,7 @@ fn inflate(known: Known) -> Known {
 
 fn step(op: Op, float: Float, known: &[Known]) -> Known {
     match op {
-        Op::Input | Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } => {
+        Op::Input | Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => {
             Known::between(f64::NEG_INFINITY, f64::INFINITY)
         }
         Op::Constant { value, rest } => Known::within(value, value, rest.abs()),
@@ -146,14 +146,6 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
         }
         Op::Min { limit, x } => extreme(known[limit], known[x], f64::min),
         Op::Max { limit, x } => extreme(known[limit], known[x], f64::max),
-        // Where the computed condition is in doubt, each branch is within its error of the same function.
-        Op::Select { a, b, then, .. } if known[a].high < known[b].low => known[then].passed_on(),
-        Op::Select { a, b, otherwise, .. } if known[a].low >= known[b].high => known[otherwise].passed_on(),
-        Op::Select { then, otherwise, .. } => {
-            let (then, otherwise) = (known[then], known[otherwise]);
-            let range = (then.low.min(otherwise.low), then.high.max(otherwise.high));
-            Known::result(range, then.error.max(otherwise.error), 0.0)
-        }
         Op::Alternate { x, .. } | Op::Against { x, .. } => {
             let magnitude = known[x].magnitude();
             Known::result((-magnitude, magnitude), known[x].error, 0.0)

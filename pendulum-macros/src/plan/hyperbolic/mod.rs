@@ -115,9 +115,15 @@ impl Hyperbolic {
         ];
         let matters = |&&(_, change): &&(Images, f64)| change > limit / 8.0;
         let images = levels.iter().rev().find(matters).map_or(Images::Nothing, |level| level.0);
-        // At the lowest point A = (1 + q′)/(1 + q′M) in a swing, of which the divisor may not matter. On the ellipse that
-        // reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of whose inverse the arctangent is a mean.
-        let largest = if images == Images::Sum { (1.0 + q) * (1.0 + q) } else { 1.0 };
+        // At the lowest point A = (1 + q′)/(1 + q′M) in a swing, of which the divisor may not matter, and 1 + q′³ in a
+        // rotation, of which the correction may not. On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of
+        // whose inverse the arctangent is a mean.
+        let lowest = match images {
+            Images::Sum => 1.0 + q,
+            Images::Denominator if passage.sigma < 0.0 => (1.0 - q) / (1.0 - q - q.powi(3)),
+            _ => 1.0,
+        };
+        let largest = lowest * lowest;
         let arctangent = output
             .is_angle()
             .then(|| Fit::new(&Domain::reaching(largest * 1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));

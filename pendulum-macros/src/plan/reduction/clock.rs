@@ -9,7 +9,7 @@ use crate::program::rounding::half_ulp;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
-/// The horizon when no `t_max` is given: 2⁵³ periods are 2⁵⁴ anchors.
+/// The horizon when no `t_max` is given, in anchors: 2⁵⁴, 2⁵³ periods of a swing and twice as many turns of a rotation.
 pub(crate) const UNLIMITED: f64 = 18_014_398_509_481_984.0;
 
 /// The rounding of remainders up to ½ as they become `f32`, and in the last sums of any time.

@@ -105,17 +105,9 @@ fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> boo
             add(x, slope.times(0.0, 1.0));
             add(limit, slope.times(0.0, 1.0));
         }
-        Op::Select { a, b, then, otherwise } => {
-            let (a, b) = (known[a], known[b]);
-            match (a.high < b.low, a.low >= b.high) {
-                (true, _) => add(then, slope),
-                (_, true) => add(otherwise, slope),
-                _ => return false,
-            }
-        }
         // Whichever sign it takes, everything before it changes by it alike.
         Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
-        Op::Head(_) => return false,
+        Op::Head(_) | Op::Select { .. } => return false,
     }
     true
 }

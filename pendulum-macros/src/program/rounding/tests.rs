@@ -216,21 +216,6 @@ fn what_only_passes_values_on() {
     expect(constant, (0.5, 0.5), 1e-20, 1e-20);
 }
 
-#[test]
-fn selections() {
-    let select = Op::Select { a: 0, b: 1, then: 2, otherwise: 3 };
-    let (then, otherwise) = (Known::within(1.0, 2.0, 1e-9), Known::within(-1.0, 0.5, 2e-9));
-    let with = |a: (f64, f64), b: (f64, f64)| {
-        after(select, Float::F64, &[Known::between(a.0, a.1), Known::between(b.0, b.1), then, otherwise])
-    };
-    expect(with((0.0, 1.0), (1.5, 2.0)), (1.0, 2.0), 1e-9, 0.0);
-    expect(with((2.0, 3.0), (1.5, 2.0)), (-1.0, 0.5), 2e-9, 0.0);
-    // In doubt: `a` may be 1 where `b` is, and then isn't below it.
-    for (a, b) in [((0.0, 1.0), (1.0, 2.0)), ((0.0, 3.0), (1.0, 2.0))] {
-        expect(with(a, b), (-1.0, 2.0), 2e-9, 0.0);
-    }
-}
-
 /// What the analysis itself rounds is covered in both errors, that with its operands' and that of the operation alone.
 #[test]
 fn inflation() {

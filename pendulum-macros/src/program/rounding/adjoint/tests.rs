@@ -71,20 +71,6 @@ fn where_there_is_no_derivative() {
     assert_eq!(passed(Op::Abs(0), (1.0, 1.0), &[Known::between(0.0, 1.0)]), Some(vec![(1.0, 1.0)]));
 }
 
-#[test]
-fn selections_pass_to_the_branch_taken() {
-    let select = Op::Select { a: 0, b: 1, then: 2, otherwise: 3 };
-    let value = Known::between(0.0, 1.0);
-    let with = |a: (f64, f64), b: (f64, f64)| {
-        passed(select, (1.0, 2.0), &[Known::between(a.0, a.1), Known::between(b.0, b.1), value, value])
-    };
-    let zero = (0.0, 0.0);
-    assert_eq!(with((0.0, 1.0), (1.5, 2.0)), Some(vec![zero, zero, (1.0, 2.0), zero]));
-    assert_eq!(with((2.0, 3.0), (1.5, 2.0)), Some(vec![zero, zero, zero, (1.0, 2.0)]));
-    assert_eq!(with((0.0, 1.0), (1.0, 2.0)), None);
-    assert_eq!(with((0.0, 3.0), (1.0, 2.0)), None);
-}
-
 /// (t + c)·(−3): the error of c and the sum's rounding, three times, and the product's.
 #[test]
 fn roundings_are_weighted_by_derivatives() {
