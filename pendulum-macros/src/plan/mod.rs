@@ -125,12 +125,16 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     };
     let reached = if best < full { [best, full] } else { [full, best] };
     let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
-    // A forced method is refused as such.
-    let decades = if scene.method.is_some() { 1..1 } else { 1..10 };
+    let decades = if is_quick(scene) { 1..10 } else { 1..1 };
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
     let best = first_kept(scene, &offers).map_or(f64::INFINITY, |kept| finest(scene, kept));
     Err(Refusal::Unreachable { best })
+}
+
+/// Whether plans are found quickly, as by any method but the paper's own: these take a hundred harmonics near the top.
+fn is_quick(scene: &Scene) -> bool {
+    scene.method.is_none_or(|method| method == Method::Polynomial)
 }
 
 /// A tolerance that can be promised, and the bound of the plan that promises it.
@@ -165,13 +169,13 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
 }
 
 /// The finest that can be promised, too: where a promise leaves more than half, what it takes is asked for; of one output
-/// by the planner's own choice, whose plans are quick, a fifth less, and then parts as long as these are kept.
+/// whose plans are quick a fifth less, and then parts as long as these are kept.
 fn finest(scene: &Scene, found: Kept) -> f64 {
     let offer = |of: &Kept, part: f64| three_digits(part * of.tolerance.min(1.01 * of.bound));
     let finer = |of: &Kept, part: f64| kept(scene, Some(offer(of, part)).filter(|&offer| offer < of.tolerance)?).ok();
     let half_left = |of: &Kept| if offer(of, 1.0) < 0.5 * of.tolerance { finer(of, 1.0) } else { None };
     let found = last(found, half_left);
-    if scene.outputs.len() > 1 || scene.method.is_some() {
+    if scene.outputs.len() > 1 || !is_quick(scene) {
         return found.tolerance;
     }
     let found = finer(&found, 1.0).unwrap_or(found);

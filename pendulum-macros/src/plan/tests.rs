@@ -158,6 +158,7 @@ fn nothing_finer_than_what_is_offered() {
         ("velocity0 = 0.714662, t_max = 5.142, outputs = [wrapped]", "1e-17"),
         ("theta0 = 1.666054, velocity0 = -0.744599, t_max = 1.844e2, float = f32", "1e-17"),
         ("theta0 = π - 1.402e-6, t_max = 2.112, float = f32", "1e-17"),
+        ("theta0 = 3.14, method = polynomial, t_max = 1e6", "1e-17"),
         ("theta0 = 7π/8, outputs = [theta, velocity, acceleration, position]", "8e-16"),
         ("velocity0 = 2, t_max = 1e4, outputs = [theta, velocity, position]", "1e-15"),
         ("theta0 = 0.7, velocity0 = 3, float = f32, outputs = [wrapped, acceleration]", "1e-7"),
