@@ -257,6 +257,14 @@ fn bounds_are_close_to_errors() {
         ("theta0 = 0.1, tol = 1e-3, t_max = 1e4, method = harmonic", 1.2),
         ("theta0 = 0.1, tol = 1e-3, t_max = 10, method = small_angle", 1.6),
         ("theta0 = 2, tol = 1e-5, t_max = 1e4, method = series, outputs = [velocity]", 1.2),
+        // Remainders beyond half an anchor are few of the many that long horizons of few digits allow for.
+        ("theta0 = 3.1208, tol = 1e-2, t_max = 3e5, float = f32", 3.0),
+        ("theta0 = π - 2.079e-2, omega = 1e-2, tol = 1.518e-2, t_max = 3.8854e7, float = f32", 3.0),
+        ("theta0 = π - 2.227e-3, tol = 2.661e-4, t_max = 1.162e5, float = f32, outputs = [velocity]", 4.0),
+        ("theta0 = π - 5.817e-3, tol = 2.115e-4, t_max = 1.3777e5, float = f32, outputs = [velocity]", 4.0),
+        ("theta0 = π - 1.108e-3, tol = 1.839e-2, t_max = 2.3818e5, float = f32", 3.0),
+        ("theta0 = 3.0007, tol = 3.682e-3, t_max = 1.6141e5, float = f32, outputs = [position]", 3.0),
+        ("theta0 = 2.9516, tol = 2.243e-3, t_max = 1.5874e5, float = f32, outputs = [acceleration]", 4.0),
     ] {
         // Passages are short, and roundings rarely at their worst.
         let density = if most < 2.0 { 5 } else { 12 };

@@ -129,10 +129,15 @@ impl<'a> Clock<'a> {
         let anchors = self.horizon() * self.rate.to_f64();
         let rate = float.round(self.rate.to_f64());
         let error = self.horizon() * self.off(&[rate]) + self.rounding_in_one_word(anchors, float);
-        let without_sum = origin == Origin::Anchor && self.launch == Double::ZERO;
-        let overshoot = if without_sum { 0.0 } else { 2.0 * half_ulp(anchors * 1.001 + 1.0, float) };
+        let overshoot = 2.0 * self.rounding_of_sum(origin, float);
         // Beyond, the sum that rounds has no odd numbers.
         (anchors < float.magic() / 8.0).then_some(Product { rate, error, overshoot })
+    }
+
+    /// The rounding of the sum of which n is the nearest number, where an origin isn't passed at t = 0.
+    fn rounding_of_sum(&self, origin: Origin, float: Float) -> f64 {
+        let without = origin == Origin::Anchor && self.launch == Double::ZERO;
+        if without { 0.0 } else { half_ulp(self.horizon() * self.rate.to_f64() * 1.001 + 1.0, float) }
     }
 
     /// |t|·|AR − R′|, the rounding of the product t·R′ (least for its digits where the last of them stands just below a
@@ -158,8 +163,10 @@ impl<'a> Clock<'a> {
         let scaled = self.float.round((rate * anchor).hi);
         let rounding = half_ulp(anchors * anchor * 1.001, self.float) + half_ulp(anchor, self.float);
         let error = self.horizon() * off(anchor) * 1.001 + rounding / anchor;
-        let method = Method::Scaled { rate: self.float.round(rate.hi), scaled, anchor };
-        Some(self.reduction(method, Origin::Anchor, [error, 0.0], self.misplaced(anchors)))
+        let rate = self.float.round(rate.hi);
+        let method = Method::Scaled { rate, scaled, anchor };
+        let overshoot = self.misplaced(rate, Origin::Anchor, error);
+        Some(self.reduction(method, Origin::Anchor, [error, 0.0], overshoot))
     }
 
     /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
@@ -196,13 +203,16 @@ impl<'a> Clock<'a> {
             Origin::Anchor => [drift + before + last * rounding(0.5), 0.0],
             Origin::Lowest => [drift + before, last * self.float.unit() * 1.001],
         };
-        Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, self.misplaced(anchors)))
+        let overshoot = self.misplaced(rate, origin, errors[0] + errors[1]);
+        Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, overshoot))
     }
 
-    /// How far beyond half an anchor a remainder may be that isn't what n was rounded from: by the roundings of the
-    /// rate, of its product with the time and of the launch.
-    fn misplaced(&self, anchors: f64) -> f64 {
-        3.01 * anchors * self.float.unit()
+    /// How far beyond half an anchor a remainder, wrong by `error`, may be that isn't what n was rounded from: by what
+    /// the rate in one word is off by, and the roundings of its product with the time and of the sum with the launch.
+    fn misplaced(&self, rate: f64, origin: Origin, error: f64) -> f64 {
+        let drift = self.horizon() * self.off(&[rate]);
+        let product = half_ulp(self.horizon() * self.rate.to_f64() * 1.001, self.float);
+        (drift + product + self.rounding_of_sum(origin, self.float) + error) * 1.001
     }
 
     fn wide(&self, origin: Origin) -> Option<Reduction> {
