@@ -21,7 +21,7 @@
 //!
 //! let (theta, velocity) = Clock::state(3600.0); // an hour after release, asked directly
 //! assert!(theta.abs() <= Clock::THETA0);
-//! assert!(Clock::MAX_ERROR <= 1e-9); // proven, for all |t| ≤ 86,400 s
+//! const { assert!(Clock::MAX_ERROR <= 1e-9) }; // proven, for all |t| ≤ 86,400 s
 //! const NOON: f64 = Clock::theta(43_200.0); // by the compiler
 //! # assert!(NOON.is_finite() && velocity.is_finite());
 //! ```
@@ -40,10 +40,10 @@
 //! # `no_std`, determinism
 //! Neither the generated code nor the run-time part allocates, panics, or calls the platform's mathematical library.
 //! Generated code is + − × ÷, comparisons and manipulations of a number's bits in a fixed order, without branches, and
-//! `const`; near the top and for the paper's θ̂ a row of a table of coefficients is chosen by a mask, which can't miss it.
-//! The run-time part takes correctly rounded square roots besides. A fused multiply-add, whose bits would differ, is in
-//! neither. So the bits are the same on every platform and at every optimisation level, but for the sign and payload of
-//! a NaN, which IEEE 754 leaves open.
+//! `const`; where polynomials would be long and for the paper's θ̂ a row of a table of coefficients is chosen by a mask,
+//! which can't miss it. The run-time part takes correctly rounded square roots besides. A fused multiply-add, whose
+//! bits would differ, is in neither. So the bits are the same on every platform and at every optimisation level, but
+//! for the sign and payload of a NaN, which IEEE 754 leaves open.
 #![no_std]
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
@@ -134,7 +134,7 @@ struct Readme;
 /// | `MODULUS` | k = sin(`AMPLITUDE`/2) of a swing, κ = 2ω/\|θ̇\| at the lowest point of a rotation, 1 on the separatrix | always |
 /// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), (κ in place of k) | for swings and rotations |
 /// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation | for swings and rotations |
-/// | `METHOD: &str` | `"polynomial"`; near the top `"pieces"` (a table of polynomials) and `"passage"` (through the lowest point; also the separatrix); or the `method` of the paper or `"series"` that was asked for | always |
+/// | `METHOD: &str` | `"polynomial"`; where that would be long `"pieces"` (a table of polynomials), near the top `"passage"` (through the lowest point; also the separatrix); or the `method` of the paper or `"series"` that was asked for | always |
 /// | `TERMS: usize` | terms (harmonics) of the first output | always |
 /// | `OPERATIONS: usize` | operations in one call of the first function | always |
 /// | `COEFFICIENTS: [_; N]` | b₁, b₃, … (Eq. 20) | for a plan by Eq. 22 |
@@ -155,8 +155,8 @@ struct Readme;
 /// NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞). For a
 /// release from rest θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit within the horizon; beyond it, the θ of a
 /// swing stays within ±(`AMPLITUDE` + `MAX_ERROR`), and of a horizon of less than a quarter of a period all outputs may
-/// stay as they are at its end. Of θ̇ the bound alone is promised: near the top, where `METHOD` is `"passage"`, it is not
-/// exactly 0 at the release.
+/// stay as they are at its end. Of θ̇ the bound alone is promised: near the top, where `METHOD` is `"passage"`, it is
+/// not exactly 0 at the release.
 ///
 /// ```
 /// pendula::pendulum! {
@@ -171,8 +171,8 @@ struct Readme;
 /// ```
 ///
 /// Swing, rotation or separatrix is decided by the exact parameters. `theta` of a rotation counts its turns, and
-/// without `t_max` its `MAX_ERROR` includes the rounding of 2⁵³ of them, tens of radians: give `t_max`, or use
-/// `wrapped`, which keeps its digits however many they are.
+/// without `t_max` its `MAX_ERROR` includes the rounding of 2⁵⁴ of them, tens of radians, in `f32` billions: give
+/// `t_max`, or use `wrapped`, which keeps its digits however many they are.
 ///
 /// ```
 /// use pendula::pendulum;
@@ -184,9 +184,10 @@ struct Readme;
 ///
 /// # Errors
 /// Every mistake is a compile error at the token to blame, which names the parameter, the value and a remedy; several
-/// mistakes are reported together. A `tol` that can't be promised is refused with the best that can. One is mathematics
-/// rather than syntax: with few terms the argument of the arcsine in Eq. 22 exceeds 1 at large amplitudes (from 0.7308π
-/// for N = 1, 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂ would be NaN.
+/// mistakes are reported together. A `tol` that can't be promised is refused with the best that can, or, of several
+/// outputs or a forced `method`, one not far above it. One mistake is mathematics rather than syntax: with few terms
+/// the argument of the arcsine in Eq. 22 exceeds 1 at large amplitudes (from 0.7308π for N = 1, 0.9046π for 2, 0.9139π
+/// for 3, 0.9547π for 4), where θ̂ would be NaN.
 ///
 /// ```compile_fail
 /// // the smallest number of terms that works is `n = 4`
