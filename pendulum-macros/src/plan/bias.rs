@@ -56,7 +56,7 @@ fn phases(scene: &Scene, swing: &Swing) -> Option<[f64; 2]> {
     (reach < 0.25).then_some([launch - reach, launch + reach])
 }
 
-/// sup |θ̂′ − θ̇| in rad per unit of t, for θ̂ = Σ wₙ cos((2n−1)πs), or twice the arcsine of that for
+/// sup |θ̂′ − θ̇| over the horizon in rad per unit of t, for θ̂ = Σ wₙ cos((2n−1)πs), or twice the arcsine of that for
 /// [`Method::Fourier`]. `drift` bounds the difference of the phases, in anchors.
 pub(super) fn of_velocity(
     weights: &[Double],
@@ -77,13 +77,14 @@ pub(super) fn of_velocity(
         let slopes = if method == Method::Fourier { f64::INFINITY } else { steepest };
         return (slopes * rate.to_f64() + fastest) * (1.0 + 1e-9);
     }
+    let met = phases(scene, swing).unwrap_or([0.0, 0.5]);
     // Both at the same phase and rate; then the other rate, and the other phase.
     let at_same_phase = if method == Method::Fourier {
         let sines = Sines::new(ours, exact, weights, &curves);
-        by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
+        by_halves(met, CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
     } else {
         let apart = difference(terms, weights);
-        by_halves([0.0, 0.5], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
+        by_halves(met, CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
     };
     let faster = (rate.to_f64() - exact_rate).abs() * steepest;
     let shifted = (exact_bend * drift).min(2.0 * exact_steepest);

@@ -265,6 +265,11 @@ fn bounds_are_close_to_errors() {
         ("theta0 = π - 1.108e-3, tol = 1.839e-2, t_max = 2.3818e5, float = f32", 3.0),
         ("theta0 = 3.0007, tol = 3.682e-3, t_max = 1.6141e5, float = f32, outputs = [position]", 3.0),
         ("theta0 = 2.9516, tol = 2.243e-3, t_max = 1.5874e5, float = f32, outputs = [acceleration]", 4.0),
+        // So are the phases that a short horizon meets.
+        ("theta0 = 1, tol = 1e-1, t_max = 0.1, outputs = [velocity], method = harmonic", 1.2),
+        ("theta0 = π - 1.402e-4, tol = 1e-3, t_max = 1.4e-3, outputs = [velocity], method = series", 1.2),
+        ("theta0 = 2.9, tol = 1e-3, t_max = 0.02, outputs = [velocity], method = fourier", 1.5),
+        ("theta0 = 0.5, velocity0 = 0.5, tol = 1e-3, t_max = 0.1, outputs = [velocity], method = fourier", 1.2),
     ] {
         // Passages are short, and roundings rarely at their worst.
         let density = if most < 2.0 { 5 } else { 12 };
