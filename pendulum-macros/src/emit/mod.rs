@@ -29,6 +29,7 @@ pub(crate) fn emit(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStrea
 fn allowed() -> TokenStream {
     quote!(#[allow(
         dead_code,
+        deprecated,
         unused_qualifications,
         clippy::all,
         clippy::pedantic,

@@ -21,6 +21,7 @@
 pub struct Forever;
 #[allow(
     dead_code,
+    deprecated,
     unused_qualifications,
     clippy::all,
     clippy::pedantic,

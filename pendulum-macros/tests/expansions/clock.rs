@@ -26,6 +26,7 @@
 pub struct Clock;
 #[allow(
     dead_code,
+    deprecated,
     unused_qualifications,
     clippy::all,
     clippy::pedantic,

@@ -23,6 +23,7 @@
 pub(crate) struct Lamp;
 #[allow(
     dead_code,
+    deprecated,
     unused_qualifications,
     clippy::all,
     clippy::pedantic,

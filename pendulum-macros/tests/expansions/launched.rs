@@ -23,6 +23,7 @@
 struct Pushed;
 #[allow(
     dead_code,
+    deprecated,
     unused_qualifications,
     clippy::all,
     clippy::pedantic,

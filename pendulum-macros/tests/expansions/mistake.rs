@@ -13,6 +13,7 @@
 pub struct Wrong;
 #[allow(
     dead_code,
+    deprecated,
     unused_qualifications,
     clippy::all,
     clippy::pedantic,

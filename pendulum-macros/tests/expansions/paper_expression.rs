@@ -16,6 +16,7 @@ fn expression() -> impl Copy {
     /// * coefficients of sn: b1 = 1.1523081413695546, b3 = 0.18163662447513268, b5 = 0.03502170732398364, b7 = 0.0067987238779056575
     #[allow(
         dead_code,
+        deprecated,
         unused_qualifications,
         clippy::all,
         clippy::pedantic,

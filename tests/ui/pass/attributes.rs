@@ -26,6 +26,12 @@ pendula::pendulum! {
     theta0 = 1, tol = 1e-3
 }
 
+pendula::pendulum! {
+    #[deprecated = "its own impl is no use of it"]
+    pub(crate) struct Old;
+    theta0 = 1, tol = 1e-3
+}
+
 fn main() {
     assert!((inner::start() - 1.0).abs() <= 1e-3);
 }
