@@ -60,5 +60,5 @@ fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
 /// Every mistake as a `compile_error!`.
 fn errors(report: Report) -> Vec<TokenStream> {
     let mistakes = report.finish().err().into_iter().flatten();
-    mistakes.map(|mistake| mistake.to_compile_error()).collect()
+    mistakes.map(|mistake| report::compile_error(&mistake)).collect()
 }

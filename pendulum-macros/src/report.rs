@@ -1,6 +1,6 @@
 //! Collects every mistake of one invocation, so that all of them are reported at once.
 
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use std::fmt::Display;
 
@@ -44,6 +44,14 @@ impl Report {
     }
 }
 
+/// The mistake as a `compile_error!`, shown at its tokens, without the `::core::` that `syn` puts before it: spans of the
+/// user's tokens have the user's edition, and in that of 2015 `::core` is a module of the user's crate. Were it located
+/// there but resolved here, the compiler would add to every message that it originates in a macro.
+pub(crate) fn compile_error(mistake: &syn::Error) -> TokenStream {
+    let path = |tree: &TokenTree| !matches!(tree, TokenTree::Ident(name) if name == "compile_error");
+    mistake.to_compile_error().into_iter().skip_while(path).collect()
+}
+
 /// The candidate that is closest to `word` by edit distance, if it is close enough to be what was meant.
 pub(crate) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     candidates
@@ -81,6 +89,13 @@ mod tests {
         assert_eq!(nearest("Omega", &names), Some("omega"));
         assert_eq!(nearest("output", &names), Some("outputs"));
         assert_eq!(nearest("colour", &names), None);
+    }
+
+    /// In edition 2015 `::core` is not what it is later.
+    #[test]
+    fn errors_have_no_path() {
+        let mistake = syn::Error::new(Span::call_site(), "one");
+        assert_eq!(compile_error(&mistake).to_string(), "compile_error ! { \"one\" }");
     }
 
     #[test]
