@@ -1,0 +1,123 @@
+//! Writing a program.
+
+use super::{Id, Node, Op, Program};
+use crate::parse::Float;
+use pendulum_runtime::double::Double;
+
+/// Writes a program node by node.
+#[derive(Clone, Debug)]
+pub(crate) struct Builder {
+    nodes: Vec<Node>,
+    /// The type of the nodes to come.
+    float: Float,
+    table: Vec<Vec<Double>>,
+}
+
+impl Builder {
+    /// A program whose time, and results, are of type `float`.
+    pub(crate) fn new(float: Float) -> Self {
+        Self { nodes: Vec::new(), float, table: Vec::new() }
+    }
+
+    pub(crate) fn float(&self) -> Float {
+        self.float
+    }
+
+    /// The time, node 0.
+    pub(crate) fn input(&mut self) -> Id {
+        let t = self.push(Op::Input);
+        self.name(t, "t")
+    }
+
+    /// The number of the float nearest to `value`, whose distance from it is kept.
+    pub(crate) fn exact(&mut self, value: Double) -> Id {
+        let rounded = self.float.round(value.hi);
+        self.push(Op::Constant { value: rounded, rest: (value.hi - rounded) + value.lo })
+    }
+
+    /// A number that stands for something within `slack` of it.
+    pub(crate) fn loose(&mut self, value: f64, slack: f64) -> Id {
+        let rounded = self.float.round(value);
+        self.push(Op::Constant { value: rounded, rest: (value - rounded).abs() + slack })
+    }
+
+    /// A number that is exact as it stands.
+    pub(crate) fn constant(&mut self, value: f64) -> Id {
+        self.exact(Double::new(value))
+    }
+
+    /// x + offset, if there is any.
+    pub(crate) fn offset(&mut self, x: Id, offset: Double) -> Id {
+        if offset == Double::ZERO {
+            return x;
+        }
+        let offset = self.exact(offset);
+        self.add(x, offset)
+    }
+
+    pub(crate) fn add(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Add(a, b))
+    }
+
+    pub(crate) fn sub(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Sub(a, b))
+    }
+
+    pub(crate) fn div(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Div(a, b))
+    }
+
+    pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
+        self.push(Op::Mul(a, b))
+    }
+
+    /// Gives `id` a name in the emitted code.
+    pub(crate) fn name(&mut self, id: Id, name: &'static str) -> Id {
+        self.nodes[id].name = Some(name);
+        id
+    }
+
+    /// Appends `op`; an operation that is there already is shared.
+    pub(crate) fn push(&mut self, op: Op) -> Id {
+        if let Some(id) = self.nodes.iter().position(|node| node.op == op && node.float == self.float) {
+            return id;
+        }
+        self.nodes.push(Node { op, float: self.float, name: None });
+        self.nodes.len() - 1
+    }
+
+    /// Converts `x` to `float`, in which the program continues.
+    pub(crate) fn convert(&mut self, x: Id, float: Float) -> Id {
+        self.float = float;
+        if self.nodes[x].float == float {
+            return x;
+        }
+        self.push(if float == Float::F64 { Op::Widen(x) } else { Op::Narrow(x) })
+    }
+
+    /// `a + b` and what its rounding left (Knuth).
+    pub(crate) fn two_sum(&mut self, a: Id, b: Id) -> (Id, Id) {
+        let sum = self.add(a, b);
+        let seen = self.sub(sum, a);
+        let from_a = self.sub(sum, seen);
+        let (lost_a, lost_b) = (self.sub(a, from_a), self.sub(b, seen));
+        (sum, self.add(lost_a, lost_b))
+    }
+
+    /// The numbers of that one of `rows` which the integer in `magic` names. Rows for the same integer, of which there
+    /// are always as many, are joined.
+    pub(crate) fn look_up(&mut self, rows: &[Vec<Double>], magic: Id) -> Vec<Id> {
+        self.table.resize(rows.len(), Vec::new());
+        let columns = |row: Option<&Vec<Double>>| row.map_or(0, Vec::len);
+        let (first, count) = (columns(self.table.first()), columns(rows.first()));
+        self.table.iter_mut().zip(rows).for_each(|(row, more)| row.extend(more));
+        let row = self.push(Op::Row { magic });
+        self.name(row, "row");
+        (first..first + count).map(|column| self.push(Op::Entry { row, column })).collect()
+    }
+
+    /// The finished program, without the nodes that no result needs.
+    pub(crate) fn finish(self, results: Vec<Id>) -> Program {
+        Program { nodes: self.nodes, results, table: self.table }.pruned()
+    }
+}

@@ -1,0 +1,38 @@
+//! What rounding depends on.
+
+use crate::parse::Float;
+
+impl Float {
+    /// Adding this number rounds to an integer, held in the low bits of the sum: 1.5·2⁵² or 1.5·2²³, for magnitudes
+    /// below a third of it.
+    pub(crate) const fn magic(self) -> f64 {
+        match self {
+            Self::F64 => 6_755_399_441_055_744.0,
+            Self::F32 => 12_582_912.0,
+        }
+    }
+
+    /// Half the distance from 1 to the next number.
+    pub(crate) const fn unit(self) -> f64 {
+        match self {
+            Self::F64 => f64::EPSILON / 2.0,
+            Self::F32 => f32::EPSILON as f64 / 2.0,
+        }
+    }
+
+    /// Significant bits.
+    pub(crate) const fn bits(self) -> i32 {
+        match self {
+            Self::F64 => 53,
+            Self::F32 => 24,
+        }
+    }
+
+    /// x rounded to this type.
+    pub(crate) fn round(self, x: f64) -> f64 {
+        match self {
+            Self::F64 => x,
+            Self::F32 => f64::from(x as f32),
+        }
+    }
+}
