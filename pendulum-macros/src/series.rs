@@ -1,7 +1,6 @@
 //! The Fourier series of the outputs: independent values to sample, and bounds in the complex plane.
 
 use crate::chebyshev::{cos_pi, sin_pi};
-use crate::exact::Real;
 use crate::motion::{Elliptic, Rotation, Swing};
 use pendulum_runtime::double::Double;
 
@@ -315,14 +314,4 @@ impl Envelope {
         }
         self.size * m.powi(self.power) * libm::exp(-rate * m) / (1.0 - ratio)
     }
-}
-
-/// The rate of anchors: 2/T of a swing.
-pub(crate) fn swing_rate(swing: &Swing) -> Real {
-    swing.period.context().integer(2) / &swing.period
-}
-
-/// The rate of anchors: 1/T of a rotation, T being the time of one turn.
-pub(crate) fn rotation_rate(rotation: &Rotation) -> Real {
-    rotation.period.context().integer(1) / &rotation.period
 }

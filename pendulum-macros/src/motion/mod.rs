@@ -116,7 +116,24 @@ impl Motion {
     }
 }
 
+/// −1 for a mirror image.
+pub(crate) fn direction(mirrored: bool) -> f64 {
+    if mirrored { -1.0 } else { 1.0 }
+}
+
+impl Rotation {
+    /// Turns a unit of time, 1/T.
+    pub(crate) fn rate(&self) -> Real {
+        self.period.context().integer(1) / &self.period
+    }
+}
+
 impl Swing {
+    /// Half periods a unit of time, 2/T.
+    pub(crate) fn rate(&self) -> Real {
+        self.period.context().integer(2) / &self.period
+    }
+
     /// The swing through `state`, k′² being cos²(θ0/2) − (v0/2ω)².
     fn through(state: &State, complementary_squared: &Real, omega: &Real) -> Self {
         let context = omega.context();

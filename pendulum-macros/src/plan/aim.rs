@@ -5,10 +5,9 @@ use super::curve::{Curve, Curves, RotationCurves, SwingCurves};
 use super::hyperbolic::{Hyperbolic, Passage};
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
-use crate::motion::{Elliptic, Regime, Rotation, Separatrix, Swing};
+use crate::motion::{Elliptic, Regime, Rotation, Separatrix, Swing, direction};
 use crate::parse::{Float, Output};
 use crate::scene::{Goal, Scene};
-use crate::series::{rotation_rate, swing_rate};
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -63,10 +62,10 @@ impl Task {
     }
 
     fn swing(scene: &Scene, swing: &Swing) -> Self {
-        let direction = if swing.mirrored { -1.0 } else { 1.0 };
+        let direction = direction(swing.mirrored);
         Self {
             aims: aims(scene, &SwingCurves::new(swing, &scene.motion.omega)),
-            rate: swing_rate(swing),
+            rate: swing.rate(),
             launch: swing.launch.clone(),
             direction,
             passage: passage(&swing.elliptic, 1.0, direction),
@@ -76,12 +75,12 @@ impl Task {
     }
 
     fn rotation(scene: &Scene, rotation: &Rotation) -> Self {
-        let direction = if rotation.mirrored { -1.0 } else { 1.0 };
+        let direction = direction(rotation.mirrored);
         // The turn that passes the lowest point at t = 0 began at the top numbered 0.
         let half = rotation.launch.context().ratio(1, 2);
         Self {
             aims: aims(scene, &RotationCurves::new(rotation, &scene.motion.omega)),
-            rate: rotation_rate(rotation),
+            rate: rotation.rate(),
             launch: &rotation.launch + half,
             direction,
             passage: passage(&rotation.elliptic, -1.0, direction),
@@ -102,7 +101,7 @@ impl Task {
             // |d²θ/dw²| ≤ 1 and |dθ/dw| ≤ 2; w·2 sech w ≤ 1.3255.
             Aim::with(scene, output, [largest, 2.0 * unit, 1.33 * unit, unit])
         });
-        let direction = if separatrix.mirrored { -1.0 } else { 1.0 };
+        let direction = direction(separatrix.mirrored);
         // log₂ e.
         let rate = Double { hi: std::f64::consts::LOG2_E, lo: 2.035_527_374_093_103_3e-17 };
         let passage =

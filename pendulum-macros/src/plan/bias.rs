@@ -24,7 +24,7 @@ pub(super) fn of_cosine(rate: &Real, drift: f64, scene: &Scene, swing: &Swing) -
         return None;
     }
     let amplitude = swing.amplitude.to_double();
-    let faster = 1.0 + (rate.to_f64() / crate::series::swing_rate(swing).to_f64() - 1.0).abs();
+    let faster = 1.0 + (rate.to_f64() / swing.rate().to_f64() - 1.0).abs();
     let moved = amplitude.hi * of_moved_cosine(low.abs().max(high.abs()) * faster, drift);
     let apart = difference(terms, &[amplitude]);
     let at_same_phase = by_halves([low, high], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(0));
@@ -51,7 +51,7 @@ fn sum_of(terms: &[(u32, Double)]) -> Cosines {
 /// The phases that the horizon meets, where they are less than from an anchor to a lowest point; the others are mirror
 /// images of those.
 fn phases(scene: &Scene, swing: &Swing) -> Option<[f64; 2]> {
-    let reach = Arc::reach(scene)? * crate::series::swing_rate(swing).to_f64() * (1.0 + 1e-12);
+    let reach = Arc::reach(scene)? * swing.rate().to_f64() * (1.0 + 1e-12);
     let launch = swing.launch.to_f64();
     (reach < 0.25).then_some([launch - reach, launch + reach])
 }
@@ -66,7 +66,7 @@ pub(super) fn of_velocity(
     scene: &Scene,
     swing: &Swing,
 ) -> f64 {
-    let exact_rate = crate::series::swing_rate(swing).to_f64();
+    let exact_rate = swing.rate().to_f64();
     let curves = SwingCurves::new(swing, &scene.motion.omega);
     let theta = curves.angle();
     let (ours, terms) = (Cosines::odd(weights), theta.terms());

@@ -5,7 +5,7 @@ use crate::exact::Real;
 use crate::motion::{Rotation, Swing};
 use crate::plan::moments::Moments;
 use crate::plan::reduction::Reduction;
-use crate::series::{Parity, Wave, rotation_rate, swing_rate};
+use crate::series::{Parity, Wave};
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
 
@@ -43,6 +43,12 @@ impl Curve {
     /// Height of the strip where [`Self::bound`] is finite.
     pub(crate) fn strip(&self) -> f64 {
         self.wave.strip() / self.arc.stretch.hi
+    }
+
+    /// Heights of the ellipses that may serve an interpolation's error: towards the strip's edge they grow, and so does
+    /// the bound, without limit. Up to 1.5 they are within |s| ≤ 4, for which it holds.
+    pub(crate) fn heights(&self) -> [f64; 6] {
+        [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * self.strip()).min(1.5))
     }
 
     /// What of it is met in the arc, for a phase that is never reduced.
@@ -139,7 +145,7 @@ impl<'a> SwingCurves<'a> {
 
     /// Anchors per unit of ωt: 1/(2K).
     fn rate(&self) -> Double {
-        (swing_rate(self.swing) / self.omega).to_double()
+        (self.swing.rate() / self.omega).to_double()
     }
 
     fn modulus(&self) -> f64 {
@@ -212,7 +218,7 @@ impl<'a> RotationCurves<'a> {
 
     /// Turns per unit of time.
     fn rate(&self) -> Double {
-        rotation_rate(self.rotation).to_double()
+        self.rotation.rate().to_double()
     }
 
     fn wave(&self, wave: Wave, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {

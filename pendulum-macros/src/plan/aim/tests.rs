@@ -94,7 +94,7 @@ fn passages() {
     // θ̇ per turn, at the phase z from the lowest point, s = ½ − z from the top.
     let at = |i: u32| {
         let z = f64::from(i) / 4000.0;
-        z * curve.at(Double::new(0.5 - z)).hi / rotation_rate(rotation).to_f64()
+        z * curve.at(Double::new(0.5 - z)).hi / rotation.rate().to_f64()
     };
     let seen = (0..=2000).map(at).fold(0.0, f64::max);
     let found = task.aims[0].passage_error(&wrong_by(&scene, &task, [0.0, 1.0]), &passage);

@@ -6,7 +6,6 @@ use crate::parse::Output;
 use crate::plan::curve::Curves;
 use crate::plan::plan;
 use crate::plan::tests::scene;
-use crate::series::swing_rate;
 use pendulum_runtime::double::Double;
 
 /// θ̂ = 2 arcsin y differentiated with respect to the phase, in two words.
@@ -34,7 +33,7 @@ fn velocities_next_to_the_edge_of_the_arcsine_keep_their_bounds() {
         let part = &plan.parts[0];
         assert_eq!(part.output, Output::Velocity);
         let exact = super::SwingCurves::new(swing, &scene.motion.omega).velocity();
-        let (rate, mut largest) = (swing_rate(swing).to_double(), 0.0_f64);
+        let (rate, mut largest) = (swing.rate().to_double(), 0.0_f64);
         for i in 0..400 {
             let t = 0.49 / rate.hi * 10f64.powf(-8.0 * f64::from(i) / 400.0);
             let (found, s) = (plan.functions[0].program.run(t)[0], rate * t);

@@ -55,7 +55,7 @@ impl Case {
                 .collect(),
             _ => curves.angle().terms().iter().take(self.terms).map(|term| term.1).collect(),
         };
-        let exact = crate::series::swing_rate(swing);
+        let exact = swing.rate();
         let rate = &exact * &exact.context().float(self.faster).unwrap();
         let found = of_velocity(&weights, self.method, &rate, self.drift, &self.scene, swing);
         let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
@@ -130,8 +130,8 @@ fn of_another_rate_or_phase() {
 fn near_the_top() {
     let motion = swing("pi - 1e-300", Method::Harmonic, 1);
     let Regime::Swing(swinging) = &motion.scene.motion.regime else { panic!("a swing") };
-    let expected = PI * PI * crate::series::swing_rate(swinging).to_f64() + 6.0;
-    let rate = crate::series::swing_rate(swinging);
+    let expected = PI * PI * swinging.rate().to_f64() + 6.0;
+    let rate = swinging.rate();
     let of = |method| of_velocity(&[Double::PI], method, &rate, 1.0, &motion.scene, swinging);
     assert!((1.0..1.0 + 1e-8).contains(&(of(Method::Harmonic) / expected)));
     assert_eq!(of(Method::Fourier), f64::INFINITY);

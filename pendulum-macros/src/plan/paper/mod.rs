@@ -14,7 +14,6 @@ use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
-use crate::series::swing_rate;
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
@@ -76,7 +75,7 @@ impl Sum {
         more: usize,
         terms: &mut Option<usize>,
     ) -> Result<Self, Refusal> {
-        let rate = swing_rate(swing);
+        let rate = swing.rate();
         let amplitude = || vec![swing.amplitude.to_double()];
         match method {
             Method::Fourier => Self::fourier(scene, swing, rate, more, terms),
@@ -209,7 +208,7 @@ fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) ->
 
 /// By how many anchors a phase of another rate comes to differ from the exact one within the horizon.
 fn drift(rate: &Real, scene: &Scene, swing: &Swing) -> f64 {
-    let exact = swing_rate(swing);
+    let exact = swing.rate();
     let horizon = scene.t_max.as_ref().map_or_else(|| UNLIMITED / exact.to_f64(), Real::to_f64);
     (rate - &exact).abs().to_f64() * horizon
 }

@@ -1,7 +1,7 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
 use super::{Sum, drift, pieces, whole};
-use crate::motion::Swing;
+use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
@@ -91,7 +91,7 @@ impl Sum {
     pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
         let phase = curve.phase_error(reduction);
-        let direction = if swing.mirrored { -1.0 } else { 1.0 };
+        let direction = direction(swing.mirrored);
         let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
         let whole = whole.iter().flat_map(|whole| whole.kernels(phase, reduction, direction));
         let whole = whole

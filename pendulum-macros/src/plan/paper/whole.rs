@@ -170,7 +170,6 @@ pub(super) mod tests {
     use crate::plan::plan;
     use crate::plan::tests::scene;
     use crate::scene::Scene;
-    use crate::series::swing_rate;
 
     /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.
     pub(in crate::plan::paper) fn weights(swing: &Swing, terms: usize) -> Vec<Double> {
@@ -393,7 +392,7 @@ pub(super) mod tests {
 
     fn exact(scene: &Scene, swing: &Swing, sum: &Wave, t: f64) -> Option<Double> {
         let context = scene.motion.omega.context();
-        let phase = swing_rate(swing) * context.float(t)? + &swing.launch;
+        let phase = swing.rate() * context.float(t)? + &swing.launch;
         let passed = phase.round();
         let odd = (&passed - passed.scale(-1).round().scale(1)).is_zero();
         let value = twice_arcsine(sum.at((phase - passed).to_double()))?;

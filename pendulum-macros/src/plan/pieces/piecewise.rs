@@ -130,12 +130,8 @@ pub(crate) fn phase(pieces: usize, index: usize, u: Double) -> Double {
 
 /// As many points as make the interpolation error negligible in any piece.
 fn enough_points(curve: &Curve, pieces: usize, negligible: f64) -> Option<Interpolation> {
-    let strip = curve.strip();
-    let ellipse = |share: f64| {
-        let height = (share * strip).min(1.5);
-        (curve.bound(height), libm::exp(libm::asinh(height / half(pieces))))
-    };
-    Interpolation::fewest([0.5, 0.6, 0.7, 0.8, 0.88, 0.94].into_iter().map(ellipse), negligible, 4, MOST_POINTS)
+    let ellipse = |height: f64| (curve.bound(height), libm::exp(libm::asinh(height / half(pieces))));
+    Interpolation::fewest(curve.heights().into_iter().map(ellipse), negligible, 4, MOST_POINTS)
 }
 
 #[cfg(test)]

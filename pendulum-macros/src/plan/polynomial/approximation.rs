@@ -352,8 +352,6 @@ fn ellipse_of(overshoot: f64) -> f64 {
 
 /// As many points as make the interpolation error negligible.
 fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Interpolation> {
-    let strip = curve.strip();
-    let heights = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * strip).min(1.5));
     let ellipse = |height: f64| {
         // s = ½ cos φ with |Im φ| = ½ ln ρ, or ln ρ where the polynomial is one in s itself.
         let angle = libm::asinh(2.0 * height);
@@ -366,7 +364,7 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
         }
         (bound, libm::exp(log_rho))
     };
-    Interpolation::fewest(heights.into_iter().map(ellipse), negligible, FEWEST_POINTS, MOST_POINTS)
+    Interpolation::fewest(curve.heights().into_iter().map(ellipse), negligible, FEWEST_POINTS, MOST_POINTS)
 }
 
 #[cfg(test)]
