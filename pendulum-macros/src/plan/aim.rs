@@ -1,7 +1,7 @@
 //! What each output has to keep, in every regime.
 
 use super::arc::Arc;
-use super::curve::{Curve, Curves, RotationCurves, SwingCurves};
+use super::curve::{Curve, Curves, RotationCurves, Size, SwingCurves};
 use super::hyperbolic::{Hyperbolic, Passage};
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
@@ -34,12 +34,8 @@ pub(super) struct Aim {
     pub(super) curves: Vec<Curve>,
     /// The power of the nearest poles in the curves, 0 if they are logarithms.
     pub(super) power: i32,
-    /// The largest magnitude, slope with respect to the phase, and phase times slope.
-    pub(super) largest: f64,
-    slope: f64,
-    moment: f64,
-    /// What a tolerance of 1 means.
-    pub(super) unit: f64,
+    /// Of the output itself.
+    pub(super) size: Size,
     /// For the total error, in the output's own unit, and for truncation alone.
     pub(super) limit: f64,
     pub(super) truncation: f64,
@@ -99,7 +95,7 @@ impl Task {
                 Output::Position => (1.0, 1.0),
             };
             // |d²θ/dw²| ≤ 1 and |dθ/dw| ≤ 2; w·2 sech w ≤ 1.3255.
-            Aim::with(scene, output, [largest, 2.0 * unit, 1.33 * unit, unit])
+            Aim::with(scene, output, Size { largest, slope: 2.0 * unit, moment: 1.33 * unit, unit })
         });
         let direction = direction(separatrix.mirrored);
         // log₂ e.
@@ -223,27 +219,17 @@ fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Passage> {
 
 impl Aim {
     fn new(scene: &Scene, output: Output, curves: Vec<Curve>, power: i32, steepest: &Curve) -> Self {
-        let largest = if output == Output::Position { 1.0 } else { steepest.largest };
-        let aim = Self::with(scene, output, [largest, steepest.slope, steepest.moment, steepest.unit]);
+        let largest = if output == Output::Position { 1.0 } else { steepest.size.largest };
+        let aim = Self::with(scene, output, Size { largest, ..steepest.size });
         Self { curves, power, ..aim }
     }
 
-    fn with(scene: &Scene, output: Output, [largest, slope, moment, unit]: [f64; 4]) -> Self {
-        let mut aim = Self {
-            output,
-            curves: Vec::new(),
-            power: 0,
-            largest,
-            slope,
-            moment,
-            unit,
-            limit: 0.0,
-            truncation: 0.0,
-            unit_of_rounding: 0.0,
-        };
+    fn with(scene: &Scene, output: Output, size: Size) -> Self {
+        let mut aim =
+            Self { output, curves: Vec::new(), power: 0, size, limit: 0.0, truncation: 0.0, unit_of_rounding: 0.0 };
         aim.at_full_precision(scene.float);
         if let Goal::Tolerance(tol) = scene.goal {
-            aim.limit = tol * unit;
+            aim.limit = tol * size.unit;
             aim.truncation = aim.limit.max(aim.truncation / 8.0);
         }
         aim
@@ -261,7 +247,7 @@ impl Aim {
 
     /// One unit of rounding of the largest value.
     pub(super) fn floor(&self) -> f64 {
-        self.unit_of_rounding * self.largest
+        self.unit_of_rounding * self.size.largest
     }
 
     /// Sixteen units of rounding of the largest value, of which truncation takes one.
@@ -273,12 +259,7 @@ impl Aim {
         self.truncation = self.floor();
     }
 
-    /// What the reduction's error of the phase costs.
-    pub(super) fn phase_error(&self, reduction: &Reduction) -> f64 {
-        self.slope * reduction.error + self.moment * reduction.relative_error
-    }
-
-    /// As [`Self::phase_error`] for a [`Hyperbolic`] kernel, which rounds w = phase·rate besides.
+    /// As [`Size::phase_error`] for a [`Hyperbolic`] kernel, which rounds w = phase·rate besides.
     pub(super) fn passage_error(&self, reduction: &Reduction, passage: &Passage) -> f64 {
         let span = passage.rate.hi * std::f64::consts::LN_2;
         // w times the derivative of 2 gd w, of 2 sech w and of sin(2 gd w), and what images add to a rotation.
@@ -288,8 +269,8 @@ impl Aim {
             Output::Velocity => 1.16,
             Output::Acceleration => 0.93,
         };
-        let moment = (largest + images) * self.unit;
-        self.slope * reduction.error + moment * (reduction.relative_error + Hyperbolic::relative_error())
+        let moment = (largest + images) * self.size.unit;
+        self.size.slope * reduction.error + moment * (reduction.relative_error + Hyperbolic::relative_error())
     }
 }
 

@@ -16,7 +16,13 @@ pub(crate) struct Curve {
     arc: Arc,
     /// Set where the sign changes from anchor to anchor.
     pub(crate) alternates: bool,
-    /// The largest magnitude for real s.
+    pub(crate) size: Size,
+}
+
+/// How large a function of the phase s is, for real s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Size {
+    /// The largest magnitude.
     pub(crate) largest: f64,
     /// The largest |derivative| with respect to s.
     pub(crate) slope: f64,
@@ -24,6 +30,13 @@ pub(crate) struct Curve {
     pub(crate) moment: f64,
     /// What a tolerance of 1 means: 1, ω, ω².
     pub(crate) unit: f64,
+}
+
+impl Size {
+    /// What the reduction's error of the phase does to the function.
+    pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
+        self.slope * reduction.error + self.moment * reduction.relative_error
+    }
 }
 
 impl Curve {
@@ -82,11 +95,6 @@ impl Curve {
         Self { wave: self.wave.omitting(omitted), ..self }
     }
 
-    /// What the reduction's error of the phase does to the curve.
-    pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
-        self.slope * reduction.error + self.moment * reduction.relative_error
-    }
-
     /// (m, aₘ) of the terms of its series.
     pub(crate) fn terms(&self) -> &[(u32, Double)] {
         self.wave.terms()
@@ -100,22 +108,16 @@ impl Curve {
     /// sin πs.
     pub(crate) fn sine() -> Self {
         let steepest = std::f64::consts::PI;
-        let (wave, arc) = (Wave::sine(), Arc::WHOLE);
-        Self { wave, arc, alternates: true, largest: 1.0, slope: steepest, moment: steepest, unit: 1.0 }
+        let size = Size { largest: 1.0, slope: steepest, moment: steepest, unit: 1.0 };
+        Self { wave: Wave::sine(), arc: Arc::WHOLE, alternates: true, size }
     }
 
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
     pub(crate) fn cosine(amplitude: &Real) -> Self {
         let largest = amplitude.to_f64();
-        Self {
-            wave: Wave::cosine(amplitude.to_double()),
-            arc: Arc::WHOLE,
-            alternates: true,
-            largest,
-            slope: largest * std::f64::consts::PI,
-            moment: largest * std::f64::consts::PI / 2.0,
-            unit: 1.0,
-        }
+        let slope = largest * std::f64::consts::PI;
+        let size = Size { largest, slope, moment: slope / 2.0, unit: 1.0 };
+        Self { wave: Wave::cosine(amplitude.to_double()), arc: Arc::WHOLE, alternates: true, size }
     }
 }
 
@@ -160,8 +162,8 @@ impl<'a> SwingCurves<'a> {
 
     fn wave(&self, order: i32, scale: Double, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let wave = Wave::swing(self.swing, order, scale);
-        let (arc, slope) = (Arc::WHOLE, slope * (1.0 + 1e-12));
-        Curve { wave, arc, alternates: true, largest, slope, moment, unit }
+        let size = Size { largest, slope: slope * (1.0 + 1e-12), moment, unit };
+        Curve { wave, arc: Arc::WHOLE, alternates: true, size }
     }
 
     fn moments(&self) -> &Moments {
@@ -223,7 +225,8 @@ impl<'a> RotationCurves<'a> {
 
     fn wave(&self, wave: Wave, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let slope = slope / self.rate().hi * (1.0 + 1e-12);
-        Curve { wave, arc: Arc::WHOLE, alternates: false, largest, slope, moment, unit }
+        let size = Size { largest, slope, moment, unit };
+        Curve { wave, arc: Arc::WHOLE, alternates: false, size }
     }
 
     fn moments(&self) -> &Moments {

@@ -26,7 +26,7 @@ fn sampled(curve: &Curve, mean: f64) -> [f64; 3] {
 /// The stated suprema aren't exceeded, by more than differences and samples are wrong, nor more than `times` too large.
 #[track_caller]
 fn stated(name: &str, curve: &Curve, times: [f64; 3]) {
-    let stated = [curve.largest, curve.slope, curve.moment];
+    let stated = [curve.size.largest, curve.size.slope, curve.size.moment];
     for ((sampled, stated), times) in sampled(curve, 0.0).into_iter().zip(stated).zip(times) {
         assert!(sampled <= stated * (1.0 + 1e-6), "{name}: {sampled} exceeds {stated}");
         assert!(stated <= times * sampled, "{name}: {stated} for {sampled}");
@@ -47,7 +47,7 @@ fn curves_of_swings() {
         stated("cosine", &Curve::cosine(&swing.amplitude), [1.001, 1.001, 6.0]);
         // Their slopes count with the other factor's.
         for half in [curves.half_sine(), curves.half_cosine()] {
-            assert!(sampled(&half, 0.0)[0] <= half.largest * (1.0 + 1e-9));
+            assert!(sampled(&half, 0.0)[0] <= half.size.largest * (1.0 + 1e-9));
         }
     }
     stated("sine", &Curve::sine(), [1.001, 1.001, 6.0]);
@@ -72,26 +72,26 @@ fn curves_of_rotations() {
         let angle = curves.angle();
         let [largest, slope, moment] = sampled(&angle, std::f64::consts::TAU);
         assert!(
-            largest <= angle.largest && slope <= angle.slope * (1.0 + 1e-6) && moment <= angle.moment,
+            largest <= angle.size.largest && slope <= angle.size.slope * (1.0 + 1e-6) && moment <= angle.size.moment,
             "{velocity0}"
         );
-        assert!(angle.moment < 1.1 * moment, "{velocity0}: {} for {moment}", angle.moment);
+        assert!(angle.size.moment < 1.1 * moment, "{velocity0}: {} for {moment}", angle.size.moment);
         for curve in [curves.velocity(), curves.acceleration()] {
             let [largest, slope, moment] = sampled(&curve, 0.0);
             // Differences of a velocity that hardly changes are wrong by a millionth.
             let slack = 1.0 + 1e-5;
-            assert!(largest <= curve.largest * (1.0 + 1e-9) && slope <= curve.slope * slack, "{velocity0}");
+            assert!(largest <= curve.size.largest * (1.0 + 1e-9) && slope <= curve.size.slope * slack, "{velocity0}");
             assert!(
-                moment <= curve.moment * slack && curve.moment < 1.1 * moment,
+                moment <= curve.size.moment * slack && curve.size.moment < 1.1 * moment,
                 "{velocity0}: {} for {moment}",
-                curve.moment
+                curve.size.moment
             );
         }
         // v₀ at the lowest point, and π at the top.
         let (fastest, turn) = (rotation.fastest.to_f64(), rotation.period.to_f64());
-        assert!((angle.slope / (fastest * turn) - 1.0).abs() < 1e-9, "{velocity0}: {}", angle.slope);
+        assert!((angle.size.slope / (fastest * turn) - 1.0).abs() < 1e-9, "{velocity0}: {}", angle.size.slope);
         for half in [curves.half_sine(), curves.half_cosine()] {
-            assert!(sampled(&half, 0.0)[0] <= half.largest * (1.0 + 1e-9) && !half.alternates);
+            assert!(sampled(&half, 0.0)[0] <= half.size.largest * (1.0 + 1e-9) && !half.alternates);
         }
         // Nothing of a rotation changes its sign from turn to turn.
         assert!(![angle, curves.velocity(), curves.acceleration()].iter().any(|curve| curve.alternates));
@@ -109,16 +109,16 @@ fn slopes_are_rounded_up() {
     let Regime::Swing(swing) = &swinging.motion.regime else { panic!("a swing") };
     let curves = SwingCurves::new(swing, &swinging.motion.omega);
     let (fastest, anchor) = (6.0 * 1f64.sin(), swing.period.to_f64() / 2.0);
-    above(curves.angle().slope, fastest * anchor);
-    above(curves.velocity().slope, 9.0 * anchor);
-    above(curves.acceleration().slope, 9.0 * fastest * anchor);
+    above(curves.angle().size.slope, fastest * anchor);
+    above(curves.velocity().size.slope, 9.0 * anchor);
+    above(curves.acceleration().size.slope, 9.0 * fastest * anchor);
     let turning = scene("velocity0 = 7, omega = 3");
     let Regime::Rotation(rotation) = &turning.motion.regime else { panic!("a rotation") };
     let curves = RotationCurves::new(rotation, &turning.motion.omega);
     let turn = rotation.period.to_f64();
-    above(curves.angle().slope, 7.0 * turn);
-    above(curves.velocity().slope, 9.0 * turn);
-    above(curves.acceleration().slope, 63.0 * turn);
+    above(curves.angle().size.slope, 7.0 * turn);
+    above(curves.velocity().size.slope, 9.0 * turn);
+    above(curves.acceleration().size.slope, 63.0 * turn);
 }
 
 /// What depends on the anchor passed: all but the height, and cos(θ/2) with it.
@@ -140,8 +140,8 @@ fn errors_of_phases() {
     let reductions = Task::new(&scene).reductions(&scene);
     let reduction = |error, relative_error| Reduction { error, relative_error, ..reductions[0].clone() };
     let mut curve = Curve::sine();
-    (curve.slope, curve.moment) = (3.0, 5.0);
-    assert_eq!(curve.phase_error(&reduction(0.5, 0.25)), 1.5 + 1.25);
+    (curve.size.slope, curve.size.moment) = (3.0, 5.0);
+    assert_eq!(curve.size.phase_error(&reduction(0.5, 0.25)), 1.5 + 1.25);
 }
 
 /// Sums of harmonics are what they say.

@@ -42,7 +42,7 @@ impl Approximations {
     pub(super) fn new(aim: &Aim) -> Self {
         // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
         // Over an arc, that may be any number of digits; but there it costs nothing.
-        let blurred = |curve: &Curve| if curve.is_arc() { 0.0 } else { aim.truncation.min(curve.largest) };
+        let blurred = |curve: &Curve| if curve.is_arc() { 0.0 } else { aim.truncation.min(curve.size.largest) };
         let negligible = |curve: &Curve| (blurred(curve) * 2f64.powi(-30)).max(aim.floor() / 128.0);
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
         let plain: Vec<Approximation> = over(None);
@@ -107,7 +107,7 @@ impl Aim {
         if self.curves.is_empty() || approximations.len() < self.curves.len() {
             return None;
         }
-        let left = self.share(self.limit - self.phase_error(reduction));
+        let left = self.share(self.limit - self.size.phase_error(reduction));
         let one = |(curve, approximation): (&Curve, &Approximation)| {
             let terms = approximation
                 .terms_for(left, reduction.overshoot)
@@ -130,7 +130,7 @@ impl Aim {
     /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them, one waiting for
     /// the other.
     pub(super) fn passage_estimate(&self) -> f64 {
-        let bits = -libm::log2(self.limit / self.unit.max(self.largest)).min(-4.0);
+        let bits = -libm::log2(self.limit / self.size.unit.max(self.size.largest)).min(-4.0);
         30.0 + 2.0 * (3.0 + bits / 5.0) + if self.output.is_angle() { bits / 1.3 } else { 16.0 }
     }
 
@@ -143,14 +143,14 @@ impl Aim {
         reduction: &Reduction,
         form: Form,
     ) -> Result<Part, f64> {
-        let phase = self.phase_error(reduction);
+        let phase = self.size.phase_error(reduction);
         self.first_kept(scene, reduction, phase, |rounding| {
             let left = self.share(self.limit - phase - rounding);
             let mut polynomials = Vec::new();
             for (curve, approximation) in self.curves.iter().zip(approximations) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
-                    return Err((phase + rounding + least) / self.unit);
+                    return Err((phase + rounding + least) / self.size.unit);
                 };
                 let polynomial = approximation.polynomial(terms, form, reduction, curve.alternates, self.limit);
                 polynomials.push(polynomial.ok_or(f64::INFINITY)?);
@@ -209,7 +209,7 @@ impl Aim {
     fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !self.output.is_angle() {
-            let near = wrapped && self.largest + self.limit >= PI.next_down();
+            let near = wrapped && self.size.largest + self.limit >= PI.next_down();
             if !near {
                 return kernel;
             }
@@ -256,7 +256,7 @@ impl Aim {
     /// About how many terms each of so many pieces takes; `None` where the phase leaves nothing.
     pub(super) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<usize> {
         let curve = self.curves.first()?;
-        let left = Some(self.share(self.limit - self.phase_error(reduction))).filter(|&left| left > 0.0)?;
+        let left = Some(self.share(self.limit - self.size.phase_error(reduction))).filter(|&left| left > 0.0)?;
         let terms = |left: f64| Piecewise::estimate(curve, parts, left);
         // Of logarithms the coefficients fall off with their number besides.
         Some(if self.power == 0 { terms(left * terms(left) as f64) } else { terms(left) })
@@ -265,7 +265,7 @@ impl Aim {
     /// Its curve in so many pieces.
     pub(super) fn piecewise(&self, parts: usize) -> Option<Piecewise> {
         let curve = self.curves.first()?;
-        Piecewise::new(curve, parts, (self.truncation.min(curve.largest) / 512.0).max(self.floor() / 512.0))
+        Piecewise::new(curve, parts, (self.truncation.min(curve.size.largest) / 512.0).max(self.floor() / 512.0))
     }
 
     /// The kernel in pieces, or what it reaches.
@@ -276,7 +276,7 @@ impl Aim {
         reduction: &Reduction,
         approximation: &Piecewise,
     ) -> Result<Part, f64> {
-        let phase = self.phase_error(reduction);
+        let phase = self.size.phase_error(reduction);
         self.first_kept(scene, reduction, phase, |rounding| {
             let left = self.truncation.min(self.limit - phase - rounding);
             let (mut pieces, truncation) = approximation.kernel(reduction, left).ok_or(f64::INFINITY)?;
@@ -305,9 +305,9 @@ impl Aim {
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
         let judged = if self.grows(scene) { bound } else { whole };
         if judged.total().is_nan() || judged.total() > self.limit {
-            return Err(judged.total() / self.unit);
+            return Err(judged.total() / self.size.unit);
         }
-        let (output, unit, largest) = (self.output, self.unit, self.largest);
+        let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
         let (description, taken) = (kernel.describe(), judged.total() / self.limit);
         Ok(Part { output, description, kernel, bound: whole, unit, largest, taken })
     }

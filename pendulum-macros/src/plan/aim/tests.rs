@@ -43,14 +43,14 @@ fn the_separatrix() {
         let units = [1.0, omega, omega * omega, 1.0];
         let largest = [PI, 2.0 * omega, omega * omega, 1.0];
         for (index, (aim, f)) in task.aims.iter().zip(SEPARATRIX).enumerate() {
-            assert_eq!((aim.largest, aim.unit), (largest[index], units[index]), "{:?}", aim.output);
+            assert_eq!((aim.size.largest, aim.size.unit), (largest[index], units[index]), "{:?}", aim.output);
             let suprema = suprema(f).map(|x| x * units[index]);
-            let found = [[1.0, 0.0], [0.0, 1.0]].map(|errors| aim.phase_error(&wrong_by(&scene, &task, errors)));
+            let found = [[1.0, 0.0], [0.0, 1.0]].map(|errors| aim.size.phase_error(&wrong_by(&scene, &task, errors)));
             // Of all outputs the angle's is the largest.
             for (found, seen) in found.into_iter().zip(suprema) {
                 assert!(seen <= found && found <= 2.02 * seen, "{:?}: {found} for {seen}", aim.output);
             }
-            let both = aim.phase_error(&wrong_by(&scene, &task, [1e-3, 1e-2]));
+            let both = aim.size.phase_error(&wrong_by(&scene, &task, [1e-3, 1e-2]));
             assert!((both / (1e-3 * found[0] + 1e-2 * found[1]) - 1.0).abs() < 1e-14);
         }
     }
@@ -63,7 +63,7 @@ fn passages() {
         let (scene, task) = task(&format!("{text}, {ALL}"));
         let passage = task.passage.as_ref().unwrap();
         for (aim, f) in task.aims.iter().zip(SEPARATRIX) {
-            let moment = suprema(f)[1] * aim.unit;
+            let moment = suprema(f)[1] * aim.size.unit;
             let error = |errors| aim.passage_error(&wrong_by(&scene, &task, errors), passage);
             let found = error([0.0, 1e-3]);
             // A rotation doesn't come to rest: of a thousandth of the way to the top it adds something.
@@ -81,7 +81,7 @@ fn passages() {
                 aim.output
             );
             // An absolute error costs what it costs other kernels.
-            let slope = aim.phase_error(&wrong_by(&scene, &task, [1.0, 0.0]));
+            let slope = aim.size.phase_error(&wrong_by(&scene, &task, [1.0, 0.0]));
             assert!((error([1.0, 0.0]) / slope - 1.0).abs() < 1e-12, "{text} {:?}", aim.output);
         }
     }
@@ -134,7 +134,7 @@ fn limits() {
     for (index, largest) in largest.into_iter().enumerate() {
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{index}: {a:e} {b:e}");
         let units = if index == 3 { 48.0 } else { 16.0 };
-        near(full.aims[index].largest, largest);
+        near(full.aims[index].size.largest, largest);
         near(full.aims[index].floor(), unit * largest);
         near(full.aims[index].limit, units * unit * largest);
         near(full.aims[index].truncation, unit * largest);

@@ -231,7 +231,7 @@ impl Sum {
         let wanted = self.wanted(scene, swing);
         // Where the sum itself is too far from the motion no reduction helps.
         if wanted.iter().any(|wanted| wanted.bias > self.promise(scene, &wanted.curve)) {
-            let best = wanted.iter().map(|wanted| wanted.bias / wanted.curve.unit).fold(0.0, f64::max);
+            let best = wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit).fold(0.0, f64::max);
             return Err(Refusal::Unreachable { best });
         }
         self.cheapest(scene, swing, &wanted)
@@ -243,7 +243,7 @@ impl Sum {
         reductions.sort_by_key(Reduction::operations);
         // If nothing is promised, the phase's error is to be beside the rounding.
         let fine = |wanted: &Wanted, reduction: &Reduction| {
-            wanted.curve.phase_error(reduction) <= 8.0 * scene.float.unit() * wanted.curve.largest
+            wanted.curve.size.phase_error(reduction) <= 8.0 * scene.float.unit() * wanted.curve.size.largest
         };
         if !matches!(scene.goal, Goal::Tolerance(_)) {
             reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
@@ -261,7 +261,7 @@ impl Sum {
                 continue;
             }
             // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
-            let lost = |wanted: &Wanted| wanted.curve.phase_error(reduction) > self.promise(scene, &wanted.curve);
+            let lost = |wanted: &Wanted| wanted.curve.size.phase_error(reduction) > self.promise(scene, &wanted.curve);
             if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
                 continue;
             }
@@ -303,8 +303,8 @@ impl Sum {
     /// what they are.
     fn promise(&self, scene: &Scene, curve: &Curve) -> f64 {
         match scene.goal {
-            Goal::Tolerance(tol) => tol * curve.unit,
-            Goal::Full if self.method == Method::Series => 0.75 * FULL * scene.float.unit() * curve.largest,
+            Goal::Tolerance(tol) => tol * curve.size.unit,
+            Goal::Full if self.method == Method::Series => 0.75 * FULL * scene.float.unit() * curve.size.largest,
             Goal::Full | Goal::Terms(_) => f64::INFINITY,
         }
     }

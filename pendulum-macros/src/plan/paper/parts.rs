@@ -90,7 +90,7 @@ impl Sum {
 
     pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
-        let phase = curve.phase_error(reduction);
+        let phase = curve.size.phase_error(reduction);
         let direction = direction(swing.mirrored);
         let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
         let whole = whole.iter().flat_map(|whole| whole.kernels(phase, reduction, direction));
@@ -109,7 +109,15 @@ impl Sum {
                 (summed, description, *bias, evaluation)
             };
         let bound = Bound { truncation, phase, evaluation };
-        Part { output: *output, kernel, description, bound, unit: curve.unit, largest: curve.largest, taken: 0.0 }
+        Part {
+            output: *output,
+            kernel,
+            description,
+            bound,
+            unit: curve.size.unit,
+            largest: curve.size.largest,
+            taken: 0.0,
+        }
     }
 
     fn harmonics(&self, scene: &Scene, output: Output, reduction: &Reduction, direction: f64) -> Harmonics {

@@ -62,7 +62,7 @@ impl Piecewise {
     /// About how many terms leave `limit`, by the distance of the nearest singularities.
     pub(crate) fn estimate(curve: &Curve, pieces: usize, limit: f64) -> usize {
         let log_rho = libm::asinh(curve.strip() / half(pieces));
-        (1.0 + libm::log(curve.largest / limit).max(1.0) / log_rho).ceil() as usize
+        (1.0 + libm::log(curve.size.largest / limit).max(1.0) / log_rho).ceil() as usize
     }
 
     /// The number of pieces from anchor to anchor.
