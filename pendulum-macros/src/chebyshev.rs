@@ -76,6 +76,11 @@ impl Interpolation {
         };
         ellipses.filter_map(of).min_by_key(|interpolation| interpolation.points)
     }
+
+    /// Bounds a function by its magnitudes at the points.
+    pub(crate) fn supremum(&self, samples: impl IntoIterator<Item = f64>) -> f64 {
+        samples.into_iter().fold(0.0, f64::max) * lebesgue(self.points) + self.error
+    }
 }
 
 /// Bounds what interpolation at so many Chebyshev points multiplies values with, Lebesgue's constant (Rivlin 1974).

@@ -4,7 +4,7 @@ use crate::chebyshev::{cos_pi, sin_pi};
 use crate::motion::{Elliptic, Rotation, Swing};
 use pendulum_runtime::double::Double;
 
-/// Σ aₘ cos(mπs) or linear·s + Σ aₘ sin(mπs), s being the phase in anchors.
+/// constant + Σ aₘ cos(mπs) or constant + linear·s + Σ aₘ sin(mπs), s being the phase in anchors.
 #[derive(Clone, Debug)]
 pub(crate) struct Wave {
     parity: Parity,
@@ -144,7 +144,7 @@ impl Wave {
         Self { constant: self.constant + by, ..self }
     }
 
-    /// The periodic part.
+    /// The same without what grows.
     pub(crate) fn without_mean(self) -> Self {
         Self { linear: Double::ZERO, ..self }
     }

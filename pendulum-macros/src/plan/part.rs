@@ -128,10 +128,16 @@ impl Aim {
     }
 
     /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them, one waiting for
-    /// the other.
+    /// the other. Roughly: near the top others cost several times as much.
     pub(super) fn passage_estimate(&self) -> f64 {
+        const POWERS_AND_IMAGES: f64 = 30.0;
+        const BITS_PER_TERM_OF_POWER: f64 = 5.0;
+        const BITS_PER_OPERATION_OF_ARCTANGENT: f64 = 1.3;
+        const QUOTIENT: f64 = 16.0;
         let bits = -libm::log2(self.limit / self.size.unit.max(self.size.largest)).min(-4.0);
-        30.0 + 2.0 * (3.0 + bits / 5.0) + if self.output.is_angle() { bits / 1.3 } else { 16.0 }
+        let power = 3.0 + bits / BITS_PER_TERM_OF_POWER;
+        let rest = if self.output.is_angle() { bits / BITS_PER_OPERATION_OF_ARCTANGENT } else { QUOTIENT };
+        POWERS_AND_IMAGES + 2.0 * power + rest
     }
 
     /// The fewest terms that keep the promise, or what was reached.

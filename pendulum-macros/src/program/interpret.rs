@@ -9,7 +9,7 @@ impl Program {
     pub(crate) fn run(&self, t: f64) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
-            // An `f32` sum, difference, product, quotient or root rounded from its `f64` counterpart is the correctly
+            // An `f32` sum, difference, product or quotient rounded from its `f64` counterpart is the correctly
             // rounded one, since 53 ≥ 2·24 + 2 (Figueroa 1995).
             let value = node.float.round(self.apply(node.op, t, &values));
             values.push(value);

@@ -9,8 +9,8 @@
 //! at most h(ρ − 1/ρ)/2; and |sin(Q/2)| by the hyperbolic cosine of |Im Q/2|, to which the constant adds nothing. What
 //! follows from sup |R| is the same as there.
 
-use super::whole::{Point, of_residual, twice_arcsine};
-use crate::chebyshev::{CosineTable, Interpolation, lebesgue, sin_pi, value};
+use super::whole::{Point, of_residual, residual, twice_arcsine};
+use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::pieces::{Piecewise, half, phase};
 use crate::series::Wave;
 use pendulum_runtime::double::Double;
@@ -71,12 +71,9 @@ impl Piece {
     fn residual(&self, sum: &Wave, series: &[Double], negligible: f64) -> Option<f64> {
         let ellipse = |rho: f64| (self.bound(sum, series, rho), rho);
         let ellipses = [3.0, 5.0, 8.0, 12.0, 20.0, 32.0].into_iter().map(ellipse);
-        let Interpolation { points, error, .. } = Interpolation::fewest(ellipses, negligible * 1e-4, 2, MOST_POINTS)?;
-        let at = |u: Double| {
-            let residual = sum.at(self.phase(u)) - sin_pi(value(series, u) / (Double::PI * 2.0));
-            residual.hi.abs()
-        };
-        Some(CosineTable::new(points).points().map(at).fold(0.0, f64::max) * lebesgue(points) + error)
+        let interpolation = Interpolation::fewest(ellipses, negligible * 1e-4, 2, MOST_POINTS)?;
+        let at = |u: Double| residual(sum.at(self.phase(u)), series, u);
+        Some(interpolation.supremum(CosineTable::new(interpolation.points).points().map(at)))
     }
 
     /// The same on the ellipse with parameter ρ.

@@ -12,7 +12,7 @@
 //! (2/π) ln M + 1 (Rivlin 1974). Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point,
 //! stays between −π/2 and π/2, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
 
-use crate::chebyshev::{CosineTable, Interpolation, cos_pi, lebesgue, sin_pi, value};
+use crate::chebyshev::{CosineTable, Interpolation, cos_pi, sin_pi, value};
 use crate::plan::moebius::Moebius;
 use crate::plan::polynomial::Approximation;
 use crate::series::Wave;
@@ -50,7 +50,7 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     })
 }
 
-/// p where the series has its variable at 8P − 1 = u.
+/// The phase where the series has its variable at 8P − 1 = u.
 fn phase(map: Option<Moebius>, u: Double) -> Double {
     let image = (u + Double::ONE) * 0.125;
     map.map_or(image, |map| map.inverse(image)).sqrt()
@@ -106,18 +106,23 @@ struct Distance {
 /// By Hadamard's theorem of three circles a residual below r on the interval and below B on the ellipse with parameter ρ
 /// is below r·(B/r)^(ln x/ln ρ) on that with parameter x.
 fn distance(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible: f64) -> Option<Distance> {
-    let Interpolation { points, rho, error } = enough_points(sum, map, series, negligible * 1e-4)?;
+    let interpolation = enough_points(sum, map, series, negligible * 1e-4)?;
     let sample = |u: Double| {
         let s = phase(map, u);
         let y = sum.at(s);
-        let residual = y - sin_pi(value(series, u) / (Double::PI * 2.0));
-        (Point { s: s.hi, y: y.hi.abs() }, residual.hi.abs())
+        (Point { s: s.hi, y: y.hi.abs() }, residual(y, series, u))
     };
-    let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = CosineTable::new(points).points().map(sample).unzip();
-    let residual = residuals.into_iter().fold(0.0, f64::max) * lebesgue(points) + error;
+    let table = CosineTable::new(interpolation.points);
+    let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = table.points().map(sample).unzip();
+    let residual = interpolation.supremum(residuals);
     let within = of_residual(sum, &points_of_sum, residual)?;
-    let growth = libm::log(bound(sum, map, series, rho)? / residual) / libm::log(rho);
+    let growth = libm::log(bound(sum, map, series, interpolation.rho)? / residual) / libm::log(interpolation.rho);
     Some(Distance { within, growth })
+}
+
+/// |y − sin(Q/2)| where the sum is y and the interpolant Q has its variable at u.
+pub(super) fn residual(y: Double, series: &[Double], u: Double) -> f64 {
+    (y - sin_pi(value(series, u) / (Double::PI * 2.0))).hi.abs()
 }
 
 /// What a residual of the sine makes of the angle; `None` if the sum, known at some points, may reach 1.
@@ -165,6 +170,7 @@ fn enough_points(sum: &Wave, map: Option<Moebius>, series: &[Double], negligible
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::chebyshev::lebesgue;
     use crate::fuzz::random::Random;
     use crate::motion::{Regime, Swing};
     use crate::plan::plan;

@@ -5,8 +5,8 @@
 //! can be made to vanish: a Chebyshev–Padé approximation (Clenshaw & Lord, *Rational approximations from Chebyshev
 //! series*, 1974). At 7π/8 the poles of θ̇ move by little, and its error falls by a factor of ten: a term less for the
 //! same division. θ has logarithms in place of poles. Dividing those places out gains next to nothing, but poles
-//! somewhat beyond them, on the way of the cuts, make the error a hundred to a thousand times smaller: four or five
-//! terms.
+//! somewhat beyond them, on the way of the cuts, make the error a hundred to a thousand times smaller: three to
+//! five terms.
 
 use super::Approximation;
 use super::pole::Pole;
