@@ -167,7 +167,7 @@ fn top_speed(k: Double, omega: f64) -> f64 {
 }
 
 /// √(a² + b²) without overflow or underflow.
-fn hypotenuse(a: Double, b: Double) -> Double {
+pub(crate) fn hypotenuse(a: Double, b: Double) -> Double {
     let unit = binade(a.hi.max(b.hi));
     let (a, b) = (a.scale(1.0 / unit), b.scale(1.0 / unit));
     (a * a + b * b).sqrt().scale(unit)

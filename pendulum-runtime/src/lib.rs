@@ -30,6 +30,7 @@ mod kernel;
 mod launch;
 mod motion;
 mod nome;
+mod passage;
 mod pendulum;
 mod phase;
 mod regime;

@@ -7,17 +7,16 @@
 )]
 
 use crate::agm::complete;
-use crate::carlson::elapsed;
 use crate::double::{Double, two_prod, two_sum};
-use crate::double_trig::half_angle;
 use crate::error::{Error, finite};
-use crate::kernel::{round, sin_turns};
+use crate::kernel::sin_turns;
 use crate::nome::nome_of;
+use crate::passage;
 use crate::phase::{Phase, Reduced, binade};
 use crate::regime::Regime;
 use crate::rotation::Rotation;
 use crate::swing::{Swing, SwingPhase};
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 /// A motion.
 #[derive(Clone, Copy, Debug)]
@@ -196,57 +195,7 @@ impl Motion {
         if angle == self.theta {
             return Ok(0.0);
         }
-        let offset = Double::new(angle) - self.base;
-        let offset = if self.direction < 0.0 { -offset } else { offset };
-        let found = match &self.shape {
-            Shape::Swing(_, phase) => self.swing_turns(offset, phase.offset()).map(|turns| phase.time(turns)),
-            Shape::Rotation(_, phase) => {
-                let whole = (offset.hi / TAU).clamp(-1e15, 1e15);
-                let whole = round(whole);
-                let rest = offset - Double::TURN * whole;
-                let turns = self.turns_since_bottom(rest, 0.5) + Double::new(whole) - phase.offset();
-                (turns.hi >= 0.0 && rest.hi.abs() <= 4.0).then(|| phase.time(turns))
-            }
-            Shape::Separatrix(_, start) => {
-                let ahead = self.since_bottom(offset) - *start;
-                (offset.hi.abs() <= PI && ahead.hi >= 0.0).then(|| ahead.to_f64() / self.omega)
-            }
-        };
-        found.ok_or(Error::NeverReached { angle })
-    }
-
-    /// The turns from t = 0 until a swing is at `offset` from its base.
-    fn swing_turns(&self, offset: Double, start: Double) -> Option<Double> {
-        let quarter = Double::new(0.25);
-        let since_bottom = if offset.hi.abs() == self.amplitude {
-            // Rounded, the amplitude may be more than is reached.
-            quarter.scale(1f64.copysign(offset.hi))
-        } else if offset.hi.abs() > PI || (self.k - half_angle(offset.abs()).0).hi < 0.0 {
-            return None;
-        } else {
-            self.turns_since_bottom(offset, 0.25)
-        };
-        let ahead = |phase: Double| {
-            let turns = phase - start;
-            if turns.hi < 0.0 { turns + Double::ONE } else { turns }
-        };
-        let (up, down) = (ahead(since_bottom - quarter), ahead(quarter - since_bottom));
-        Some(if up.hi < down.hi { up } else { down })
-    }
-
-    /// `since_bottom` in turns, of which `per_quarter` pass in K.
-    fn turns_since_bottom(&self, offset: Double, per_quarter: f64) -> Double {
-        let mean = self.moduli.mean;
-        let scale = if self.regime == Regime::Rotation { mean * self.k } else { mean };
-        self.since_bottom(offset) * scale.scale(2.0 * per_quarter) / Double::PI
-    }
-
-    /// ωt since the bottom, for |offset| ≤ π within reach.
-    fn since_bottom(&self, offset: Double) -> Double {
-        let (sine, cosine) = half_angle(offset.abs());
-        let squared = (self.k - sine) * (self.k + sine);
-        let magnitude = elapsed(sine, cosine, squared.sqrt(), self.k);
-        if offset.hi < 0.0 { -magnitude } else { magnitude }
+        passage::time_at(self, angle).ok_or(Error::NeverReached { angle })
     }
 }
 

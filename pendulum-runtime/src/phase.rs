@@ -56,11 +56,6 @@ impl Phase {
         Self { scale, rate, halves: split(rate.hi), offset }
     }
 
-    /// φ(0).
-    pub(crate) fn offset(&self) -> Double {
-        self.offset
-    }
-
     /// The time that φ takes to grow by `turns`.
     pub(crate) fn time(&self, turns: Double) -> f64 {
         (turns / self.rate).to_f64() / self.scale

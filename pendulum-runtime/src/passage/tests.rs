@@ -1,0 +1,124 @@
+//! Times against mpmath's: K and Carlson's RF with 120 digits.
+
+use super::*;
+
+/// θ, θ̇ and ω at t = 0, the angle, and the time.
+type Passage = ([f64; 4], Double);
+
+/// Released next to the top, angles next to the turning points.
+const NEAR_THE_TOP: [Passage; 12] = [
+    (
+        [3.1415926514704893, 0.0, 1.0, 3.1415926514704675],
+        Double { hi: 0.0045315956516190975, lo: 2.7557073139236296e-19 },
+    ),
+    ([3.141592335244318, 0.0, 1.0, 3.141592335244317], Double { hi: 7.469916810348866e-05, lo: 5.891202651980344e-22 }),
+    ([3.141592653589789, 0.0, 1.0, 3.1415926535897887], Double { hi: 0.4602706845823272, lo: 1.7499294025986203e-17 }),
+    ([3.141592653589793, 0.0, 1.0, 3.1415926535897927], Double { hi: 2.213005594184169, lo: 1.0560619315314307e-16 }),
+    ([3.141592653589793, 0.0, 1.0, -3.1415926535897927], Double { hi: 75.22329551459346, lo: -1.8733493855133616e-15 }),
+    ([3.141592653589793, 0.0, 1.0, 0.0], Double { hi: 38.718150554388814, lo: -2.1773778140501528e-16 }),
+    ([3.141592653589793, 0.0, 1.0, 1e-300], Double { hi: 38.718150554388814, lo: -2.1773778140501528e-16 }),
+    ([-3.1415, 0.0, 7.0, -3.1414999999], Double { hi: 0.0002098871313535776, lo: 8.6101277821733e-21 }),
+    (
+        [3.1415926514704893, 0.0, 1.0, -3.1415926514704675],
+        Double { hi: 44.098707727904745, lo: -1.8615385822518045e-16 },
+    ),
+    ([1.0, 0.0, 1.0, 0.9999999999999999], Double { hi: 1.6244282740624275e-08, lo: 6.609561675458617e-25 }),
+    ([1.0, 0.0, 1.0, -0.9999999999999999], Double { hi: 3.3499878159409437, lo: -1.3152412752465021e-16 }),
+    ([1e-09, 0.0, 1.0, 9.999999999999999e-10], Double { hi: 2.033691978340166e-08, lo: -1.0107504760114261e-24 }),
+];
+
+/// Amplitudes whose squares, or whose halves, underflow.
+const TINY: [Passage; 10] = [
+    ([5e-324, 0.0, 1.0, 0.0], Double { hi: 1.5707963267948966, lo: 6.123233995736766e-17 }),
+    ([1e-323, 0.0, 1.0, 5e-324], Double { hi: 1.0471975511965979, lo: -1.072081766451091e-16 }),
+    ([1e-310, 0.0, 1.0, -3e-311], Double { hi: 1.8754889808102786, lo: -4.633653369931499e-18 }),
+    ([-1e-170, 0.0, 3.0, -5e-171], Double { hi: 0.3490658503988659, lo: 1.9775092349554793e-17 }),
+    ([1e-40, 0.0, 1.0, 7e-41], Double { hi: 0.7953988301841435, lo: 1.9011603560337982e-17 }),
+    ([0.0, 1e-200, 1.0, 3e-201], Double { hi: 0.3046926540153975, lo: -8.229185706983256e-18 }),
+    ([0.0, 1e-200, 1.0, -3e-201], Double { hi: 3.4462853076051907, lo: 5.872434297649424e-17 }),
+    ([1e-200, 2e-200, 0.75, -2.2e-200], Double { hi: 4.8873945489630195, lo: -2.677596394204282e-16 }),
+    ([1e-200, 2e-230, 1.0, 9e-201], Double { hi: 0.4510268117962623, lo: -6.341870326898535e-18 }),
+    ([2e-31, 1e-31, 1.0, 2.1e-31], Double { hi: 0.11299446412451764, lo: 4.218860796082971e-19 }),
+];
+
+/// From a state in motion: a step ahead, past the turning point, beside and on the separatrix, further turns.
+const LAUNCHED: [Passage; 17] = [
+    ([1.0, 0.5, 1.0, 1.0000000000000002], Double { hi: 4.440892098500628e-16, lo: -3.126433560705944e-32 }),
+    ([1.0, 1e-09, 1.0, 0.9999999999999999], Double { hi: 1.7476089991328414e-08, lo: -1.1023370264799098e-24 }),
+    ([1.0, -1e-09, 1.0, 0.9999999999999999], Double { hi: 1.509929977977217e-08, lo: 1.9492539332112048e-25 }),
+    ([1.0, 0.5, 1.0, 0.3], Double { hi: 1.9913940921086801, lo: -6.629045810319542e-17 }),
+    ([3.1415926, 1e-08, 1.0, 3.14159260000001], Double { hi: 9.769988193143847e-07, lo: 8.246161298923504e-23 }),
+    ([3.1415926, 1e-08, 1.0, 3.1415925], Double { hi: 1.9218478647899293, lo: 7.442902477429403e-17 }),
+    ([0.0, 1.9999999999999998, 1.0, 3.1415926], Double { hi: 18.216430551845686, lo: 2.127756712891707e-17 }),
+    ([0.0, 2.0000000000000004, 1.0, 3.141592653589793], Double { hi: 19.06154746249283, lo: -1.3537153623450252e-15 }),
+    ([0.0, 2.0, 1.0, 3.141592653589793], Double { hi: 38.025003373828866, lo: 1.6464508923192877e-15 }),
+    ([0.0, -2.0, 3.0, -1e-280], Double { hi: 5e-281, lo: 0.0 }),
+    ([0.5, 2.5, 1.0, 100.0], Double { hi: 48.992107435131345, lo: -2.82719058173618e-15 }),
+    ([-3.14159, -2.5, 1.0, -3.1416], Double { hi: 4.000000000024029e-06, lo: 3.4009372271561817e-22 }),
+    ([3.14159, 0.1, 2.0, 3.1416], Double { hi: 9.999999986470641e-05, lo: -5.121282090405751e-21 }),
+    ([100.5, -40.0, 1.0, -700000000000000.0], Double { hi: 17510947654603.854, lo: 0.00045415752815680747 }),
+    ([700.0, 0.3, 1.0, 699.9999999999999], Double { hi: 1.2174272880542583, lo: -8.627201285047259e-17 }),
+    ([5.0, 0.0, 1.0, 7.0], Double { hi: 2.39023501016728, lo: -1.7406050636654586e-16 }),
+    (
+        [0.8595944271218787, 1.3704131791653634e-11, 1.0, 0.8595944271218786],
+        Double { hi: 1.7138205666020144e-08, lo: 4.764353364855757e-25 },
+    ),
+];
+
+/// The error of `time_at`, in ulp.
+fn error(([theta, velocity, omega, angle], expected): &Passage) -> f64 {
+    let motion = crate::launch::from_state(*theta, *velocity, *omega).expect("valid");
+    let found = motion.time_at(*angle).expect("reached");
+    let ulp = expected.hi.next_up() - expected.hi;
+    ((found - expected.hi) - expected.lo).abs() / ulp
+}
+
+/// Correctly rounded but for what is nearer to a tie than a thousandth.
+#[test]
+fn times_are_rounded_once() {
+    for passage in NEAR_THE_TOP.iter().chain(&TINY).chain(&LAUNCHED) {
+        let error = error(passage);
+        assert!(error <= 0.501, "{passage:?}: {error} ulp");
+    }
+}
+
+/// Gravity is nothing to the fastest: t = θ/v, and a turn more takes 2π/v.
+#[test]
+fn the_fastest() {
+    for e in 10..=29 {
+        for direction in [1.0, -1.0] {
+            let speed = (0..e).fold(1.0, |speed, _| speed * 1e10);
+            let motion = crate::launch::from_state(0.25, direction * speed, 1.0).expect("valid");
+            for angle in [0.5, 3.0, 4.0, 100.0, 1e-300, -7.0, -1e10] {
+                let way = direction * (angle - 0.25);
+                match motion.time_at(angle) {
+                    Ok(t) => assert!((t * speed / way - 1.0).abs() <= 2.0 * f64::EPSILON, "{speed} {angle}"),
+                    Err(_) => assert!(way < 0.0, "{speed} {angle}"),
+                }
+            }
+        }
+    }
+}
+
+/// Angles an ulp beyond the turning point, or on the way back of what doesn't come back.
+#[test]
+fn what_is_never_reached() {
+    let never = |theta: f64, velocity: f64, angle: f64| {
+        let motion = crate::launch::from_state(theta, velocity, 1.0).expect("valid");
+        assert_eq!(motion.time_at(angle), Err(crate::Error::NeverReached { angle }), "{theta} {velocity}");
+    };
+    for amplitude in [5e-324_f64, 1e-200, 1.0, 3.1415926514704893] {
+        for angle in [amplitude.next_up(), -amplitude.next_up(), 1.0 + amplitude, 6.0, -1e300] {
+            never(amplitude, 0.0, angle);
+        }
+    }
+    for angle in [1e-300, f64::MAX, f64::MIN] {
+        never(0.0, 0.0, angle);
+    }
+    never(f64::MAX, 3.0, f64::MIN);
+    for velocity in [2.0, 2.5, 1e290] {
+        never(0.0, velocity, -1e-300);
+        never(0.0, -velocity, 1e-300);
+    }
+    never(0.0, 2.0, PI.next_up());
+}
