@@ -1,8 +1,8 @@
 //! Elliptic integrals and functions in `f64`, by modulus k or (module [`complementary`]) by k′ = √(1 − k²).
 //!
-//! Packaged libraries take the parameter m = k² and lose what distinguishes k from 1; here k near 1 is best given by
-//! its complement, k′ = cos(θ0/2) for a pendulum of amplitude θ0, which may be as small as 10⁻³⁰⁰. Outside the domain
-//! 0 ≤ k ≤ 1 everything is NaN. u may be any finite number: periods are reduced in two words.
+//! Packaged libraries take the modulus k or the parameter m = k² and lose what distinguishes k from 1; here k near 1 is
+//! best given by its complement, k′ = cos(θ0/2) for a pendulum of amplitude θ0, which may be as small as 10⁻³⁰⁰. Outside
+//! the domain 0 ≤ k ≤ 1 everything is NaN. u may be any finite number: periods are reduced in two words.
 //!
 //! | | error at most |
 //! |---|---|

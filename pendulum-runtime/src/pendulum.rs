@@ -24,8 +24,8 @@ use core::marker::PhantomData;
 /// # Conditioning near the top
 /// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is
 /// (2/ω) ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in
-/// π − θ0 and of 7.5e-6 in the period, and after n periods θ may differ by anything that 2πn · 7.5e-6 turns of phase
-/// make of it. The same holds for a velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state
+/// π − θ0 and of 7.5e-6 in the period, and after n periods θ may differ by anything that n · 7.5e-6 turns of phase make
+/// of it. The same holds for a velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state
 /// beside the separatrix. Of a state in motion 1 − k² is a difference carried to 2⁻¹⁰²: θ is then within the promise
 /// plus 2⁻⁴⁵ of what an ulp of the initial velocity would change, which counts beside the separatrix alone. What this
 /// type computes is the motion of the number it was given, not of the one that was meant; where that is a formula such
@@ -124,11 +124,16 @@ impl<F: Scalar> Pendulum<F> {
 
     /// The first t ≥ 0 at which θ(t) = `theta`, turns counted.
     ///
-    /// By Carlson's RF in twice the working precision: within one ulp of the t at which the motion has the given
-    /// angle. (Near a turning point half an ulp of the *angle* moves that t by √(ulp/|θ̈|).)
+    /// By Carlson's RF in twice the working precision, of differences of angles that are exact: within one ulp of the t
+    /// at which the motion has the given angle, at any amplitude and next to any turning point. This holds for
+    /// |velocity|/ω from 10⁻²⁹⁰ on, or none, and for t from 10⁻²⁹⁰/ω on; beside the separatrix of a state in motion
+    /// the last sentences under Conditioning hold of t, too.
+    ///
+    /// Near a turning point half an ulp of the *angle* moves t by √(ulp/|θ̈|). So that its turning points can be asked
+    /// for, ± what [`amplitude`](Self::amplitude) returns stands for them, wherever it was rounded to.
     ///
     /// # Errors
-    /// [`Error::NeverReached`] if no t ≥ 0 qualifies; [`Error::NotFinite`].
+    /// [`Error::NeverReached`] if no t ≥ 0 qualifies, or if it is more than 10¹⁵ turns away; [`Error::NotFinite`].
     ///
     /// ```
     /// # use pendulum_runtime::{Error, Pendulum};
