@@ -241,7 +241,7 @@ mod tests {
 
     /// Every `nth` row of the reference data within 2⁵³ periods: swings and rotations.
     fn rows(nth: usize, keep: impl Fn(&str) -> bool, mut each: impl FnMut(&str, &Motion, f64, &[&str])) -> usize {
-        let text = include_str!("../../tests/data/reference.csv");
+        let text = include_str!("../../../tests/data/reference.csv");
         let mut known: Option<(String, Motion)> = None;
         let lines = text.lines().filter(|line| !line.starts_with('#') && keep(line)).step_by(nth);
         let mut count = 0;
