@@ -91,8 +91,8 @@ impl<'a> Clock<'a> {
         // A launch phase is rounded before n is: the remainder may pass half an anchor by as much.
         let overshoot = if exact { overshoot } else { overshoot.max(4.0 * (error + launch_error)) };
         let error = error + launch_error;
-        let exact = Reduction::exact(method, origin, self.float);
-        Reduction { launch: self.launch, error, relative_error, overshoot, unit, scale, cap, ..exact }
+        let without_error = Reduction::exact(method, origin, self.float);
+        Reduction { launch: self.launch, error, relative_error, overshoot, unit, scale, cap, ..without_error }
     }
 
     /// What keeps the product of the time with its factor from overflowing: a power of two beside a factor above 1, or,
