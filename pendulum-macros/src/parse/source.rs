@@ -10,7 +10,7 @@ pub(crate) fn of(request: &Request) -> String {
     parameters.join(", ")
 }
 
-/// One value: spaces around `+` and binary `-` and after commas, nowhere else.
+/// One value: spaces around `+` and binary `-` and after commas, and where an operator is missing, nowhere else.
 pub(crate) fn value(tokens: &TokenStream) -> String {
     let mut text = String::new();
     let mut after_operand = false;
@@ -19,7 +19,7 @@ pub(crate) fn value(tokens: &TokenStream) -> String {
             TokenTree::Punct(punct) => {
                 match (punct.as_char(), after_operand) {
                     (sign @ ('+' | '-'), true) => text.extend([' ', sign, ' ']),
-                    (',', _) => text.push_str(", "),
+                    (end @ (',' | ';'), _) => text.extend([end, ' ']),
                     (other, _) => text.push(other),
                 }
                 after_operand = false;
@@ -29,6 +29,7 @@ pub(crate) fn value(tokens: &TokenStream) -> String {
                 let single = group.stream().into_iter().count() == 1;
                 match group.delimiter() {
                     Delimiter::Bracket => text.extend(["[", &inner, "]"]),
+                    Delimiter::Brace => text.extend(["{", &inner, "}"]),
                     // A captured `$x:expr` had no parentheses of its own, but needs them to read the same.
                     Delimiter::None if single => text.push_str(&inner),
                     _ => text.extend(["(", &inner, ")"]),
@@ -36,10 +37,12 @@ pub(crate) fn value(tokens: &TokenStream) -> String {
                 after_operand = true;
             }
             operand => {
+                text.extend(after_operand.then_some(' '));
                 text.push_str(&operand.to_string());
                 after_operand = true;
             }
         }
     }
+    text.truncate(text.trim_end().len());
     text
 }

@@ -1,5 +1,6 @@
 use pendula::pendulum;
 
 fn main() {
-    let _theta: fn(f64) -> f64 = pendulum!(theta0 = 90.0.to_radians());
+    let _ = pendulum!(theta0 = 90.0.to_radians());
+    let _ = pendulum!(theta0 = 1 as f64);
 }

@@ -1,5 +1,6 @@
 use pendula::pendulum;
 
 fn main() {
-    let _theta: fn(f64) -> f64 = pendulum!(theta0 = 2^3);
+    let _ = pendulum!(theta0 = 2^3);
+    let _ = pendulum!(theta0 = 2**0.5, t_max = 2^53);
 }

@@ -52,7 +52,11 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
     let (units, what) = meaning(&name.to_string());
     let known = suffix.is_empty() || suffix == "π" || units.contains(&suffix);
     let shown = source::value(value);
-    (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: `{name}` is {what}"))
+    let remedy = match suffix {
+        "pi" | "PI" | "Pi" => "write it `π`, as in `2π`, or as a factor, `2*PI`".to_owned(),
+        _ => format!("`{name}` is {what}"),
+    };
+    (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: {remedy}"))
 }
 
 fn length(name: &Ident, digits: &str) -> Option<String> {

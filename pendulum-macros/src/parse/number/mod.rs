@@ -4,7 +4,9 @@ mod literal;
 mod tree;
 
 use crate::exact::{Context, Real};
+use crate::parse::source;
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+use syn::buffer::Cursor;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
 use tree::{Operator, Tree};
@@ -26,8 +28,13 @@ impl Number {
             return Err(Error::new_spanned(tokens, message));
         }
         literal::check(name, &tokens)?;
-        let tree = syn::parse2::<Whole>(parenthesise_captures(tokens))?.0;
-        Ok(Self { tree })
+        match syn::parse2::<Whole>(parenthesise_captures(tokens.clone())) {
+            Ok(Whole(tree)) => Ok(Self { tree }),
+            Err(error) => {
+                let message = format!("`{name} = {}`: {error}", source::value(&tokens));
+                Err(Error::new(error.span(), message))
+            }
+        }
     }
 
     /// The number of decimal digits that may cancel: those of the longest literal, and in a sum those that its exponent
@@ -76,17 +83,21 @@ struct Whole(Tree);
 
 impl Parse for Whole {
     fn parse(input: ParseStream) -> Result<Self> {
-        let tree = sum(input)?;
-        if input.is_empty() {
-            return Ok(Self(tree));
-        }
-        Err(no_operator(input, "the next parameter after a comma"))
+        whole(input, "the next parameter after a comma").map(Self)
     }
+}
+
+/// All of `input`; `end` ends the message of what follows instead of an operator.
+fn whole(input: ParseStream, end: &str) -> Result<Tree> {
+    let start = input.cursor();
+    let tree = sum(input)?;
+    if input.is_empty() { Ok(tree) } else { Err(no_operator(&start, input, end)) }
 }
 
 fn sum(input: ParseStream) -> Result<Tree> {
     let mut left = product(input)?;
     loop {
+        let sign = input.span();
         let operator = if input.parse::<Option<Token![+]>>()?.is_some() {
             Operator::Add
         } else if input.parse::<Option<Token![-]>>()?.is_some() {
@@ -94,49 +105,61 @@ fn sum(input: ParseStream) -> Result<Tree> {
         } else {
             return Ok(left);
         };
-        left = binary(left, operator, input, product)?;
+        left = binary(left, (operator, sign), input, product)?;
     }
 }
 
 fn product(input: ParseStream) -> Result<Tree> {
     let mut left = factor(input)?;
     loop {
+        let sign = input.span();
         let operator = if input.parse::<Option<Token![*]>>()?.is_some() {
+            if input.peek(Token![*]) {
+                return Err(input.error(NO_POWERS));
+            }
             Operator::Multiply
         } else if input.parse::<Option<Token![/]>>()?.is_some() {
             Operator::Divide
         } else {
             return Ok(left);
         };
-        left = binary(left, operator, input, factor)?;
+        left = binary(left, (operator, sign), input, factor)?;
     }
 }
 
 fn binary(
     left: Tree,
-    operator: Operator,
+    (operator, sign): (Operator, Span),
     input: ParseStream,
     operand: fn(ParseStream) -> Result<Tree>,
 ) -> Result<Tree> {
+    follows(sign, input)?;
     let before = input.cursor();
     let right = operand(input)?;
     let blame = before.token_stream().into_iter().take(tokens_between(&before, &input.cursor())).collect();
     Ok(Tree::Binary { left: Box::new(left), operator, right: Box::new(right), blame })
 }
 
-fn tokens_between(from: &syn::buffer::Cursor, to: &syn::buffer::Cursor) -> usize {
+/// Refuses an operator at the end.
+fn follows(sign: Span, input: ParseStream) -> Result<()> {
+    if input.is_empty() { Err(Error::new(sign, "expected a number after this sign")) } else { Ok(()) }
+}
+
+fn tokens_between(from: &Cursor, to: &Cursor) -> usize {
     let (from, to) = (from.token_stream().into_iter().count(), to.token_stream().into_iter().count());
     from - to
 }
 
 fn factor(input: ParseStream) -> Result<Tree> {
+    let sign = input.span();
     if input.parse::<Option<Token![-]>>()?.is_some() {
+        follows(sign, input)?;
         return Ok(Tree::Negative(Box::new(factor(input)?)));
     }
     if input.peek(token::Paren) {
         let inner;
         syn::parenthesized!(inner in input);
-        return whole_group(&inner);
+        return whole(&inner, "`)`");
     }
     if input.peek(Ident) {
         return name(input);
@@ -152,28 +175,47 @@ fn factor(input: ParseStream) -> Result<Tree> {
         return Err(input.error(format!("a number begins with a digit: write `0.{digits}`")));
     }
     if input.is_empty() {
-        return Err(input.error("expected a number, such as `7π/8`, `157.5deg` or `3*PI/4 - 0.01`"));
+        return Err(Error::new(input.span(), "expected a number, such as `7π/8`, `157.5deg` or `3*PI/4 - 0.01`"));
     }
     Err(input.error("expected a number: digits, `π`, `sqrt(…)` or parentheses"))
 }
 
-fn whole_group(inner: ParseStream) -> Result<Tree> {
-    let tree = sum(inner)?;
-    if inner.is_empty() { Ok(tree) } else { Err(no_operator(inner, "`)`")) }
-}
+const NO_POWERS: &str =
+    "there are no powers: write a product, `2*2`, or the value itself, such as `1e-3` or `9.007e15`";
 
 /// The mistake of what follows a number and isn't an operator; `end` could have followed, too.
-fn no_operator(input: ParseStream, end: &str) -> Error {
-    let word = input.cursor().ident().map(|(word, _)| word.to_string());
-    match word.as_deref() {
-        Some(unit @ ("deg" | "rad" | "π")) => {
-            input.error(format!("`{unit}` belongs to the number before it: leave out the space, as in `90{unit}`"))
-        }
-        Some(factor @ ("PI" | "pi" | "sqrt")) => {
-            input.error(format!("a product needs its sign: write `*` before `{factor}`"))
+fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
+    match input.cursor().token_stream().into_iter().next() {
+        Some(TokenTree::Ident(word)) => no_operator_but_word(&word.to_string(), before(start, input), input, end),
+        Some(TokenTree::Punct(punct)) => match punct.as_char() {
+            '^' => input.error(NO_POWERS),
+            '.' => input.error("nothing can be called here: write the value itself, such as `30deg` or `sqrt(2)`"),
+            ',' => input.error("parentheses hold one number: remove this comma and what follows it"),
+            ';' => input.error("parameters are separated by commas: write `,`"),
+            _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
+        },
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
+            Error::new(group.span_open(), "a product needs its sign: write `*` before `(`")
         }
         _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
     }
+}
+
+fn no_operator_but_word(word: &str, before: Option<TokenTree>, input: ParseStream, end: &str) -> Error {
+    let literal = before.filter(|tree| matches!(tree, TokenTree::Literal(_)));
+    match (word, literal) {
+        ("deg" | "rad" | "π", Some(literal)) => input
+            .error(format!("`{word}` belongs to the number before it: leave out the space, as in `{literal}{word}`")),
+        ("deg" | "rad", None) => input.error(format!("`{word}` ends literals only: write `*1{word}`")),
+        ("π" | "PI" | "pi" | "sqrt", _) => input.error(format!("a product needs its sign: write `*` before `{word}`")),
+        ("as", _) => input.error("numbers have no type here, all their digits count: leave out the `as` and its type"),
+        _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
+    }
+}
+
+/// The last token that has been read since `start`.
+fn before(start: &Cursor, input: ParseStream) -> Option<TokenTree> {
+    start.token_stream().into_iter().take(tokens_between(start, &input.cursor())).last()
 }
 
 fn name(input: ParseStream) -> Result<Tree> {
@@ -183,7 +225,7 @@ fn name(input: ParseStream) -> Result<Tree> {
         "sqrt" if input.peek(token::Paren) => {
             let inner;
             syn::parenthesized!(inner in input);
-            Ok(Tree::Root(Box::new(whole_group(&inner)?), ident.span()))
+            Ok(Tree::Root(Box::new(whole(&inner, "`)`")?), ident.span()))
         }
         "sqrt" => Err(Error::new(ident.span(), "`sqrt` needs its argument in parentheses: `sqrt(2)`")),
         other => Err(Error::new(
@@ -253,7 +295,16 @@ mod tests {
         assert!(error("1/(2 - 2)").contains("division by zero"));
         assert!(error("THETA").contains("a macro sees names, not values"));
         assert!(error("3f64").contains("`theta0 = 3f64` has the suffix `f64`"));
-        assert!(error("3 deg").contains("leave out the space, as in `90deg`"));
+        assert!(error("3 deg").contains("leave out the space, as in `3deg`"));
+        assert!(error("2*(3/4)deg").contains("write `*1deg`"));
+        assert!(error("sqrt(3)π").contains("write `*` before `π`"));
+        assert!(error("2π(1 + 1)").contains("write `*` before `(`"));
+        assert!(error("7PI/8").contains("write it `π`"));
+        assert!(error("2^0.5").contains("there are no powers"));
+        assert!(error("1 + 2**3").contains("there are no powers"));
+        assert!(error("2*").contains("a number after this sign"));
+        assert!(error("(1, 2)").contains("one number"));
+        assert!(error("1 as f64").contains("`theta0 = 1 as f64`: numbers have no type here"));
         assert!(error("(3 PI)").contains("write `*` before `PI`"));
         assert!(error(".25").contains("write `0.25`"));
         assert!(error("+1").contains("leave it out"));

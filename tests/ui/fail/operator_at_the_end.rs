@@ -1,0 +1,6 @@
+use pendula::pendulum;
+
+fn main() {
+    let _ = pendulum!(theta0 = 1 +, n = 4);
+    let _ = pendulum!(theta0 = 2*(-));
+}
