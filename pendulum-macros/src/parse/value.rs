@@ -49,9 +49,21 @@ pub(super) fn count(name: &Ident, tokens: TokenStream) -> Result<Given<usize>> {
 }
 
 pub(super) fn word<T: Keyword>(name: &Ident, tokens: TokenStream) -> Result<Given<T>> {
-    let ident = syn::parse2::<Ident>(tokens.clone())
-        .map_err(|_| Error::new_spanned(&tokens, format!("`{name}` is one of {}", list(T::WORDS))))?;
+    let ident = syn::parse2::<Ident>(tokens.clone()).map_err(|_| not_a_word::<T>(name, &tokens))?;
     Ok(Given { name: name.clone(), value: one_word(&ident)?, tokens })
+}
+
+fn not_a_word<T: Keyword>(name: &Ident, tokens: &TokenStream) -> Error {
+    let message = match quoted(tokens).filter(|word| T::from_word(word).is_some()) {
+        Some(word) => format!("`{name}` is written without quotes: `{name} = {word}`"),
+        None => format!("`{name} = {}` is no word: `{name}` is one of {}", source::value(tokens), list(T::WORDS)),
+    };
+    Error::new_spanned(tokens, message)
+}
+
+/// The text of a string literal.
+fn quoted(tokens: &TokenStream) -> Option<String> {
+    syn::parse2::<LitStr>(tokens.clone()).ok().map(|text| text.value())
 }
 
 pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Output>>> {
@@ -60,9 +72,7 @@ pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Out
         bracketed!(inner in input);
         inner.parse::<TokenStream>()
     };
-    let entries = list_of
-        .parse2(tokens.clone())
-        .map_err(|_| Error::new_spanned(&tokens, "`outputs` is a list, such as `[theta, velocity]`"))?;
+    let entries = list_of.parse2(tokens.clone()).map_err(|_| no_list(&tokens))?;
     let mut value = Vec::new();
     let mut report = Report::default();
     for (entry, comma) in split_at_commas(entries) {
@@ -76,6 +86,12 @@ pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Out
         return Err(Error::new_spanned(&tokens, format!("`outputs` is empty: list at least one of {all}")));
     }
     Ok(Given { name: name.clone(), value, tokens })
+}
+
+fn no_list(tokens: &TokenStream) -> Error {
+    let one = quoted(tokens).unwrap_or_else(|| tokens.to_string());
+    let example = Output::from_word(&one).map_or("theta, velocity", Output::word);
+    Error::new_spanned(tokens, format!("`outputs` is a list, in brackets: write `outputs = [{example}]`"))
 }
 
 /// One entry of the list, and the comma that ends it.
@@ -92,10 +108,9 @@ fn output(entry: &TokenStream, comma: Span, before: &[Output]) -> Result<Output>
 }
 
 fn no_word(entry: &TokenStream) -> Error {
-    let quoted = syn::parse2::<LitStr>(entry.clone()).map(|text| text.value());
-    let remedy = match quoted {
-        Ok(text) => format!("outputs are written without quotes: `{text}`"),
-        Err(_) => format!("expected an output: one of {}, with commas between them", list(Output::WORDS)),
+    let remedy = match quoted(entry) {
+        Some(text) => format!("outputs are written without quotes: `{text}`"),
+        None => format!("expected an output: one of {}, with commas between them", list(Output::WORDS)),
     };
     Error::new_spanned(entry, remedy)
 }
