@@ -1,6 +1,6 @@
 //! How good the result has to be, by which method and for how long: `n`, `tol`, `method`, `t_max`.
 
-use super::{Checked, Checker};
+use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Swing};
 use crate::parse::{Float, Given, Method, Output};
@@ -51,8 +51,13 @@ impl Checker<'_> {
             None => Ok(Some(n)),
             Some(Regime::Swing(swing)) => self.useful_terms(given, swing).map(Some),
             Some(other) => {
+                let remedy = if self.request.mentions("method") {
+                    "leave `n` and `method` out, or give `tol` instead of both"
+                } else {
+                    "leave `n` out, or give `tol`"
+                };
                 let message = format!(
-                    "`n = {n}` asks for the paper's θ̂, which is periodic, but this is {}: leave `n` out, or give `tol`",
+                    "`n = {n}` asks for the paper's θ̂, which is periodic, but this is {}: {remedy}",
                     kind(other)
                 );
                 Err(self.refuse(&given.name, message))
@@ -102,6 +107,8 @@ impl Checker<'_> {
             return Err(self.refuse(&given.tokens, message));
         }
         match motion.map(|motion| &motion.regime) {
+            // `n` asks for the same method, and was refused for the same reason.
+            Some(regime) if !serves(method, regime) && self.request.n.is_some() => Err(Reported),
             Some(regime) if !serves(method, regime) => {
                 let message = format!(
                     "`{given}` can't serve {}: {}",

@@ -46,6 +46,9 @@ impl Checker<'_> {
         if self.request.mentions("theta0") || self.request.mentions("velocity0") {
             return Ok(());
         }
+        if self.request.mentions_a_stranger() {
+            return Err(Reported);
+        }
         let message =
             "`theta0` is missing: give the release angle, such as `theta0 = 7π/8`, or `velocity0` to start in motion";
         match &self.request.form {
@@ -111,6 +114,7 @@ impl Checker<'_> {
                 );
                 Err(self.refuse(&given.name, message))
             }
+            (None, Some(_), None) | (None, None, Some(_)) if request.mentions_a_stranger() => Err(Reported),
             (None, Some(g), None) if !mentioned("length") => Err(self.lonely(g, "`length`, in m")),
             (None, None, Some(length)) if !mentioned("g") => {
                 Err(self.lonely(length, "`g`, in m/s², such as `g = 9.81`"))

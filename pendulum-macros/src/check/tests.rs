@@ -138,6 +138,8 @@ fn refuses_methods_that_cannot_serve() {
     refused("theta0 = 1, method = series, n = 4", &["`method = series` takes no `n`", "`n = 4`", "`tol`"]);
     refused("theta0 = 1, method = harmonic, n = 4", &["`method = harmonic` takes no `n`"]);
     refused("velocity0 = 3, method = harmonic", &["`method = harmonic`", "rotation", "`polynomial`"]);
+    refused("velocity0 = 3, n = 4", &["`n = 4`", "rotation", "leave `n` out"]);
+    refused("velocity0 = 3, n = 4, method = fourier", &["`n = 4`", "rotation", "leave `n` and `method` out"]);
     refused("velocity0 = 2, method = series", &["`method = series`", "separatrix"]);
     assert_eq!(scene("velocity0 = 3, method = polynomial").method, Some(Method::Polynomial));
     assert_eq!(scene("theta0 = 1, velocity0 = 1, method = fourier, tol = 1e-3").method, Some(Method::Fourier));
@@ -159,6 +161,12 @@ fn reports_mistakes_of_every_parameter_together() {
     refused("theta0 = 1, period = 2", &["did you mean `omega = 2π/period`"]);
     refused("theta0 = x, n = 4", &["`x` can't be evaluated"]);
     refused("theta0 =, n = 4", &["lacks its value"]);
+    refused("θ_0 = 1", &["did you mean `theta0`"]);
+    refused("phi = 1, n = 4", &["unknown parameter `phi`"]);
+    refused("1, n = 4", &["expected `name = value`"]);
+    refused("theta0 = 1, g = 9.81, ell = 1", &["did you mean `length`"]);
+    refused("theta0 = 1, gee = 9.81, length = 1", &["unknown parameter `gee`"]);
+    refused("type A; theta0 = 1", &["expected `struct A;`"]);
     refused("theta0 = 1, g = 9.81, length = l", &["`l` can't be evaluated"]);
 }
 

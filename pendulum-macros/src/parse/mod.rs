@@ -92,7 +92,7 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
 
 /// `#[…] vis struct Name;` or nothing.
 fn form(input: ParseStream) -> Result<Form> {
-    let attributes = input.call(Attribute::parse_outer)?;
+    let attributes = attributes(input)?;
     let visibility: Visibility = input.parse()?;
     let bare = attributes.is_empty() && matches!(visibility, Visibility::Inherited);
     if bare && !input.peek(Token![struct]) {
@@ -102,6 +102,9 @@ fn form(input: ParseStream) -> Result<Form> {
         return Err(input.error("expected `struct Name;` after attributes or a visibility"));
     }
     input.parse::<Token![struct]>()?;
+    if input.cursor().ident().is_none() {
+        return Err(input.error("expected the name of the struct: `struct Name;`"));
+    }
     let name = input.parse()?;
     if !input.peek(Token![;]) {
         return Err(input.error("expected `;`: the struct is a unit struct, its parameters follow after the semicolon"));
@@ -110,14 +113,25 @@ fn form(input: ParseStream) -> Result<Form> {
     Ok(Form::Item(Item { attributes, visibility, name }))
 }
 
+/// `#[…]`, any number of them.
+fn attributes(input: ParseStream) -> Result<Vec<Attribute>> {
+    input.call(Attribute::parse_outer).map_err(|error| {
+        let inner = input.peek(Token![!]);
+        if inner { input.error("an attribute of the struct is written without `!`: `#[…]`") } else { error }
+    })
+}
+
 /// The mistake of `Clock;`, `enum Clock;` or `Clock { … }` where `struct Clock;` was meant.
 fn header_without_struct(input: ParseStream) -> Option<Error> {
     let (first, rest) = input.cursor().ident()?;
-    if PARAMETERS.contains(&canonical(&first.to_string())) {
+    // `type` is what `float` may be taken for, and the beginning of an item.
+    if PARAMETERS.contains(&canonical(&first.to_string())) && first != "type" {
         return None;
     }
-    let next = rest.token_stream().into_iter().next()?;
+    let mut following = rest.token_stream().into_iter();
+    let next = following.next()?;
     let name = match &next {
+        TokenTree::Ident(keyword) if keyword == "struct" => return Some(word_before_struct(&first, following.next())),
         TokenTree::Ident(second) => second,
         TokenTree::Punct(punct) if matches!(punct.as_char(), ';' | '<') => &first,
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => &first,
@@ -126,6 +140,12 @@ fn header_without_struct(input: ParseStream) -> Option<Error> {
     let message =
         format!("expected `struct {name};` and then the parameters, or nothing but parameters, `name = value`");
     Some(Error::new(first.span(), message))
+}
+
+/// The mistake of `unsafe struct Clock;`.
+fn word_before_struct(word: &Ident, name: Option<TokenTree>) -> Error {
+    let name = name.map_or_else(|| "Name".to_owned(), |name| name.to_string());
+    Error::new(word.span(), format!("`{word}` has no place before `struct {name};`: leave it out"))
 }
 
 /// The parameters, each as its own token stream with the span of the comma that ends it, so that a mistake in one
@@ -153,6 +173,11 @@ impl Request {
         self.written.iter().any(|(written, _)| written == name)
     }
 
+    /// Whether something was written that is no parameter, and like none: it may be meant as the one that is missing.
+    pub(crate) fn mentions_a_stranger(&self) -> bool {
+        self.written.iter().any(|(name, _)| !PARAMETERS.contains(&name.as_str()))
+    }
+
     /// Whether every parameter that was written, but for words that are none, has its value, once.
     pub(crate) fn is_understood(&self) -> bool {
         let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length, &self.tol, &self.t_max];
@@ -177,12 +202,18 @@ impl Request {
         numbers.into_iter().flatten().map(|given| given.value.digits()).max().unwrap_or(0)
     }
 
+    fn ends_with(&self, name: &str) -> bool {
+        self.written.last().is_some_and(|(last, _)| last == name)
+    }
+
     fn take_parameter(&mut self, tokens: TokenStream, end: Span) -> Result<()> {
         if tokens.is_empty() {
             return Err(Error::new(end, "expected a parameter before this comma: remove it"));
         }
         match named_value(&tokens) {
             Ok((name, value)) => self.set(name, value),
+            // `outputs = theta, velocity` is one mistake, and was told of.
+            Err(_) if self.outputs.is_none() && self.ends_with("outputs") && output_alone(&tokens) => Ok(()),
             Err(error) => {
                 // `theta0` without a value is a mistake of its own, not a missing `theta0`.
                 self.written.extend(first_word(tokens).map(|word| (canonical(&word).to_owned(), TokenStream::new())));
@@ -235,6 +266,10 @@ impl Parameter {
     }
 }
 
+fn output_alone(tokens: &TokenStream) -> bool {
+    syn::parse2::<Ident>(tokens.clone()).is_ok_and(|word| Output::from_word(&word.to_string()).is_some())
+}
+
 fn first_word(tokens: TokenStream) -> Option<String> {
     tokens.into_iter().next().map(|tree| tree.to_string())
 }
@@ -242,9 +277,14 @@ fn first_word(tokens: TokenStream) -> Option<String> {
 /// `name = value`, the value's tokens untouched.
 fn named_value(tokens: &TokenStream) -> Result<(Ident, TokenStream)> {
     let parse = |input: ParseStream| {
-        let name = input.call(Ident::parse_any).map_err(|_| input.error("expected `name = value`"))?;
+        let name = input
+            .call(Ident::parse_any)
+            .map_err(|_| input.error("expected `name = value`, such as `theta0 = 7π/8`"))?;
         if input.parse::<Option<Token![=]>>()?.is_none() {
             return Err(Error::new(name.span(), format!("expected a value: `{name} = …`")));
+        }
+        if input.peek(Token![=]) {
+            return Err(input.error(format!("a value is given by one `=`: write `{name} = …`")));
         }
         let value: TokenStream = input.parse()?;
         if value.is_empty() {
@@ -292,6 +332,10 @@ mod tests {
     fn refuses_empty_and_repeated_outputs() {
         assert!(request("theta0 = 1, outputs = []").err().unwrap().to_string().contains("empty"));
         assert!(request("theta0 = 1, outputs = [theta, theta]").err().unwrap().to_string().contains("twice"));
-        assert!(request("theta0 = 1, outputs = theta").err().unwrap().to_string().contains("list"));
+        assert!(
+            request("theta0 = 1, outputs = theta").err().unwrap().to_string().contains("write `outputs = [theta]`")
+        );
+        let without_brackets = request("theta0 = 1, outputs = theta, velocity, n").err().unwrap();
+        assert_eq!(without_brackets.into_iter().count(), 2, "`n` is another mistake");
     }
 }

@@ -8,11 +8,11 @@ pub(super) const PARAMETERS: [&str; 11] =
 
 /// What parameters are called elsewhere, in lower case.
 const SYNONYMS: [(&str, &[&str]); 9] = [
-    ("theta0", &["θ", "angle", "amplitude"]),
+    ("theta0", &["θ", "θ_0", "angle", "amplitude"]),
     ("velocity0", &["v", "v0", "vel", "speed"]),
-    ("omega", &["w", "frequency", "period"]),
+    ("omega", &["w", "ω0", "ω_0", "frequency", "period"]),
     ("g", &["gravity"]),
-    ("length", &["l", "ℓ", "len"]),
+    ("length", &["l", "ℓ", "ell", "len"]),
     ("n", &["terms"]),
     ("tol", &["tolerance", "eps", "epsilon", "error"]),
     ("t_max", &["t", "duration", "horizon"]),
@@ -62,10 +62,14 @@ mod tests {
         let pairs = [
             ("theta", "theta0"),
             ("angle", "theta0"),
+            ("θ_0", "theta0"),
+            ("theta_0", "theta0"),
+            ("ω_0", "omega"),
             ("velocity", "velocity0"),
             ("Omega", "omega"),
             ("L", "length"),
             ("l", "length"),
+            ("ell", "length"),
             ("T", "t_max"),
             ("tmax", "t_max"),
             ("N", "n"),

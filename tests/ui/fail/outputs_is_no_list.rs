@@ -1,5 +1,8 @@
 use pendula::pendulum;
 
 fn main() {
-    let _theta: fn(f64) -> f64 = pendulum!(theta0 = 1, outputs = velocity);
+    let _ = pendulum!(theta0 = 1, outputs = velocity);
+    let _ = pendulum!(theta0 = 1, outputs = (theta));
+    // One mistake, however many words.
+    let _ = pendulum!(theta0 = 1, outputs = theta, velocity, position);
 }

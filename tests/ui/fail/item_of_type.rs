@@ -1,0 +1,8 @@
+use pendula::pendulum;
+
+pendulum! {
+    type Clock;
+    theta0 = 1
+}
+
+fn main() {}
