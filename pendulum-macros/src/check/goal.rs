@@ -3,7 +3,7 @@
 use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Swing};
-use crate::parse::{Float, Given, Method, Output};
+use crate::parse::{Given, Method, Output};
 use crate::scene::Goal;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -67,11 +67,11 @@ impl Checker<'_> {
 
     fn useful_terms(&mut self, given: &Given<usize>, swing: &Swing) -> Checked<usize> {
         let (float, n) = (self.request.float(), given.value);
-        let most = most_useful_terms(swing, float);
+        let most = swing.most_useful_terms(float.unit());
         if n <= most {
             return Ok(n);
         }
-        let remedy = if smallest_working_terms(swing, float).is_none() {
+        let remedy = if swing.smallest_working_terms(float.unit()).is_none() {
             ", and with so few it may exceed 1: state the error as `tol` instead".to_owned()
         } else {
             format!("; use `n = {most}` or fewer")
@@ -179,40 +179,6 @@ fn kind(regime: &Regime) -> &'static str {
         Regime::Rotation(_) => "a rotation over the top",
         Regime::Separatrix(_) => "the separatrix, the motion that takes for ever to reach the top",
     }
-}
-
-/// The smallest n after which all other terms together are at most half a unit in the last place of a sum in [½, 1):
-/// adding them can't bring the computed sum nearer than its own rounding leaves it.
-///
-/// b₂ₙ₊₁/b₂ₙ₋₁ = q(1 − q^{2n−1})/(1 − q^{2n+1}) < q, so the tail Σ_{m>n} b₂ₘ₋₁ is below b₂ₙ₊₁/(1 − q).
-pub(crate) fn most_useful_terms(swing: &Swing, float: Float) -> usize {
-    let half_ulp = float.unit() / 2.0;
-    let q = swing.elliptic.nome.to_f64();
-    // b₁ is within [1, 4/π] at every amplitude; from here on the ratio alone, which can't underflow too early.
-    let mut term = swing.fourier_coefficient(1).to_f64();
-    let mut odd_power = q;
-    let mut n = 0;
-    loop {
-        n += 1;
-        let next_power = odd_power * q * q;
-        term *= q * (1.0 - odd_power) / (1.0 - next_power);
-        odd_power = next_power;
-        if term <= half_ulp * (1.0 - q) {
-            return n;
-        }
-    }
-}
-
-/// The smallest number of terms without overshoot, `None` if there is none among those that the float can use.
-///
-/// Those leave a tail that swings by a tenth of half a unit in the last place of 1, at least, and near the turning
-/// point 1 − x² is k′² and twice the tail: where k′² is far less no number needs to be tried (and all would take long).
-pub(crate) fn smallest_working_terms(swing: &Swing, float: Float) -> Option<usize> {
-    if swing.elliptic.complementary.square().to_f64() < float.unit() / 128.0 {
-        return None;
-    }
-    let smallest = swing.elliptic.fourier_analysis().smallest_working();
-    (smallest <= most_useful_terms(swing, float)).then_some(smallest)
 }
 
 /// The token of one word in a list, for its span.

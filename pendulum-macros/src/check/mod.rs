@@ -14,7 +14,6 @@ use crate::parse::number::Number;
 use crate::parse::{Form, Given, Output, Request, source};
 use crate::report::Report;
 use crate::scene::{Blame, Goal, Scene};
-pub(crate) use goal::{most_useful_terms, smallest_working_terms};
 use quote::ToTokens;
 use std::fmt::Display;
 

@@ -1,6 +1,7 @@
 //! The exact motion: regime, modulus, quarter periods, nome, period and launch phase, in more than double precision.
 
 mod elliptic;
+mod fourier;
 mod launch;
 
 use crate::exact::Real;
@@ -148,15 +149,6 @@ impl Swing {
         let launch = if released { context.integer(0) } else { state.swing_phase(&elliptic) };
         let period = elliptic.quarter.scale(2) / omega;
         Self { amplitude, mirrored: state.mirrored, launch, elliptic, period }
-    }
-
-    /// b₂ₙ₋₁ of Eq. 22, the coefficient of sin((2n−1)πu/2K) in the Fourier series of sn(u; k):
-    /// (2π/kK) q^{n−1/2}/(1 − q^{2n−1}), for n ≥ 1.
-    pub(crate) fn fourier_coefficient(&self, n: usize) -> Real {
-        let Elliptic { modulus, quarter, nome, .. } = &self.elliptic;
-        let context = nome.context();
-        let odd = nome.power(2 * n - 1);
-        context.pi().scale(1) * odd.sqrt() / (modulus * quarter * (context.integer(1) - odd))
     }
 }
 

@@ -9,7 +9,6 @@ use super::curve::{Curve, Curves, SwingCurves};
 use super::kernel;
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use super::{Bound, Part, Plan, Refusal, bias};
-use crate::check::{most_useful_terms, smallest_working_terms};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
@@ -113,16 +112,12 @@ impl Sum {
             Goal::Full => fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
         };
         if let Some(overshoot) = analysis.overshoot(n) {
-            let smallest = smallest_working_terms(swing, scene.float);
+            let smallest = swing.smallest_working_terms(scene.float.unit());
             let smallest = smallest.and_then(|smallest| planned(scene, swing, smallest));
             return Err(Refusal::Overshoot { terms: n, overshoot, smallest });
         }
         let coefficients: Vec<Real> = (1..=n).map(|n| swing.fourier_coefficient(n)).collect();
-        let weight = |(index, b): (usize, &Real)| {
-            let weight = (b * &elliptic.modulus).to_double();
-            if index % 2 == 1 { -weight } else { weight }
-        };
-        let weights = coefficients.iter().enumerate().map(weight).collect();
+        let weights = swing.half_sine_weights(&coefficients);
         Ok(Self { method: Method::Fourier, rate, weights, coefficients, bias: analysis.certified_bound(n, SLACK) })
     }
 
@@ -188,13 +183,13 @@ fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
 /// near to it to be bounded.
 fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
     let ask = |n: usize| plan(&Scene { goal: Goal::Terms(n), ..scene.clone() }, swing, Method::Fourier);
-    (smallest..=most_useful_terms(swing, scene.float)).take(3).find(|&n| ask(n).is_ok())
+    (smallest..=swing.most_useful_terms(scene.float.unit())).take(3).find(|&n| ask(n).is_ok())
 }
 
 /// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are,
 /// one.
 fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
-    let Some(mut fails) = smallest_working_terms(swing, scene.float) else { return 1 };
+    let Some(mut fails) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
     let mut serves = fails;
     while serves < MOST_CHOSEN && analysis.supremum(serves) >= tol {
         (fails, serves) = (serves, (serves * 2).min(MOST_CHOSEN));

@@ -179,11 +179,8 @@ pub(super) mod tests {
 
     /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.
     pub(in crate::plan::paper) fn weights(swing: &Swing, terms: usize) -> Vec<Double> {
-        let weight = |n: usize| {
-            let weight = (swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double();
-            if n.is_multiple_of(2) { -weight } else { weight }
-        };
-        (1..=terms).map(weight).collect()
+        let coefficients: Vec<_> = (1..=terms).map(|n| swing.fourier_coefficient(n)).collect();
+        swing.half_sine_weights(&coefficients)
     }
 
     #[test]
