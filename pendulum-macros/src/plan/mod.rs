@@ -153,10 +153,14 @@ fn kept(scene: &Scene, tolerance: f64) -> Result<Kept, Refusal> {
 }
 
 /// The first of the tolerances that can be promised; those below what was reached where another was refused come last.
+/// Where polynomials take too many points for one, they do for a little more, too.
 fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
-    let mut reached = 0.0;
+    let (mut reached, mut hopeless) = (0.0, 0.0);
     let mut unlikely = Vec::new();
     for &offer in offers {
+        if offer < hopeless {
+            continue;
+        }
         if offer < reached {
             unlikely.push(offer);
             continue;
@@ -164,6 +168,7 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
         match kept(scene, offer) {
             Ok(kept) => return Some(kept),
             Err(Refusal::Unreachable { best }) if best.is_finite() => reached = best,
+            Err(Refusal::Unreachable { .. }) if scene.method == Some(Method::Polynomial) => hopeless = 3.0 * offer,
             Err(_) => {}
         }
     }
