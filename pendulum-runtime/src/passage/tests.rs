@@ -124,3 +124,18 @@ fn what_is_never_reached() {
     }
     never(0.0, 2.0, PI.next_up());
 }
+
+/// The amplitude stands for the turning point on its side, whichever way it was rounded: K − F(asin(sin(θ/2)/k)) after a
+/// launch upwards, half a period later on the other side.
+#[test]
+fn turning_points() {
+    for direction in [1.0, -1.0] {
+        let motion = crate::launch::from_state(0.3 * direction, 1.2 * direction, 1.0).expect("valid");
+        let amplitude = direction * motion.amplitude;
+        let [first, second] = [amplitude, -amplitude].map(|angle| motion.time_at(angle).expect("reached"));
+        assert!((first - 1.520_439_018_754_477_4).abs() <= f64::EPSILON, "{first}");
+        assert!((second - 5.051_361_590_524_643).abs() <= 4.0 * f64::EPSILON, "{second}");
+    }
+    let released = crate::launch::from_state(1.0, 0.0, 1.0).expect("valid");
+    assert_eq!(released.time_at(1.0), Ok(0.0));
+}
