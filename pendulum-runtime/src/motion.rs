@@ -151,7 +151,7 @@ impl Motion {
     /// The time of a full swing or of one turn.
     pub(crate) fn period(&self) -> f64 {
         match &self.shape {
-            Shape::Swing(_, phase) | Shape::Rotation(_, phase) => phase.time(Double::ONE),
+            Shape::Swing(_, phase) | Shape::Rotation(_, phase) => phase.period(),
             Shape::Separatrix(..) => f64::INFINITY,
         }
     }

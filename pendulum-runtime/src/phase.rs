@@ -56,9 +56,9 @@ impl Phase {
         Self { scale, rate, halves: split(rate.hi), offset }
     }
 
-    /// The time that φ takes to grow by `turns`.
-    pub(crate) fn time(&self, turns: Double) -> f64 {
-        (turns / self.rate).to_f64() / self.scale
+    /// The time that φ takes to grow by a turn.
+    pub(crate) fn period(&self) -> f64 {
+        (Double::ONE / self.rate).to_f64() / self.scale
     }
 
     /// Reduces φ(t). NaN for NaN and ±∞.

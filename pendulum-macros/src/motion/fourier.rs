@@ -14,6 +14,11 @@ impl Swing {
         context.pi().scale(1) * odd.sqrt() / (modulus * quarter * (context.integer(1) - odd))
     }
 
+    /// The first `terms` of them.
+    pub(crate) fn fourier_coefficients(&self, terms: usize) -> Vec<Real> {
+        (1..=terms).map(|n| self.fourier_coefficient(n)).collect()
+    }
+
     /// (−1)ⁿ⁻¹ k b₂ₙ₋₁, of cos((2n−1)πs) in k sn(u + K), given the b₂ₙ₋₁ from n = 1 on.
     pub(crate) fn half_sine_weights(&self, coefficients: &[Real]) -> Vec<Double> {
         let weight = |(index, b): (usize, &Real)| {
@@ -24,8 +29,8 @@ impl Swing {
     }
 
     /// The smallest n after which all other terms together are at most half a unit in the last place of a sum in [½, 1),
-    /// `unit` being half the distance from 1 to the next number:
-    /// adding them can't bring the computed sum nearer than its own rounding leaves it.
+    /// `unit` being half the distance from 1 to the next number: adding them can't bring the computed sum nearer than its
+    /// own rounding leaves it.
     ///
     /// b₂ₙ₊₁/b₂ₙ₋₁ = q(1 − q^{2n−1})/(1 − q^{2n+1}) < q, so the tail Σ_{m>n} b₂ₘ₋₁ is below b₂ₙ₊₁/(1 − q).
     pub(crate) fn most_useful_terms(&self, unit: f64) -> usize {

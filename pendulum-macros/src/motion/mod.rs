@@ -122,13 +122,6 @@ pub(crate) fn direction(mirrored: bool) -> f64 {
     if mirrored { -1.0 } else { 1.0 }
 }
 
-impl Rotation {
-    /// Turns a unit of time, 1/T.
-    pub(crate) fn rate(&self) -> Real {
-        self.period.context().integer(1) / &self.period
-    }
-}
-
 impl Swing {
     /// Half periods a unit of time, 2/T.
     pub(crate) fn rate(&self) -> Real {
@@ -153,6 +146,11 @@ impl Swing {
 }
 
 impl Rotation {
+    /// Turns a unit of time, 1/T.
+    pub(crate) fn rate(&self) -> Real {
+        self.period.context().integer(1) / &self.period
+    }
+
     /// The rotation through `state`, `excess` being (v0/2ω)² − cos²(θ0/2) > 0.
     fn through(state: &State, excess: &Real, omega: &Real) -> Self {
         // (|θ̇| at the bottom / 2ω)², and κ = 2ω/|θ̇|, κ′² = 1 − κ² = excess/that.

@@ -11,10 +11,8 @@ use pendulum_runtime::double::Double;
 /// θ̂ = 2 arcsin y differentiated with respect to the phase, in two words.
 fn derivative(swing: &Swing, terms: usize, s: Double) -> Double {
     let (mut y, mut slope) = (Double::ZERO, Double::ZERO);
-    for n in 1..=terms {
-        let weight = (&swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double();
-        let weight = if n % 2 == 0 { -weight } else { weight };
-        let m = (2 * n - 1) as f64;
+    for (index, weight) in swing.half_sine_weights(&swing.fourier_coefficients(terms)).into_iter().enumerate() {
+        let m = (2 * index + 1) as f64;
         let turns = s * m;
         let turns = turns - Double::new(2.0 * (0.5 * turns.hi).round());
         y = y + weight * cos_pi(turns);

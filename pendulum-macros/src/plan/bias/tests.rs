@@ -47,12 +47,7 @@ impl Case {
         let curves = SwingCurves::new(swing, &self.scene.motion.omega);
         let weights: Vec<Double> = match self.method {
             Method::Harmonic | Method::SmallAngle => vec![swing.amplitude.to_double()],
-            Method::Fourier => (1..=self.terms)
-                .map(|n| {
-                    (swing.fourier_coefficient(n) * &swing.elliptic.modulus).to_double()
-                        * if n % 2 == 0 { -1.0 } else { 1.0 }
-                })
-                .collect(),
+            Method::Fourier => swing.half_sine_weights(&swing.fourier_coefficients(self.terms)),
             _ => curves.angle().terms().iter().take(self.terms).map(|term| term.1).collect(),
         };
         let exact = swing.rate();

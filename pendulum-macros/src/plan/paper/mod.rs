@@ -116,7 +116,7 @@ impl Sum {
             let smallest = smallest.and_then(|smallest| planned(scene, swing, smallest));
             return Err(Refusal::Overshoot { terms: n, overshoot, smallest });
         }
-        let coefficients: Vec<Real> = (1..=n).map(|n| swing.fourier_coefficient(n)).collect();
+        let coefficients = swing.fourier_coefficients(n);
         let weights = swing.half_sine_weights(&coefficients);
         Ok(Self { method: Method::Fourier, rate, weights, coefficients, bias: analysis.certified_bound(n, SLACK) })
     }

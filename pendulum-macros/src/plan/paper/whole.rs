@@ -179,8 +179,7 @@ pub(super) mod tests {
 
     /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.
     pub(in crate::plan::paper) fn weights(swing: &Swing, terms: usize) -> Vec<Double> {
-        let coefficients: Vec<_> = (1..=terms).map(|n| swing.fourier_coefficient(n)).collect();
-        swing.half_sine_weights(&coefficients)
+        swing.half_sine_weights(&swing.fourier_coefficients(terms))
     }
 
     #[test]
