@@ -12,7 +12,7 @@ pub(crate) struct Wave {
     constant: Double,
     /// (m, aₘ), m increasing.
     terms: Vec<(u32, Double)>,
-    /// Bounds what the omitted terms can add, for real s.
+    /// Bounds what the omitted terms can add, and what it strays by, for real s.
     omitted: f64,
     /// Of all terms, hence of the omitted ones.
     envelope: Envelope,
@@ -219,10 +219,9 @@ impl Wave {
         Self { parity, linear, constant, terms: kept, omitted, envelope }
     }
 
-    /// As if that had been omitted.
-    #[cfg(test)]
-    pub(crate) fn omitting(self, omitted: f64) -> Self {
-        Self { omitted, ..self }
+    /// Stands for another, from which it strays by at most that for real s.
+    pub(crate) fn stray(&mut self, by: f64) {
+        self.omitted += by;
     }
 
     /// The value at the phase s, |s| ≤ 1.5.

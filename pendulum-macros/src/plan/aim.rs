@@ -5,7 +5,7 @@ use super::curve::{Curve, Curves, RotationCurves, Size, SwingCurves};
 use super::hyperbolic::{Hyperbolic, Passage};
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
-use crate::motion::{Elliptic, Regime, Rotation, Separatrix, Swing, direction};
+use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing, direction};
 use crate::parse::{Float, Output};
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
@@ -44,6 +44,13 @@ pub(super) struct Aim {
 
 /// What full precision may be wrong by, in units of rounding of the largest value.
 pub(super) const FULL: f64 = 16.0;
+
+/// The binary places by which the velocity of a swing is below that of the separatrix whose arc it stands for: enough
+/// that the difference is far below rounding, few enough that its Fourier series has no more than 300 terms.
+const BESIDE_SEPARATRIX: i64 = 72;
+
+/// ω·t up to which polynomials over an arc may be cheaper than the passage.
+const FARTHEST_BESIDE_SEPARATRIX: f64 = 4.0;
 
 /// Above this complementary nome the images of a passage are too many for [`Hyperbolic`].
 const LARGEST_IMAGE: f64 = 0.05;
@@ -116,22 +123,21 @@ impl Task {
     /// The same over no more than the horizon meets, where that is less than from one anchor to the next.
     pub(super) fn over_arc(&self, scene: &Scene) -> Option<Self> {
         let reach = Arc::reach(scene)?;
+        if let Regime::Separatrix(_) = &scene.motion.regime {
+            return Self::beside_separatrix(scene, reach);
+        }
         let mut arc = Arc::new(reach, &self.rate, &self.launch)?;
         let mut aims = self.aims.clone();
-        match &scene.motion.regime {
-            Regime::Swing(_) => {}
-            Regime::Rotation(rotation) => {
-                // The angle from the lowest point is odd about that, not about the top.
-                if arc.halves().is_some_and(|halves| halves % 2 == 0)
-                    && scene.outputs.iter().any(|output| output.is_angle())
-                {
-                    arc = arc.lopsided();
-                }
-                let angle = RotationCurves::new(rotation, &scene.motion.omega).whole_angle();
-                let angles = aims.iter_mut().filter(|aim| aim.output.is_angle());
-                angles.for_each(|aim| aim.curves = vec![angle.clone()]);
+        if let Regime::Rotation(rotation) = &scene.motion.regime {
+            // The angle from the lowest point is odd about that, not about the top.
+            if arc.halves().is_some_and(|halves| halves % 2 == 0)
+                && scene.outputs.iter().any(|output| output.is_angle())
+            {
+                arc = arc.lopsided();
             }
-            Regime::Separatrix(_) => return None,
+            let angle = RotationCurves::new(rotation, &scene.motion.omega).whole_angle();
+            let angles = aims.iter_mut().filter(|aim| aim.output.is_angle());
+            angles.for_each(|aim| aim.curves = vec![angle.clone()]);
         }
         let context = self.rate.context();
         Some(Self {
@@ -143,6 +149,25 @@ impl Task {
             turning: false,
             unreduced: Some(Reduction::time(reach, arc.halves().is_none(), scene.float)?),
         })
+    }
+
+    /// The separatrix over an arc, which is that of a swing beside it. With e = v₀·2⁻⁷²/ω, their difference δ has δ(0) = 0,
+    /// |δ̇(0)| = ωe and |δ̈| ≤ ω²|δ|: in units of 1, ω and ω² what follows from it is at most e·cosh ωt.
+    fn beside_separatrix(scene: &Scene, reach: f64) -> Option<Self> {
+        let Motion { theta0, velocity0, omega, .. } = &scene.motion;
+        let turned = reach * omega.to_f64();
+        if turned > FARTHEST_BESIDE_SEPARATRIX {
+            return None;
+        }
+        let stray = (velocity0 / omega).abs().scale(-BESIDE_SEPARATRIX);
+        let slower = velocity0 - velocity0.scale(-BESIDE_SEPARATRIX);
+        let beside = Scene { motion: Motion::solve(theta0, &slower, omega).ok()?, ..scene.clone() };
+        let Regime::Swing(swing) = &beside.motion.regime else { return None };
+        let mut arc = Self::swing(&beside, swing).over_arc(&beside)?;
+        let stray = stray.to_f64() * libm::cosh(turned) * (1.0 + 1e-9);
+        let curves = arc.aims.iter_mut().flat_map(|aim| &mut aim.curves);
+        curves.for_each(|curve| curve.stray(stray * curve.size.unit));
+        Some(arc)
     }
 
     /// The first and the last phase within the horizon, where that is less than from one anchor to the next.

@@ -79,7 +79,7 @@ impl Curve {
         Self { wave: self.wave.negated(), ..self }
     }
 
-    /// What the series' omitted terms can change.
+    /// What the series' omitted terms can change, and what it strays by.
     pub(crate) fn omitted(&self) -> f64 {
         self.wave.omitted()
     }
@@ -89,10 +89,16 @@ impl Curve {
         self.wave.omitted_slope()
     }
 
+    /// Stands for another curve, from which it strays by at most that.
+    pub(crate) fn stray(&mut self, by: f64) {
+        self.wave.stray(by);
+    }
+
     /// As if that had been omitted.
     #[cfg(test)]
-    pub(crate) fn omitting(self, omitted: f64) -> Self {
-        Self { wave: self.wave.omitting(omitted), ..self }
+    pub(crate) fn omitting(mut self, omitted: f64) -> Self {
+        self.stray(omitted - self.omitted());
+        self
     }
 
     /// (m, aₘ) of the terms of its series.

@@ -80,6 +80,8 @@ fn short_horizons_need_no_reduction() {
         ("theta0 = π, velocity0 = 1e-3, tol = 1e-6, t_max = 0.1, outputs = [wrapped]", 13),
         ("theta0 = -3, velocity0 = -3, t_max = 0.3, outputs = [wrapped]", 40),
         ("theta0 = 1, float = f32, omega = 1e-6, tol = 1e-4, t_max = 1e5", 11),
+        ("velocity0 = 2, tol = 1e-6, t_max = 0.1", 9),
+        ("theta0 = -π/2, velocity0 = sqrt(2), tol = 1e-6, t_max = 1, outputs = [velocity]", 27),
     ] {
         let plan = planned(text);
         assert!(matches!(plan.reduction.method, Method::Time { .. }), "{text}: {}", plan.reduction.describe());
@@ -88,7 +90,7 @@ fn short_horizons_need_no_reduction() {
     for text in [
         "theta0 = 1, t_max = 1.68",
         "theta0 = 1, t_max = 1, method = series",
-        "velocity0 = 2, t_max = 0.1",
+        "velocity0 = 2, tol = 1e-6, t_max = 4",
         "theta0 = 1, float = f32, omega = 1e38, tol = 1e-4, t_max = 1e-39",
     ] {
         let plan = planned(text);

@@ -1,6 +1,6 @@
 //! The planner checks its own promise: a plan of polynomials, in pieces or not, or of a swing's passage, is interpreted
-//! at a few times and compared with the exact curves. Those of the paper's formulas, of the separatrix and of angles that
-//! are joined from turns are not.
+//! at a few times and compared with the exact curves. Those of the paper's formulas, of the passage on the separatrix and
+//! of angles that are joined from turns are not.
 //!
 //! The bound is proven, but a proof is only as good as the program that computes it. Should a value ever be outside,
 //! the macro refuses rather than emit a promise that it has just seen broken.

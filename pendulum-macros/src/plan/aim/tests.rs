@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::plan::tests::scene;
+use crate::plan::truth::State;
 
 const ALL: &str = "outputs = [theta, velocity, acceleration, position]";
 
@@ -53,6 +54,31 @@ fn the_separatrix() {
             let both = aim.size.phase_error(&wrong_by(&scene, &task, [1e-3, 1e-2]));
             assert!((both / (1e-3 * found[0] + 1e-2 * found[1]) - 1.0).abs() < 1e-14);
         }
+    }
+}
+
+/// Over an arc the separatrix is a swing's, and strays from that by no more than is said, though not by much less.
+#[test]
+fn beside_the_separatrix() {
+    let starts = ["velocity0 = 6", "theta0 = π/2, velocity0 = -3*sqrt(2)", "theta0 = -2π/3, velocity0 = 3"];
+    for (start, t_max) in starts.into_iter().flat_map(|start| [0.01, 0.3, 1.3].map(|t_max| (start, t_max))) {
+        let (scene, task) =
+            task(&format!("{start}, omega = 3, t_max = {t_max}, outputs = [theta, velocity, acceleration]"));
+        let (arc, reach) = (task.over_arc(&scene).unwrap(), Arc::reach(&scene).unwrap());
+        for aim in &arc.aims {
+            let [curve] = aim.curves.as_slice() else { panic!("{start}") };
+            let strayed = |end: f64| {
+                let exact = State::at(&scene.motion, 2.0 * end * reach).output(aim.output).remove(0).to_double();
+                (curve.at(Double::new(end)) - exact).hi.abs() / aim.size.unit
+            };
+            let (strayed, most) = (strayed(-0.5).max(strayed(0.5)), curve.omitted() / aim.size.unit);
+            assert!(strayed <= most && most < 1e-19, "{start}, {t_max}: {strayed:e} {most:e}");
+            assert!(strayed > 0.01 * t_max * most, "{start}, {t_max}, {:?}: {strayed:e} {most:e}", aim.output);
+        }
+    }
+    for (t_max, arcs) in [("1.33", true), ("1.34", false)] {
+        let (scene, task) = task(&format!("velocity0 = 6, omega = 3, t_max = {t_max}"));
+        assert_eq!(task.over_arc(&scene).is_some(), arcs, "{t_max}");
     }
 }
 
