@@ -95,14 +95,14 @@ impl Task {
     fn separatrix(scene: &Scene, separatrix: &Separatrix) -> Self {
         let omega = scene.motion.omega.to_f64();
         let aims = scene.outputs.iter().map(|&output| {
-            let (largest, unit) = match output {
-                Output::Theta | Output::Wrapped => (PI, 1.0),
-                Output::Velocity => (2.0 * omega, omega),
-                Output::Acceleration => (omega * omega, omega * omega),
-                Output::Position => (1.0, 1.0),
+            // |dθ/dw| ≤ 2 and |d²θ/dw²| ≤ 1; the last are the largest w·2 sech w, w·|sin θ| and w·|d(sin θ)/dw|.
+            let (largest, unit, moment) = match output {
+                Output::Theta | Output::Wrapped => (PI, 1.0, 1.326),
+                Output::Velocity => (2.0 * omega, omega, 1.16),
+                Output::Acceleration => (omega * omega, omega * omega, 0.93),
+                Output::Position => (1.0, 1.0, 1.326),
             };
-            // |d²θ/dw²| ≤ 1 and |dθ/dw| ≤ 2; w·2 sech w ≤ 1.3255.
-            Aim::with(scene, output, Size { largest, slope: 2.0 * unit, moment: 1.33 * unit, unit })
+            Aim::with(scene, output, Size { largest, slope: 2.0 * unit, moment: moment * unit, unit })
         });
         let direction = direction(separatrix.mirrored);
         // log₂ e.
@@ -285,17 +285,8 @@ impl Aim {
     }
 
     /// As [`Size::phase_error`] for a [`Hyperbolic`] kernel, which rounds w = phase·rate besides.
-    pub(super) fn passage_error(&self, reduction: &Reduction, passage: &Passage) -> f64 {
-        let span = passage.rate.hi * std::f64::consts::LN_2;
-        // w times the derivative of 2 gd w, of 2 sech w and of sin(2 gd w), and what images add to a rotation.
-        let images = if passage.sigma < 0.0 { 2.0 * span * libm::exp(-0.5 * span) } else { 0.0 };
-        let largest = match self.output {
-            Output::Theta | Output::Wrapped | Output::Position => 1.326,
-            Output::Velocity => 1.16,
-            Output::Acceleration => 0.93,
-        };
-        let moment = (largest + images) * self.size.unit;
-        self.size.slope * reduction.error + moment * (reduction.relative_error + Hyperbolic::relative_error())
+    pub(super) fn passage_error(&self, reduction: &Reduction) -> f64 {
+        self.size.phase_error(reduction) + self.size.moment * Hyperbolic::relative_error()
     }
 }
 

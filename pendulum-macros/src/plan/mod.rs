@@ -63,7 +63,8 @@ pub(crate) struct Part {
     pub(crate) unit: f64,
     /// The largest magnitude of the exact output.
     pub(crate) largest: f64,
-    /// How much of its limit the error takes, but for turns that are no part of the promise; 0 where there is no limit.
+    /// How much of its limit the error takes, but for turns that are no part of the promise and for what is hardly ever
+    /// met; 0 where there is no limit.
     pub(crate) taken: f64,
 }
 

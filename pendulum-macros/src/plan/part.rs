@@ -236,7 +236,7 @@ impl Aim {
         reduction: &Reduction,
         passage: &Passage,
     ) -> Result<Part, f64> {
-        let phase = self.passage_error(reduction, passage);
+        let phase = self.passage_error(reduction);
         let factor = match self.output {
             Output::Velocity => Task::fastest(scene),
             Output::Acceleration => scene.motion.omega.square().to_double(),
@@ -314,7 +314,8 @@ impl Aim {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        let (description, taken) = (kernel.describe(), judged.total() / self.limit);
+        let usual = judged.total() - self.size.slope * reduction.seldom;
+        let (description, taken) = (kernel.describe(), usual / self.limit);
         Ok(Part { output, description, kernel, bound: whole, unit, largest, taken })
     }
 }

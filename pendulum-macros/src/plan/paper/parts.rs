@@ -5,7 +5,7 @@ use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
-use crate::plan::curve::{Curve, Curves, SwingCurves};
+use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
 use crate::plan::form::{Division, Form};
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
@@ -36,11 +36,10 @@ struct Whole {
     allowed: [f64; 2],
 }
 
-/// A kernel for that function, and how wrong it is for the phase that it is given.
+/// A kernel for that function, and how wrong it is.
 struct Candidate {
     kernel: Kernel,
-    truncation: f64,
-    rounding: f64,
+    bound: Bound,
 }
 
 impl Wanted {
@@ -90,25 +89,23 @@ impl Sum {
 
     pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
-        let phase = curve.size.phase_error(reduction);
         let direction = direction(swing.mirrored);
         let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
-        let whole = whole.iter().flat_map(|whole| whole.kernels(phase, reduction, direction));
+        let whole = whole.iter().flat_map(|whole| whole.kernels(&curve.size, reduction, direction));
         let whole = whole
             .map(|candidate| (cost(reduction, &candidate.kernel), candidate))
             .min_by(|(a, _), (b, _)| a.total_cmp(b))
             .filter(|&(least, _)| least < cost(reduction, &summed));
-        let (kernel, description, truncation, evaluation) =
-            if let Some((_, Candidate { kernel, truncation, rounding })) = whole {
-                let (terms, word) = (self.weights.len(), kernel.describe());
-                let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
-                let description = format!("{terms} harmonics, twice the arcsine of their sum as {one}{word}");
-                (kernel, description, bias + truncation, rounding)
-            } else {
-                let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));
-                (summed, description, *bias, evaluation)
-            };
-        let bound = Bound { truncation, phase, evaluation };
+        let (kernel, description, bound) = if let Some((_, Candidate { kernel, bound })) = whole {
+            let (terms, word) = (self.weights.len(), kernel.describe());
+            let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
+            let description = format!("{terms} harmonics, twice the arcsine of their sum as {one}{word}");
+            (kernel, description, Bound { truncation: bias + bound.truncation, ..bound })
+        } else {
+            let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));
+            let phase = curve.size.phase_error(reduction);
+            (summed, description, Bound { truncation: *bias, phase, evaluation })
+        };
         Part {
             output: *output,
             kernel,
@@ -180,37 +177,35 @@ fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
 }
 
 impl Whole {
-    /// The kernels, of one polynomial in the cheapest form and of many, that are off by no more than is allowed, beside
-    /// what the phase does.
-    fn kernels(&self, phase: f64, reduction: &Reduction, direction: f64) -> Vec<Candidate> {
-        let first = |kernel: &dyn Fn(f64, f64) -> Option<Candidate>| {
+    /// The kernels, of one polynomial in the cheapest form and of many, that are off by no more than is allowed.
+    fn kernels(&self, size: &Size, reduction: &Reduction, direction: f64) -> Vec<Candidate> {
+        let first = |reduction: &Reduction, kernel: &dyn Fn(f64, f64) -> Option<(Kernel, f64, f64)>| {
+            let phase = size.phase_error(reduction);
             let left = self.allowed.iter().map(|allowed| allowed - phase);
             let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
-            shared.find_map(|(left, truncation)| kernel(left, truncation))
+            let (kernel, truncation, evaluation) = shared.find_map(|(left, truncation)| kernel(left, truncation))?;
+            Some(Candidate { kernel, bound: Bound { truncation, phase, evaluation } })
         };
-        let single = first(&|left, truncation| self.single(left, truncation, reduction, direction));
-        let pieces = first(&|left, truncation| self.pieces(left, truncation, reduction, direction));
+        let single = first(reduction, &|left, truncation| self.single(left, truncation, reduction, direction));
+        let counted = self.pieces.as_ref().and_then(|pieces| reduction.in_pieces(pieces.pieces() as f64));
+        let pieces = counted.and_then(|reduction| {
+            first(&reduction, &|left, truncation| self.pieces(left, truncation, &reduction, direction))
+        });
         single.into_iter().chain(pieces).collect()
     }
 
     /// The kernel with a table, wrong by so much, of which the truncation is that part.
-    fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<Candidate> {
-        let approximation = self.pieces.as_ref()?;
-        let reduction = reduction.in_pieces(approximation.pieces() as f64)?;
-        let (mut pieces, truncation) = approximation.kernel(&reduction, truncation)?;
+    fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
+        let (mut pieces, truncation) = self.pieces.as_ref()?.kernel(reduction, truncation)?;
         let rounding = pieces.rounding();
         if direction < 0.0 {
             pieces.negate();
         }
-        (rounding <= left - truncation).then(|| Candidate {
-            kernel: Kernel::Pieces(Box::new(pieces)),
-            truncation,
-            rounding,
-        })
+        (rounding <= left - truncation).then(|| (Kernel::Pieces(Box::new(pieces)), truncation, rounding))
     }
 
     /// The same as one polynomial.
-    fn single(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<Candidate> {
+    fn single(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
         let approximation = self.approximation.as_ref()?;
         let terms = approximation.terms_for(truncation, reduction.overshoot)?;
         let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms, reduction.float)).collect();
@@ -224,7 +219,7 @@ impl Whole {
             }
             let kernel = Kernel::Polynomial(polynomial);
             let rounding = kernel.rounding(reduction, left - truncation);
-            (rounding <= left - truncation).then_some(Candidate { kernel, truncation, rounding })
+            (rounding <= left - truncation).then_some((kernel, truncation, rounding))
         })
     }
 }

@@ -12,9 +12,9 @@ use pendulum_runtime::double::Double;
 /// The horizon when no `t_max` is given, in anchors: 2⁵⁴, 2⁵³ periods of a swing and twice as many turns of a rotation.
 pub(crate) const UNLIMITED: f64 = 18_014_398_509_481_984.0;
 
-/// The rounding of remainders up to ½ as they become `f32`, and in the last sums of any time.
+/// The rounding of remainders up to ½ as they become `f32`, and of one just beyond ½ in a sum of any time.
 const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
-const SUMS: f64 = f64::EPSILON / 2.0;
+const SUM: f64 = f64::EPSILON / 4.0;
 
 /// What all reductions of one motion start from.
 pub(crate) struct Clock<'a> {
@@ -217,7 +217,8 @@ impl<'a> Clock<'a> {
 
     fn wide(&self, origin: Origin) -> Option<Reduction> {
         let Product { rate, error, overshoot } = self.product(origin, Float::F64)?;
-        let reduction = self.reduction(Method::Wide { rate }, origin, self.narrowed(error, origin), overshoot);
+        let errors = self.narrowed(error, overshoot, origin);
+        let reduction = self.reduction(Method::Wide { rate }, origin, errors, overshoot);
         Some(Reduction { rounding: NARROWING, ..reduction })
     }
 
@@ -237,7 +238,8 @@ impl<'a> Clock<'a> {
         let words = split_down(self.rate, 29, 3, Float::F64);
         let method = Method::WideAnyTime { words: [words[0], words[1], words[2]], fine };
         // n is rounded from sums of up to 2²⁶ either way.
-        let reduction = self.reduction(method, origin, self.narrowed(error, origin), 2f64.powi(-26));
+        let overshoot = 2f64.powi(-26);
+        let reduction = self.reduction(method, origin, self.narrowed(error, overshoot, origin), overshoot);
         Reduction { rounding: NARROWING, ..reduction }
     }
 
@@ -262,10 +264,11 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// What the conversion of the phase to `f32` adds.
-    fn narrowed(&self, error: f64, origin: Origin) -> [f64; 2] {
+    /// What the conversion of the phase to `f32` adds. Beyond half an anchor numbers are twice as far apart, but next to
+    /// it none is farther from one than from ½.
+    fn narrowed(&self, error: f64, overshoot: f64, origin: Origin) -> [f64; 2] {
         match origin {
-            Origin::Anchor => [error + NARROWING, 0.0],
+            Origin::Anchor => [error + overshoot.clamp(NARROWING, 2.0 * NARROWING), 0.0],
             Origin::Lowest => [error, self.float.unit() * 1.001],
         }
     }
@@ -278,14 +281,18 @@ impl<'a> Clock<'a> {
         let part = (self.horizon() * self.rate.to_f64() / UNLIMITED).min(1.0);
         let last = if count == 3 { 2f64.powi(-49) * part } else { 2f64.powi(-72) };
         let drift = self.horizon() * self.off(&words) + last;
+        // With another launch sums are done in two words: the last one and one with n are rounded. Of the others that with
+        // the last word's product is rounded from 2²¹ anchors on, the first no longer from 2²⁴ on: only between these
+        // all three are, and by so much only just beyond half an anchor.
+        let seldom = if origin == Origin::Anchor && self.is_exact() && count == 4 { SUM } else { 0.0 };
+        let sums = 2.0 * SUM + seldom;
         let errors = match origin {
-            Origin::Anchor => [drift + SUMS, 0.0],
+            Origin::Anchor => [drift + sums, 0.0],
             Origin::Lowest => [drift, 3.001 * Float::F64.unit()],
         };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         let reduction = self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20));
-        // Sums with another launch round that too.
-        Reduction { rounding: if self.is_exact() { SUMS } else { 0.0 }, ..reduction }
+        Reduction { rounding: if self.is_exact() { sums } else { 0.0 }, seldom, ..reduction }
     }
 
     /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is

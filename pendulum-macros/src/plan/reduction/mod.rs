@@ -36,6 +36,9 @@ pub(crate) struct Reduction {
     pub(crate) relative_error: f64,
     /// The part of `error` that is the rounding of remainders up to ½, and falls with them.
     pub(crate) rounding: f64,
+    /// The part of `error` that is hardly ever met: a promise has to include it, but no plan is the better for leaving
+    /// room for it.
+    pub(crate) seldom: f64,
     /// |s| exceeds ½ by at most this, in anchors.
     pub(crate) overshoot: f64,
     /// Anchors per unit of the reduced variable.
@@ -137,6 +140,7 @@ impl Reduction {
             error: 0.0,
             relative_error: 0.0,
             rounding: 0.0,
+            seldom: 0.0,
             overshoot: 0.0,
             unit: Double::ONE,
             scale: 1.0,
@@ -159,7 +163,8 @@ impl Reduction {
     /// of two as just below it.
     pub(crate) fn in_pieces(&self, pieces: f64) -> Option<Self> {
         let error = self.error - self.rounding * (1.0 - 2.0 / pieces);
-        (self.has_pieces() && error * pieces < 2f64.powi(-10)).then(|| Self { error, pieces, ..self.clone() })
+        let seldom = self.seldom / pieces;
+        (self.has_pieces() && error * pieces < 2f64.powi(-10)).then(|| Self { error, seldom, pieces, ..self.clone() })
     }
 
     /// Whether it can count pieces of an anchor.

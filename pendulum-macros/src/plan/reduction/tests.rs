@@ -162,6 +162,37 @@ fn errors_are_those_promised() {
     }
 }
 
+/// Just beyond half an anchor, where numbers are twice as far apart as just inside, which times at random hardly ever
+/// meet: of rates made for it.
+#[test]
+fn remainders_just_beyond_half_an_anchor() {
+    let context = Context::for_digits(60);
+    let mut random = Random::new(14);
+    for (float, launch, name, least) in [
+        (Float::F64, "0", "AnyTime 4", 0.75),
+        (Float::F64, "0.3", "AnyTime 4", 0.2),
+        (Float::F32, "0.3", "Wide 0", 0.9),
+    ] {
+        let launch = context.decimal(launch).unwrap();
+        let mut worst: f64 = 0.0;
+        for _ in 0..2000 {
+            let t = float.round(2f64.powf(24.0 + 2.0 * random.unit()));
+            let beyond = 3.0 * random.unit() * float.unit();
+            let phase = (t * (0.1 + 0.3 * random.unit())).floor() + 0.5;
+            let passed = context.float(phase).unwrap() + context.float(beyond).unwrap();
+            let rate = (passed - &launch) / context.float(t).unwrap();
+            let clock = Clock { rate: &rate, launch: launch.to_double(), t_max: Some(t), float };
+            let way = |way: &Reduction| way.origin == Origin::Anchor && way.method.name() == name;
+            let reduction = clock.reductions().into_iter().find(way).unwrap();
+            let mut trial = Trial { reduction, rate: rate.clone(), launch: launch.clone(), horizon: t, worst };
+            let program = trial.program();
+            [t, -t].into_iter().for_each(|t| trial.at(&program, t));
+            worst = trial.worst;
+        }
+        assert!(worst > least, "{float:?} {name}: of its error only {worst} was seen");
+    }
+}
+
 /// What a launch is off an origin by is never lost, nor are few digits taken for none.
 #[test]
 fn launches_hardly_off_an_origin() {
