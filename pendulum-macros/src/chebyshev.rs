@@ -1,5 +1,6 @@
 //! Chebyshev series on [−1, 1] in double-double arithmetic: sampling, truncation, conversion to powers.
 
+use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 use std::ops::{Add, Mul};
 
@@ -79,7 +80,7 @@ impl Interpolation {
 
     /// Bounds a function by its magnitudes at the points.
     pub(crate) fn supremum(&self, samples: impl IntoIterator<Item = f64>) -> f64 {
-        samples.into_iter().fold(0.0, f64::max) * lebesgue(self.points) + self.error
+        worst(samples) * lebesgue(self.points) + self.error
     }
 }
 

@@ -22,6 +22,7 @@ mod scene;
 mod series;
 #[cfg(test)]
 mod snapshots;
+mod supremum;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use report::Report;

@@ -3,12 +3,12 @@
 use super::arc::Arc;
 use super::cosines::Cosines;
 use super::curve::{Curves, SwingCurves};
-use super::supremum::by_halves;
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Method;
 use crate::program::rounding::products;
 use crate::scene::Scene;
+use crate::supremum::by_halves;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 

@@ -5,7 +5,6 @@ use super::hyperbolic::Hyperbolic;
 use super::pieces::Pieces;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
-use super::supremum::{by_halves, largest, norm};
 use super::turning::{Turning, modulo_turn, within_half_turn};
 use super::variables::Variables;
 use super::{Function, Part};
@@ -13,6 +12,7 @@ use crate::parse::Output;
 use crate::program::rounding::{Known, half_ulp};
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
+use crate::supremum::{by_halves, largest, norm};
 use std::f64::consts::PI;
 
 /// The computation of one output.

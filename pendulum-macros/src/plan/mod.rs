@@ -23,7 +23,6 @@ pub(crate) mod polynomial;
 pub(crate) mod reduction;
 mod refusal;
 mod search;
-mod supremum;
 mod turning;
 pub(crate) mod variables;
 mod verify;

@@ -8,12 +8,12 @@ use super::kernel::Kernel;
 use super::pieces::Piecewise;
 use super::polynomial::{Approximation, Pole, Polynomial, pade};
 use super::reduction::{Origin, Reduction};
-use super::supremum::norm;
 use super::turning::Turning;
 use super::{Bound, Part};
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
+use crate::supremum::norm;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 

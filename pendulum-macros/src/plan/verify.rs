@@ -33,7 +33,8 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
             let error = aim.distance(task, s, odd, &values)?;
             // The curves themselves are good to 2⁻⁷⁵ of the largest value, and where that underflows, being sums of up to
             // a thousand terms, to this.
-            (error > part.bound.total() + part.largest * 2f64.powi(-70) + 16.0 * UNDERFLOW).then_some(part.output)
+            let most = part.bound.total() + part.largest * 2f64.powi(-70) + 16.0 * UNDERFLOW;
+            (error.is_nan() || error > most).then_some(part.output)
         };
         task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken)
     };

@@ -25,12 +25,12 @@ mod outputs;
 mod quotient;
 
 use super::fit::{Domain, Fit};
-use super::supremum::{largest, norm};
 use super::variables::Variables;
 use crate::parse::{Float, Output};
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Program};
 use crate::series::Parity;
+use crate::supremum::{largest, norm};
 use functions::{arctangent_ratio, series};
 use pendulum_runtime::double::Double;
 use quotient::{FRACTION, IMAGE_POWER, POWER};

@@ -13,6 +13,7 @@ use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
+use crate::supremum::worst;
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
@@ -162,7 +163,7 @@ fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
         let phi = std::f64::consts::PI * f64::from(i) / f64::from(points);
         terms.iter().map(|&(m, a)| a.hi * libm::cos(f64::from(m) * phi)).sum::<f64>().abs()
     };
-    (0..=points / 2).map(at).fold(0.0, f64::max) / libm::cos(std::f64::consts::PI / 16.0) * (1.0 + 1e-9) + omitted
+    worst((0..=points / 2).map(at)) / libm::cos(std::f64::consts::PI / 16.0) * (1.0 + 1e-9) + omitted
 }
 
 /// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0

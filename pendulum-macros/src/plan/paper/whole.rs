@@ -16,6 +16,7 @@ use crate::chebyshev::{CosineTable, Interpolation, cos_pi, sin_pi, value};
 use crate::plan::moebius::Moebius;
 use crate::plan::polynomial::Approximation;
 use crate::series::Wave;
+use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -149,8 +150,8 @@ fn largest(points: &[Point], bend: f64) -> f64 {
     let lowest = Point { s: 0.5, y: 0.0 };
     let other_side = points.last().map(|&Point { s, y }| Point { s: -s, y });
     let all: Vec<Point> = std::iter::once(lowest).chain(points.iter().copied()).chain(other_side).collect();
-    let between = |pair: &[Point]| pair[0].y.max(pair[1].y) + bend * (pair[0].s - pair[1].s).powi(2) / 8.0;
-    all.windows(2).map(between).fold(0.0, f64::max)
+    let between = |pair: &[Point]| worst([pair[0].y, pair[1].y]) + bend * (pair[0].s - pair[1].s).powi(2) / 8.0;
+    worst(all.windows(2).map(between))
 }
 
 /// Bounds the residual on the ellipse with parameter ρ; `None` where that reaches infinite phases.

@@ -14,6 +14,7 @@ use super::variables::clamp;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op};
 use crate::series::Parity;
+use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 
 /// The polynomials of all pieces from one anchor to the next.
@@ -92,7 +93,7 @@ impl Pieces {
             let given: Vec<(Id, Known)> = nodes.filter_map(|node| known(row, node)).collect();
             program.rounding(&given)[0].error
         };
-        self.rows[..=self.rows.len() / 2].iter().map(of_row).fold(0.0, f64::max)
+        worst(self.rows[..=self.rows.len() / 2].iter().map(of_row))
     }
 }
 

@@ -9,6 +9,7 @@ use crate::chebyshev::{CosineTable, Interpolation, lebesgue, scale, to_powers};
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Reduction;
 use crate::series::Parity;
+use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 
 /// By how much of themselves pieces are interpolated beyond their ends: more than any remainder exceeds half of one by.
@@ -82,7 +83,7 @@ impl Piecewise {
     fn truncation(&self, terms: usize, reduction: &Reduction) -> f64 {
         let met = self.series.iter().enumerate().filter(|&(index, _)| self.meets(index, reduction));
         let dropped = met.map(|(_, own)| own[terms..].iter().map(|c| c.hi.abs()).sum());
-        self.error + dropped.fold(0.0, f64::max)
+        self.error + worst(dropped)
     }
 
     /// The fewest terms, at least two, that are wrong by at most `limit`.

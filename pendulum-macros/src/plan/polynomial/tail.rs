@@ -3,6 +3,7 @@
 
 use super::pole::Pole;
 use crate::series::Parity;
+use crate::supremum::worst;
 use std::f64::consts::PI;
 
 /// Angles at which the sum is evaluated.
@@ -25,15 +26,10 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, pole: Option<Pole>, p
         let phase = if parity == Parity::Odd { high.sqrt() } else { 1.0 };
         phase / pole.map_or(1.0, |pole| pole.least_between(low, high))
     };
-    let mut higher = at(0);
-    let mut largest = 0.0_f64;
-    for cell in 1..=CELLS {
-        let lower = at(cell);
-        largest = largest.max((higher.1.max(lower.1) + between) * weight(lower.0, higher.0));
-        higher = lower;
-    }
+    let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
+    let cells = points.windows(2).map(|pair| (worst([pair[0].1, pair[1].1]) + between) * weight(pair[1].0, pair[0].0));
     // The rounding of the above.
-    largest * (1.0 + 1e-9)
+    worst(cells) * (1.0 + 1e-9)
 }
 
 /// Σ cⱼTⱼ(u), j from `first` on, by Clenshaw's recurrence.

@@ -8,7 +8,7 @@ use super::{INFLATION, Known, products};
 use crate::program::{Id, Op, Program};
 
 /// An interval of derivatives.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Slope {
     low: f64,
     high: f64,
@@ -22,7 +22,7 @@ impl Slope {
     }
 
     fn plus(self, other: Self) -> Self {
-        Self { low: self.low + other.low, high: self.high + other.high }
+        Self::outward(self.low + other.low, self.high + other.high)
     }
 
     fn times(self, low: f64, high: f64) -> Self {
@@ -30,7 +30,12 @@ impl Slope {
             return self;
         }
         let (low, high) = products((self.low, self.high), (low, high));
-        Self { low, high }
+        Self::outward(low, high)
+    }
+
+    /// Ends farther apart by what they are rounded by: slopes may cancel.
+    fn outward(low: f64, high: f64) -> Self {
+        Self { low: low - f64::EPSILON * low.abs(), high: high + f64::EPSILON * high.abs() }
     }
 }
 
@@ -67,7 +72,7 @@ impl Program {
 fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> bool {
     let mut add = |id: Id, part: Slope| slopes[id] = slopes[id].plus(part);
     match op {
-        Op::Input | Op::Constant { .. } | Op::PowerOfTwo { .. } | Op::Row { .. } | Op::Entry { .. } => {}
+        Op::Input | Op::Constant { .. } => {}
         Op::Add(a, b) => {
             add(a, slope);
             add(b, slope);
@@ -107,7 +112,7 @@ fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> boo
         }
         // Whichever sign it takes, everything before it changes by it alike.
         Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
-        Op::Head(_) | Op::Select { .. } => return false,
+        Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => return false,
     }
     true
 }

@@ -126,8 +126,10 @@ fn inflate(known: Known) -> Known {
 
 fn step(op: Op, float: Float, known: &[Known]) -> Known {
     match op {
-        Op::Input | Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => {
-            Known::between(f64::NEG_INFINITY, f64::INFINITY)
+        Op::Input => Known::between(f64::NEG_INFINITY, f64::INFINITY),
+        // Where nothing is known of them.
+        Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => {
+            Known::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY)
         }
         Op::Constant { value, rest } => Known::within(value, value, rest.abs()),
         Op::Add(a, b) => sum(known[a], known[b], float),

@@ -3,7 +3,7 @@
 use std::collections::BinaryHeap;
 
 /// The largest of the errors, or the first that is above `cap`; infinite where one is no number.
-pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
+pub(crate) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
     let mut largest: f64 = 0.0;
     for error in errors {
         largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
@@ -14,12 +14,17 @@ pub(super) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
     largest
 }
 
+/// The largest of them all; infinite where one is no number.
+pub(crate) fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
+    largest(errors.into_iter(), f64::INFINITY)
+}
+
 /// Bounds a function on [low, high], given one on any interval, by halving the interval with the largest bound: until
 /// that gains less than a thirtieth, or `most` times.
-pub(super) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
+pub(crate) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
     const GAIN: f64 = 0.97;
     let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(cells);
-    let cell = |low: f64, high: f64| [largest([bound(low, high)].into_iter(), f64::INFINITY), low, high];
+    let cell = |low: f64, high: f64| [worst([bound(low, high)]), low, high];
     // Numbers that are positive have the order of their bits.
     let ordered = |cell: [f64; 3]| cell.map(f64::to_bits);
     let mut open: BinaryHeap<[u64; 3]> = (0..cells).map(|index| ordered(cell(at(index), at(index + 1)))).collect();
@@ -41,7 +46,7 @@ pub(super) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: i
 }
 
 /// √Σx², also where the squares overflow or underflow.
-pub(super) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
     const FAR: f64 = 3.273_390_607_896_142e150; // 2⁵⁰⁰
     let parts: Vec<f64> = parts.collect();
     let scaled = |factor: f64| parts.iter().map(|x| x * factor).map(|x| x * x).sum::<f64>().sqrt() / factor;
@@ -71,7 +76,7 @@ mod tests {
     fn what_is_not_above_the_cap_goes_on() {
         let largest = |cap: f64| largest([1.0, 0.5, 2.0, 3.0].into_iter(), cap);
         assert_eq!([0.9, 1.0, 1.5, 2.0, f64::INFINITY].map(largest), [1.0, 2.0, 2.0, 3.0, 3.0]);
-        assert_eq!(super::largest([1.0, f64::NAN].into_iter(), f64::INFINITY), f64::INFINITY);
+        assert_eq!([worst([1.0, f64::NAN, 2.0]), worst([1.0, 2.0, 0.5]), worst([])], [f64::INFINITY, 2.0, 0.0]);
     }
 
     #[test]
