@@ -3,6 +3,7 @@
 use super::arc::Arc;
 use super::curve::{Curve, Curves, RotationCurves, Size, SwingCurves};
 use super::hyperbolic::{Hyperbolic, Passage};
+use super::met::Met;
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
 use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing, direction};
@@ -36,6 +37,8 @@ pub(super) struct Aim {
     pub(super) power: i32,
     /// Of the output itself.
     pub(super) size: Size,
+    /// What a short horizon meets of it, where that isn't all.
+    pub(super) met: Option<Met>,
     /// For the total error, in the output's own unit, and for truncation alone.
     pub(super) limit: f64,
     pub(super) truncation: f64,
@@ -58,8 +61,8 @@ const LARGEST_IMAGE: f64 = 0.05;
 impl Task {
     pub(super) fn new(scene: &Scene) -> Self {
         match &scene.motion.regime {
-            Regime::Swing(swing) => Self::swing(scene, swing),
-            Regime::Rotation(rotation) => Self::rotation(scene, rotation),
+            Regime::Swing(swing) => Self::swing(scene, swing).meeting(scene),
+            Regime::Rotation(rotation) => Self::rotation(scene, rotation).meeting(scene),
             Regime::Separatrix(separatrix) => Self::separatrix(scene, separatrix),
         }
     }
@@ -176,16 +179,24 @@ impl Task {
         Some((arc.phase(Double::new(-0.5)).hi, arc.phase(Double::new(0.5)).hi))
     }
 
+    /// Tells the aims what a short horizon meets of them.
+    fn meeting(mut self, scene: &Scene) -> Self {
+        let met = self.met(scene).map(|(first, last)| Met::new([first, last]).with_margin());
+        for aim in &mut self.aims {
+            let confined = aim.curves.first().filter(|_| aim.output.is_angle() && !self.turning);
+            aim.met = met.map(|met| confined.map_or(met, |angle| met.confined(angle)));
+        }
+        self
+    }
+
     /// The least and the largest distance from a lowest point within the horizon, in units of the reduced phase.
     pub(super) fn met_from_lowest(&self, scene: &Scene, reduction: &Reduction) -> (f64, f64) {
         let half = reduction.half();
         let Some((first, last)) = self.met(scene).filter(|_| !reduction.is_linear()) else { return (0.0, half) };
-        let passes = |origin: f64| (last - origin).floor() >= (first - origin).ceil();
-        let ends = [first, last].map(|s| (s - 0.5 - (s - 0.5).round()).abs());
+        let (Met { least, farthest, .. }, unit) = (Met::new([first, last]), reduction.unit.hi);
         let wrong = 2.0 * (reduction.error + reduction.relative_error);
-        let least = if passes(0.5) { 0.0 } else { (ends[0].min(ends[1]) - wrong).max(0.0) };
-        let largest = if passes(0.0) { half } else { (ends[0].max(ends[1]) + wrong) / reduction.unit.hi };
-        (least / reduction.unit.hi, half.min(largest))
+        let largest = if least == 0.0 { half } else { half.min((0.5 - least + wrong) / unit) };
+        ((0.5 - farthest - wrong).max(0.0) / unit, largest)
     }
 
     /// The reductions of its phase.
@@ -250,8 +261,8 @@ impl Aim {
     }
 
     fn with(scene: &Scene, output: Output, size: Size) -> Self {
-        let mut aim =
-            Self { output, curves: Vec::new(), power: 0, size, limit: 0.0, truncation: 0.0, unit_of_rounding: 0.0 };
+        let (curves, power, met) = (Vec::new(), 0, None);
+        let mut aim = Self { output, curves, power, size, met, limit: 0.0, truncation: 0.0, unit_of_rounding: 0.0 };
         aim.at_full_precision(scene.float);
         if let Goal::Tolerance(tol) = scene.goal {
             aim.limit = tol * size.unit;
@@ -267,7 +278,7 @@ impl Aim {
             if direction < 0.0 && index == 0 { curve.negated() } else { curve }
         };
         let curves = self.curves.iter().enumerate().map(over).collect();
-        Self { curves, power: 0, ..self.clone() }
+        Self { curves, power: 0, met: None, ..self.clone() }
     }
 
     /// One unit of rounding of the largest value.

@@ -74,6 +74,12 @@ impl Curve {
         self.arc != Arc::WHOLE
     }
 
+    /// About the largest magnitude in an arc.
+    pub(crate) fn largest_met(&self) -> Option<f64> {
+        let at = |sigma: f64| self.at(Double::new(sigma)).hi.abs();
+        self.is_arc().then(|| at(0.0).max(at(-0.5)).max(at(0.5)))
+    }
+
     /// The mirror image.
     pub(crate) fn negated(self) -> Self {
         Self { wave: self.wave.negated(), ..self }

@@ -2,6 +2,7 @@
 
 use super::harmonics::{Harmonics, Sum};
 use super::hyperbolic::Hyperbolic;
+use super::met::Met;
 use super::pieces::Pieces;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
@@ -120,17 +121,22 @@ impl Kernel {
     /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above
     /// `cap` as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
+        self.rounding_where(None, reduction, cap)
+    }
+
+    /// The same where a polynomial's phases are met, if elsewhere it is no more than there is room for.
+    pub(crate) fn rounding_where(&self, met: Option<Met>, reduction: &Reduction, cap: f64) -> f64 {
         if let Self::Turning(Turning { angle, .. }) = self {
-            return angle.rounding(reduction, cap);
+            return angle.rounding_where(met, reduction, cap);
         }
         if let Self::Within(angle) = self {
             // From the largest number that it may be to π itself it is 0.63 units of π in `f32`, 1.27 in `f64`: less than
             // this and the rounding of the angle's own last sum, half a unit.
-            return angle.rounding(reduction, cap) + 2.0 * half_ulp(PI, reduction.float);
+            return angle.rounding_where(met, reduction, cap) + 2.0 * half_ulp(PI, reduction.float);
         }
         if let Self::Wrapped(angle) = self {
             // The sum with a turn, the turn's own rounding, and the distance from π of the largest number below it.
-            return angle.rounding(reduction, cap) + 3.0 * half_ulp(2.0 * PI, reduction.float);
+            return angle.rounding_where(met, reduction, cap) + 3.0 * half_ulp(2.0 * PI, reduction.float);
         }
         if let Self::Pieces(pieces) = self {
             return pieces.rounding();
@@ -165,7 +171,15 @@ impl Kernel {
         let at = |index: u32| least + (most - least) * f64::from(index) / f64::from(SLICES);
         // The motion is fastest, and the rounding worst, at the lowest point.
         let from_lowest = |index: u32| if reduction.origin == Origin::Anchor { SLICES - 1 - index } else { index };
-        largest((0..SLICES).map(from_lowest).map(|index| between(at(index), at(index + 1))), cap)
+        let all = |cap: f64, wanted: &dyn Fn(&u32) -> bool| {
+            largest((0..SLICES).map(from_lowest).filter(wanted).map(|index| between(at(index), at(index + 1))), cap)
+        };
+        let Some(met) = met.filter(|_| harmonics.is_none()) else { return all(cap, &|_| true) };
+        let is_met = |&index: &u32| met.overlaps(reduction.distances([at(index), at(index + 1)]));
+        if met.spare < f64::INFINITY && all(met.spare, &|index| !is_met(index)) > met.spare {
+            return all(cap, &|_| true);
+        }
+        all(cap, &is_met)
     }
 }
 

@@ -14,6 +14,7 @@ mod form;
 mod harmonics;
 mod hyperbolic;
 pub(crate) mod kernel;
+mod met;
 mod moebius;
 mod moments;
 mod paper;

@@ -10,6 +10,7 @@ use super::polynomial::{Approximation, Pole, Polynomial, pade};
 use super::reduction::{Origin, Reduction};
 use super::turning::Turning;
 use super::{Bound, Part};
+use crate::motion::Regime;
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
@@ -42,9 +43,14 @@ impl Approximations {
     pub(super) fn new(aim: &Aim) -> Self {
         // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
         // Over an arc, that may be any number of digits; but there it costs nothing.
-        let blurred = |curve: &Curve| if curve.is_arc() { 0.0 } else { aim.truncation.min(curve.size.largest) };
-        let negligible = |curve: &Curve| (blurred(curve) * 2f64.powi(-30)).max(aim.floor() / 128.0);
-        let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
+        let negligible = |curve: &Curve| match curve.largest_met() {
+            Some(largest) => aim.floor() / 128.0 * (largest / curve.size.largest).clamp(2f64.powi(-30), 1.0),
+            None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
+        };
+        let over = |pole| {
+            let approximations = aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c)));
+            approximations.map(|approximation| approximation.meeting(aim.met)).collect()
+        };
         let plain: Vec<Approximation> = over(None);
         let divided = aim.poles(&plain).map_or_else(Vec::new, |pole| over(Some(pole)));
         Self { plain, divided }
@@ -179,7 +185,7 @@ impl Aim {
         let (mut rounding, mut reached) = (0.0, f64::INFINITY);
         for _ in 0..3 {
             let (kernel, truncation) = round(rounding).map_err(|best| best.min(reached))?;
-            let bound = Bound { truncation, phase, evaluation: kernel.rounding(reduction, self.limit) };
+            let bound = Bound { truncation, phase, evaluation: kernel.rounding_where(self.met, reduction, self.limit) };
             let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
             rounding = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
@@ -210,12 +216,19 @@ impl Aim {
         self.curves.iter().all(Curve::is_arc) && [-0.5, 0.5].into_iter().any(beyond)
     }
 
+    /// The largest magnitude that is met: of a rotation's arc that at one of its ends.
+    fn reach(&self, scene: &Scene) -> f64 {
+        let rotates = matches!(scene.motion.regime, Regime::Rotation(_));
+        let of_arc = self.curves.first().filter(|_| rotates).and_then(Curve::largest_met);
+        of_arc.unwrap_or(self.size.largest)
+    }
+
     /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
     /// as it is.
     fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !self.output.is_angle() {
-            let near = wrapped && self.size.largest + self.limit >= PI.next_down();
+            let near = wrapped && self.reach(scene) + self.limit >= PI.next_down();
             if !near {
                 return kernel;
             }

@@ -16,6 +16,7 @@ use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices};
 use crate::plan::curve::Curve;
 use crate::plan::form::Form;
+use crate::plan::met::Met;
 use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Reduction;
 use crate::program::rounding::UNDERFLOW;
@@ -43,8 +44,10 @@ pub(crate) struct Approximation {
     /// Error of the whole series on the interval, and what is known of it outside.
     remainder: f64,
     growth: Growth,
-    /// What dropping all but so many terms changes, once it is known.
-    dropped: RefCell<BTreeMap<usize, f64>>,
+    /// What is met of the curve, where that isn't all.
+    met: Option<Met>,
+    /// What dropping all but so many terms changes, or changes where it is met, once it is known.
+    dropped: RefCell<BTreeMap<(usize, bool), f64>>,
     /// The shifts found, by terms and chunk.
     choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
 }
@@ -114,6 +117,7 @@ impl Approximation {
             series,
             remainder,
             growth: Growth::Points { points, log_rho: libm::log(rho) },
+            met: None,
             dropped: RefCell::default(),
             choices: RefCell::default(),
         }
@@ -129,25 +133,35 @@ impl Approximation {
             series,
             remainder,
             growth: Growth::Power(growth),
+            met: None,
             dropped: RefCell::default(),
             choices: RefCell::default(),
         }
     }
 
-    /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
+    /// The same, of which a short horizon meets no more than this.
+    pub(crate) fn meeting(self, met: Option<Met>) -> Self {
+        Self { met, ..self }
+    }
+
+    /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s),
+    /// or where the curve is met.
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
         let dropped = terms.min(self.series.len())..self.series.len();
         let beyond = self.sum(dropped.clone(), |j| libm::cosh(j * ellipse_of(overshoot)) - 1.0);
         let whole = self.without(dropped, overshoot);
-        let within = *self.dropped.borrow_mut().entry(terms).or_insert_with(|| self.supremum(terms));
-        let sharp = within * self.gain(overshoot) + beyond * self.weight(overshoot);
+        let met = self.met.filter(|met| whole <= met.spare);
+        let known = (terms, met.is_some());
+        let within = *self.dropped.borrow_mut().entry(known).or_insert_with(|| self.supremum(terms, met));
+        let ends = met.is_none_or(|met| met.farthest == 0.5);
+        let sharp = if ends { within * self.gain(overshoot) + beyond * self.weight(overshoot) } else { within };
         whole.min(sharp) + self.least_truncation(overshoot)
     }
 
-    /// What dropping all coefficients but so many changes on the interval.
-    fn supremum(&self, terms: usize) -> f64 {
+    /// What dropping all coefficients but so many changes where the curve is met.
+    fn supremum(&self, terms: usize, met: Option<Met>) -> f64 {
         let dropped: Vec<f64> = self.series.iter().skip(terms).map(|c| c.hi).collect();
-        tail::supremum(&dropped, terms, self.pole, self.parity)
+        tail::supremum(&dropped, terms, self.pole, self.parity, met)
     }
 
     /// What dropping these terms changes at most, whatever their signs.
@@ -191,8 +205,10 @@ impl Approximation {
             enough = Some(terms);
             truncation += self.without(terms - 1..terms, overshoot);
         }
-        // The magnitudes add up to more than what is left out.
-        enough.map(|terms| if terms > 2 && self.truncation(terms - 1, overshoot) <= limit { terms - 1 } else { terms })
+        // The magnitudes add up to more than what is left out, by little unless that is met in part.
+        let fewer = |&terms: &usize| (terms > 2 && self.truncation(terms - 1, overshoot) <= limit).then(|| terms - 1);
+        let most = if self.met.is_some() { usize::MAX } else { 2 };
+        std::iter::successors(enough, fewer).take(most).last()
     }
 
     pub(crate) fn terms(&self) -> usize {

@@ -193,6 +193,12 @@ impl Reduction {
         [if self.is_lopsided() { -self.half() } else { 0.0 }, self.half()]
     }
 
+    /// The distances from an anchor between two reduced phases.
+    pub(crate) fn distances(&self, phases: [f64; 2]) -> [f64; 2] {
+        let [low, high] = phases.map(|phase| phase * self.unit.hi);
+        if self.origin == Origin::Anchor { [low, high] } else { [0.5 - high, 0.5 - low] }
+    }
+
     /// Whether the phase is known at all at the end of the horizon.
     fn is_useful(&self) -> bool {
         self.error < 0.5 && self.half().is_finite()

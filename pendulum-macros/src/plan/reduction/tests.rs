@@ -186,7 +186,9 @@ fn remainders_just_beyond_half_an_anchor() {
             let reduction = clock.reductions().into_iter().find(way).unwrap();
             let mut trial = Trial { reduction, rate: rate.clone(), launch: launch.clone(), horizon: t, worst };
             let program = trial.program();
-            [t, -t].into_iter().for_each(|t| trial.at(&program, t));
+            for t in [t, -t] {
+                trial.at(&program, t);
+            }
             worst = trial.worst;
         }
         assert!(worst > least, "{float:?} {name}: of its error only {worst} was seen");
