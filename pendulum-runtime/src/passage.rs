@@ -125,15 +125,20 @@ fn swing(motion: &Motion, way: &Way) -> Option<Double> {
     let k = hypotenuse(speed, sine.abs());
     let start = Place { x: sine / k, y: speed / k, z: cosine };
     // Rounded, the amplitude may be more than is reached, or less than the angle of the start.
-    if target.abs() == reach && way.start.hi.abs() <= reach * lift {
+    let at_reach = target.abs() == reach && way.start.hi.abs() <= reach * lift;
+    let turn = || {
         let up = start.to_end(moduli);
-        return Some(if target > 0.0 { up } else { up + ascent(moduli) });
+        if target > 0.0 { up } else { up + ascent(moduli) }
+    };
+    if at_reach && way.target.lo == 0.0 {
+        return Some(turn());
     }
     let (difference, sum) = way.sines();
     let (sine, cosine) = signed_half_angle(way.target);
     let squared = speed_squared(speed, difference * sum, cosine, moduli.kc);
+    // Less whole turns an angle has digits that the amplitude hasn't: it may be within that or beyond.
     if squared.hi < 0.0 {
-        return None;
+        return at_reach.then(turn);
     }
     let end = Place { x: sine / k, y: squared.sqrt() / k, z: cosine };
     Some(if difference.hi > 0.0 {

@@ -44,7 +44,7 @@ const TINY: [Passage; 10] = [
 ];
 
 /// From a state in motion: a step ahead, past the turning point, beside and on the separatrix, further turns.
-const LAUNCHED: [Passage; 17] = [
+const LAUNCHED: [Passage; 18] = [
     ([1.0, 0.5, 1.0, 1.0000000000000002], Double { hi: 4.440892098500628e-16, lo: -3.126433560705944e-32 }),
     ([1.0, 1e-09, 1.0, 0.9999999999999999], Double { hi: 1.7476089991328414e-08, lo: -1.1023370264799098e-24 }),
     ([1.0, -1e-09, 1.0, 0.9999999999999999], Double { hi: 1.509929977977217e-08, lo: 1.9492539332112048e-25 }),
@@ -64,6 +64,11 @@ const LAUNCHED: [Passage; 17] = [
     (
         [0.8595944271218787, 1.3704131791653634e-11, 1.0, 0.8595944271218786],
         Double { hi: 1.7138205666020144e-08, lo: 4.764353364855757e-25 },
+    ),
+    // Less the turns of the start it is a little less than the amplitude, to which it rounds.
+    (
+        [6.7884798423802835, -374.69004095283424, 272.17259457990156, 7.926614557501992],
+        Double { hi: 0.022083187001576268, lo: 1.5718571869583612e-18 },
     ),
 ];
 
