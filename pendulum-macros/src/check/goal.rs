@@ -74,7 +74,7 @@ impl Checker<'_> {
         let remedy = if swing.smallest_working_terms(float.unit()).is_none() {
             ", and with so few it may exceed 1: state the error as `tol` instead".to_owned()
         } else {
-            format!("; use `n = {most}` or fewer")
+            format!("; use `n = {most}`{}", if most > 1 { " or fewer" } else { "" })
         };
         let message = format!(
             "`n = {n}` is beyond what `{}` can use at this amplitude: the terms after the first {most} are together less \
@@ -87,6 +87,11 @@ impl Checker<'_> {
     pub(super) fn method(&mut self, motion: Option<&Motion>) -> Checked<Option<Method>> {
         let Some(given) = &self.request.method else { return Ok(None) };
         let method = given.value;
+        // `n` asks for `fourier`: where that can't serve, it was refused for the same reason.
+        let regime = motion.map(|motion| &motion.regime);
+        if self.request.n.is_some() && regime.is_some_and(|regime| !serves(Method::Fourier, regime)) {
+            return Err(Reported);
+        }
         if let Some(n) = &self.request.n
             && method != Method::Fourier
         {
@@ -101,14 +106,7 @@ impl Checker<'_> {
             );
             return Err(self.refuse(&given.tokens, message));
         }
-        if method == Method::Fourier && !self.request.mentions("n") && !self.request.mentions("tol") {
-            let message =
-                "`method = fourier` needs a number of terms, such as `n = 4`, or an error, such as `tol = 1e-3`";
-            return Err(self.refuse(&given.tokens, message));
-        }
-        match motion.map(|motion| &motion.regime) {
-            // `n` asks for the same method, and was refused for the same reason.
-            Some(regime) if !serves(method, regime) && self.request.n.is_some() => Err(Reported),
+        match regime {
             Some(regime) if !serves(method, regime) => {
                 let message = format!(
                     "`{given}` can't serve {}: {}",
@@ -119,6 +117,11 @@ impl Checker<'_> {
                         "leave `method` out"
                     }
                 );
+                Err(self.refuse(&given.tokens, message))
+            }
+            _ if method == Method::Fourier && !self.request.mentions("n") && !self.request.mentions("tol") => {
+                let message =
+                    "`method = fourier` needs a number of terms, such as `n = 4`, or an error, such as `tol = 1e-3`";
                 Err(self.refuse(&given.tokens, message))
             }
             _ => Ok(Some(method)),

@@ -139,6 +139,9 @@ fn refuses_methods_that_cannot_serve() {
     refused("theta0 = 1, method = harmonic, n = 4", &["`method = harmonic` takes no `n`"]);
     refused("velocity0 = 3, method = harmonic", &["`method = harmonic`", "rotation", "`polynomial`"]);
     refused("velocity0 = 3, n = 4", &["`n = 4`", "rotation", "leave `n` out"]);
+    refused("velocity0 = 3, n = 4, method = series", &["`n = 4`", "rotation", "leave `n` and `method` out"]);
+    refused("velocity0 = 3, method = fourier", &["`method = fourier` can't serve a rotation", "use `polynomial`"]);
+    refused("theta0 = 3e-8, n = 10, float = f32", &["use `n = 1`"]);
     refused("velocity0 = 3, n = 4, method = fourier", &["`n = 4`", "rotation", "leave `n` and `method` out"]);
     refused("velocity0 = 2, method = series", &["`method = series`", "separatrix"]);
     assert_eq!(scene("velocity0 = 3, method = polynomial").method, Some(Method::Polynomial));
@@ -197,7 +200,7 @@ fn suffixes_belong_to_angles() {
 
 #[test]
 fn counts_of_terms_are_whole_numbers() {
-    refused("theta0 = 1, n = 2.5", &["`n = 2.5` is no whole number of terms"]);
+    refused("theta0 = 1, n = 2.5", &["`n = 2.5` counts no terms", "write a whole number in digits"]);
     refused("theta0 = 1, n = 4usize", &["`n = 4usize` has a suffix: write `n = 4`"]);
     refused("theta0 = 1, n = -4", &["`n = -4` is negative"]);
     refused("theta0 = 1, n = 99999999999999999999999", &["`n = 99999999999999999999999` is more terms"]);

@@ -32,7 +32,10 @@ pub(super) fn number(name: &Ident, tokens: TokenStream) -> Result<Given<Number>>
 pub(super) fn count(name: &Ident, tokens: TokenStream) -> Result<Given<usize>> {
     let wrong = |why: String| Error::new_spanned(&tokens, why);
     let literal: LitInt = syn::parse2(tokens.clone()).map_err(|_| {
-        wrong(format!("`{name} = {}` is no whole number of terms, such as `{name} = 4`", source::value(&tokens)))
+        wrong(format!(
+            "`{name} = {}` counts no terms: write a whole number in digits, such as `{name} = 4`",
+            source::value(&tokens)
+        ))
     })?;
     let (digits, suffix) = (literal.base10_digits(), literal.suffix());
     if !suffix.is_empty() {

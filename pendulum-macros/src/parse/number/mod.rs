@@ -202,7 +202,9 @@ fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
 }
 
 fn no_operator_but_word(word: &str, before: Option<TokenTree>, input: ParseStream, end: &str) -> Error {
-    let literal = before.filter(|tree| matches!(tree, TokenTree::Literal(_)));
+    // One that has a suffix takes no other.
+    let plain = |literal: &TokenTree| literal.to_string().ends_with(|last: char| last.is_ascii_digit() || last == '.');
+    let literal = before.filter(|tree| matches!(tree, TokenTree::Literal(_)) && plain(tree));
     match (word, literal) {
         ("deg" | "rad" | "π", Some(literal)) => input
             .error(format!("`{word}` belongs to the number before it: leave out the space, as in `{literal}{word}`")),
@@ -297,6 +299,7 @@ mod tests {
         assert!(error("3f64").contains("`theta0 = 3f64` has the suffix `f64`"));
         assert!(error("3 deg").contains("leave out the space, as in `3deg`"));
         assert!(error("2*(3/4)deg").contains("write `*1deg`"));
+        assert!(error("1π π").contains("write `*` before `π`"));
         assert!(error("sqrt(3)π").contains("write `*` before `π`"));
         assert!(error("2π(1 + 1)").contains("write `*` before `(`"));
         assert!(error("7PI/8").contains("write it `π`"));
