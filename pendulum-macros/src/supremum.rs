@@ -19,6 +19,26 @@ pub(crate) fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     largest(errors.into_iter(), f64::INFINITY)
 }
 
+/// The largest of the bounds on `cells`² slices of [low, high], or some number above `cap` if it is: of the cells as many
+/// are sliced, in the order of their bounds, as may hold it.
+pub(crate) fn by_slices([low, high]: [f64; 2], cells: u32, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
+    let parts = |[low, high]: [f64; 2]| {
+        let at = move |index: u32| low + (high - low) * f64::from(index) / f64::from(cells);
+        (0..cells).map(move |index| [at(index), at(index + 1)])
+    };
+    let bound = |[low, high]: [f64; 2]| worst([bound(low, high)]);
+    let mut open: Vec<(f64, [f64; 2])> = parts([low, high]).map(|cell| (bound(cell), cell)).collect();
+    open.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut found: f64 = 0.0;
+    for (most, cell) in open {
+        if most <= found || found > cap {
+            break;
+        }
+        found = found.max(largest(parts(cell).map(bound), cap));
+    }
+    found
+}
+
 /// Bounds a function on [low, high], given one on any interval, by halving the interval with the largest bound: until
 /// that gains less than a thirtieth, or `most` times.
 pub(crate) fn by_halves([low, high]: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
@@ -69,6 +89,30 @@ mod tests {
         let found = by_halves([0.0, 1.0], 16, 200, bound);
         assert!(found >= 0.5 / a && found < 0.56 / a, "{found}");
         assert_eq!(by_halves([0.0, 1.0], 4, 10, |low, _| if low == 0.0 { f64::INFINITY } else { 1.0 }), f64::INFINITY);
+    }
+
+    /// The same as of all slices, of which no more are looked at than have to be.
+    #[test]
+    fn slices() {
+        let looked = std::cell::Cell::new(0);
+        let bound = |low: f64, high: f64| {
+            looked.set(looked.get() + 1);
+            // Of a parabola with its summit at 0.3, and something for the width.
+            let nearest = 0.3_f64.clamp(low, high);
+            1.0 - (nearest - 0.3).powi(2) + 0.01 * (high - low)
+        };
+        let all = |cells: u32| {
+            let at = |index: u32| f64::from(index) / f64::from(cells * cells);
+            worst((0..cells * cells).map(|index| bound(at(index), at(index + 1))))
+        };
+        let expected = all(8);
+        looked.set(0);
+        assert!((by_slices([0.0, 1.0], 8, f64::INFINITY, bound) - expected).abs() < 1e-15);
+        assert!(looked.get() <= 24, "{}", looked.get());
+        looked.set(0);
+        assert!(by_slices([0.0, 1.0], 8, 0.5, bound) > 0.5);
+        assert!(looked.get() <= 9, "{}", looked.get());
+        assert_eq!(by_slices([0.0, 1.0], 4, 10.0, |_, high| if high == 1.0 { f64::NAN } else { 1.0 }), f64::INFINITY);
     }
 
     /// A bound is cut short only where it is above the cap.

@@ -13,7 +13,7 @@ use crate::parse::Output;
 use crate::program::rounding::{Known, half_ulp};
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{by_halves, largest, norm};
+use crate::supremum::{by_halves, by_slices, norm, worst};
 use std::f64::consts::PI;
 
 /// The computation of one output.
@@ -166,25 +166,27 @@ impl Kernel {
             if is_sum { closed.min(given(&[], low, high)) } else { closed }
         };
         if harmonics.is_some_and(Harmonics::peaks) {
-            return by_halves([least, most], SLICES, MOST_HALVED, between);
+            return by_halves([least, most], CELLS * CELLS, MOST_HALVED, between);
         }
-        let at = |index: u32| least + (most - least) * f64::from(index) / f64::from(SLICES);
-        // The motion is fastest, and the rounding worst, at the lowest point.
-        let from_lowest = |index: u32| if reduction.origin == Origin::Anchor { SLICES - 1 - index } else { index };
-        let all = |cap: f64, wanted: &dyn Fn(&u32) -> bool| {
-            largest((0..SLICES).map(from_lowest).filter(wanted).map(|index| between(at(index), at(index + 1))), cap)
+        // The motion is fastest, and the rounding mostly worst, at the lowest point.
+        let from_lowest = |[low, high]: [f64; 2], cap: f64| {
+            let slice = (high - low) / f64::from(CELLS * CELLS);
+            let ends = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };
+            let there = between(ends[0], ends[1]);
+            if there > cap { there } else { by_slices([low, high], CELLS, cap, between) }
         };
-        let Some(met) = met.filter(|_| harmonics.is_none()) else { return all(cap, &|_| true) };
-        let is_met = |&index: &u32| met.overlaps(reduction.distances([at(index), at(index + 1)]));
-        if met.spare < f64::INFINITY && all(met.spare, &|index| !is_met(index)) > met.spare {
-            return all(cap, &|_| true);
-        }
-        all(cap, &is_met)
+        let all = [least, most];
+        let Some(met) = met.filter(|_| harmonics.is_none()) else { return from_lowest(all, cap) };
+        let [low, high] = reduction.phases([met.least, met.farthest]).map(|phase| phase.clamp(least, most));
+        let elsewhere = [[least, low], [high, most]].map(|[low, high]| {
+            if low < high && met.spare < f64::INFINITY { from_lowest([low, high], met.spare) } else { 0.0 }
+        });
+        from_lowest(if worst(elsewhere) > met.spare { all } else { [low, high] }, cap)
     }
 }
 
-/// Subintervals of the phase on which the rounding is analysed separately.
-const SLICES: u32 = 64;
+/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately.
+const CELLS: u32 = 8;
 
 /// How often slices are halved where the rounding peaks.
 const MOST_HALVED: usize = 200;

@@ -153,7 +153,7 @@ impl Approximation {
         let met = self.met.filter(|met| whole <= met.spare);
         let known = (terms, met.is_some());
         let within = *self.dropped.borrow_mut().entry(known).or_insert_with(|| self.supremum(terms, met));
-        let ends = met.is_none_or(|met| met.farthest == 0.5);
+        let ends = met.is_none_or(|met| met.farthest >= 0.5);
         let sharp = if ends { within * self.gain(overshoot) + beyond * self.weight(overshoot) } else { within };
         whole.min(sharp) + self.least_truncation(overshoot)
     }

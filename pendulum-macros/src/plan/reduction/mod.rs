@@ -193,10 +193,10 @@ impl Reduction {
         [if self.is_lopsided() { -self.half() } else { 0.0 }, self.half()]
     }
 
-    /// The distances from an anchor between two reduced phases.
-    pub(crate) fn distances(&self, phases: [f64; 2]) -> [f64; 2] {
-        let [low, high] = phases.map(|phase| phase * self.unit.hi);
-        if self.origin == Origin::Anchor { [low, high] } else { [0.5 - high, 0.5 - low] }
+    /// The reduced phases between two distances from an anchor.
+    pub(crate) fn phases(&self, [near, far]: [f64; 2]) -> [f64; 2] {
+        let from_origin = if self.origin == Origin::Anchor { [near, far] } else { [0.5 - far, 0.5 - near] };
+        from_origin.map(|phase| phase / self.unit.hi)
     }
 
     /// Whether the phase is known at all at the end of the horizon.
