@@ -153,6 +153,16 @@ pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
     next
 }
 
+/// Bounds what a polynomial changes by where its Chebyshev series becomes powers of another variable by [`to_powers`],
+/// [`shift`] and [`scale`], each coefficient within 10·2⁻¹⁰⁶ a step; `reach` bounds |τ| with τ = a·y + b as |a|·|y| + |b|.
+///
+/// Without signs the coefficients of Tⱼ, and of Uⱼ over j + 1, add up to at most (reach + √(reach² + 1))ʲ.
+pub(crate) fn rounding_of_powers(series: &[Double], reach: f64) -> f64 {
+    let growth = reach + (reach * reach + 1.0).sqrt();
+    let (sum, _) = series.iter().fold((0.0, 1.0), |(sum, power), c| (sum + c.hi.abs() * power, power * growth));
+    (series.len() as f64).powi(2) * 2f64.powi(-100) * sum
+}
+
 /// Coefficients in powers of x of Σ cⱼ (x + by)ʲ, by repeated synthetic division.
 pub(crate) fn shift<T: Copy + Add<Output = T> + Mul<Output = T>>(powers: &[T], by: T) -> Vec<T> {
     let mut shifted = powers.to_vec();
@@ -208,6 +218,29 @@ mod tests {
         let at_one = shifted.iter().fold(Double::ZERO, |sum, &c| sum + c);
         assert!((at_one - Double::new(6.0)).hi.abs() < 1e-29);
         assert!((shifted[0] - Double::ZERO).hi.abs() < 1e-29);
+    }
+
+    /// What becomes of series by their conversion, of variables about the middle and about an end: less than is stated.
+    #[test]
+    fn conversions() {
+        for terms in [2, 5, 12, 24] {
+            for (factor, by) in [(1.0, 0.0), (8.0, -1.0), (8.0, 0.25)] {
+                let series: Vec<Double> =
+                    (0..terms).map(|j| Double { hi: 0.7f64.powi(j), lo: 1e-17 * 0.7f64.powi(j) }).collect();
+                let [factor, by] = [factor, by].map(Double::new);
+                let powers = scale(shift(&to_powers(&series), by), factor);
+                // τ = factor·y + by from −1 to 1.
+                let error = |i: u32| {
+                    let tau = Double::new(f64::from(i) / 100.0 - 1.0);
+                    let y = (tau - by) / factor;
+                    let found = powers.iter().rev().fold(Double::ZERO, |sum, &c| c + sum * y);
+                    (found - value(&series, tau)).hi.abs()
+                };
+                let seen = (0..=200).map(error).fold(0.0, f64::max);
+                let most = rounding_of_powers(&series, 1.0 + 2.0 * by.hi.abs());
+                assert!(seen <= most + 1e-31, "{terms} {by:?}: {seen:e} {most:e}");
+            }
+        }
     }
 
     /// 1/(a − x), whose pole lies on the ellipse with parameter a + √(a² − 1).

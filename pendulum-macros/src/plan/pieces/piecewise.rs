@@ -5,7 +5,7 @@
 //! errors are at most 4Bρ^(1−M)/(ρ − 1), as in [`crate::plan::polynomial`]. What is dropped is known.
 
 use super::Pieces;
-use crate::chebyshev::{CosineTable, Interpolation, lebesgue, scale, to_powers};
+use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers, scale, to_powers};
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Reduction;
 use crate::series::Parity;
@@ -115,7 +115,8 @@ impl Piecewise {
             others.for_each(|c| *c = Double::ZERO);
         }
         let pieces = Pieces::new(reduction.clone(), &powers, self.parity, self.alternates);
-        Some((pieces, self.truncation(terms, reduction)))
+        let converted = worst(self.series.iter().map(|own| rounding_of_powers(&own[..terms], 1.0)));
+        Some((pieces, self.truncation(terms, reduction) + converted))
     }
 }
 

@@ -11,7 +11,7 @@
 use super::Polynomial;
 use super::pole::Pole;
 use super::tail;
-use crate::chebyshev::{CosineTable, Interpolation, scale, shift, to_powers};
+use crate::chebyshev::{CosineTable, Interpolation, rounding_of_powers, scale, shift, to_powers};
 use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices};
 use crate::plan::curve::Curve;
@@ -269,7 +269,7 @@ impl Approximation {
     fn evaluated(
         &self,
         form: Form,
-        Variable { shift, area, .. }: Variable,
+        Variable { shift, area, reach }: Variable,
         blocks: Blocks,
         reduction: &Reduction,
         alternates: bool,
@@ -280,7 +280,11 @@ impl Approximation {
         // Farther from 1 the second word of a pole's unit would lose bits.
         let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
         let lost = if bounded { lost * self.weight(reduction.overshoot) * poles / unit } else { f64::INFINITY };
-        let truncation = self.truncation(blocks.terms(), reduction.overshoot) + lost;
+        let kept = &self.series[..blocks.terms().min(self.series.len())];
+        let eighth = 8.0 * area.hi;
+        let converted = rounding_of_powers(kept, eighth * reach + (1.0 + eighth * shift.hi).abs());
+        let truncation =
+            self.truncation(blocks.terms(), reduction.overshoot) + converted * self.weight(reduction.overshoot) + lost;
         let pole = self.pole.map(|pole| pole.scaled(self.area(reduction)));
         let (parity, map) = (self.parity, self.map);
         Polynomial { form, shift, pole, parity, map, alternates, blocks, truncation }

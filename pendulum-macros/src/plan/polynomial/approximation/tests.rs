@@ -370,8 +370,11 @@ fn adapted_polynomials() {
             if chunk == 4 {
                 let odd = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
                 let poles = unit.powi(4 * curves[index].1);
+                let eighth = 8.0 * variable.area.hi;
+                let reach = eighth * reach * 1.01 + (1.0 + eighth * shift).abs();
+                let converted = rounding_of_powers(&approximation.series[..terms], reach);
                 let added = polynomial.truncation - approximation.truncation(terms, reduction.overshoot);
-                let times = added / (found * approximation.weight(0.0) * odd * poles);
+                let times = added / (approximation.weight(0.0) * (found * odd * poles + converted));
                 assert!((0.99..1.01).contains(&times), "{text} {index}: {times}");
             }
         }
