@@ -21,8 +21,9 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Takes note of an error.
+    /// Takes note of an error, of which none is larger than one that is no number.
     pub fn observe(&mut self, error: f64, at: f64) {
+        let error = if error.is_nan() { f64::INFINITY } else { error };
         if error > self.worst {
             (self.worst, self.at) = (error, at);
         }
@@ -52,5 +53,21 @@ impl Merge for Finding {
         self.broken += other.broken;
         self.faults.extend(other.faults);
         self.faults.truncate(DESCRIBED);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_number_is_the_worst() {
+        let mut found = Finding::default();
+        for (error, at) in [(0.5, 1.0), (f64::NAN, 2.0), (3.0, 3.0)] {
+            found.observe(error, at);
+        }
+        assert_eq!((found.worst, found.at), (f64::INFINITY, 2.0));
+        found.require(f64::NAN, 1.0, 4.0, || "no number".to_owned());
+        assert_eq!(found.broken, 1);
     }
 }

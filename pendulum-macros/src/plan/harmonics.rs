@@ -140,8 +140,8 @@ impl Harmonics {
             // The factor before u₁ ∓ u₂, which are at most these.
             let both = total(weights, 0) + total(weights, 1);
             let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * both;
-            let error =
-                if self.folded.is_some() { cosine } else { recurrence() + half_ulp(total(weights, 0).min(1.0), float) };
+            // The product may underflow, too.
+            let error = if self.folded.is_some() { cosine } else { recurrence() + half_ulp(0.0, float) };
             Sum { name, curve, order, error }
         };
         let mut all = vec![];

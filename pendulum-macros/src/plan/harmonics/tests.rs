@@ -103,7 +103,7 @@ fn intervals_hold(harmonics: &Harmonics, reduction: &Reduction, errors: [f64; 2]
         let sum = if harmonics.folded.is_some() {
             error
         } else {
-            recurrence_error(weights, errors[0], unit) + error * both + half_ulp(1.0, reduction.float)
+            recurrence_error(weights, errors[0], unit) + error * both + half_ulp(0.0, reduction.float)
         };
         assert!((known.error / sum - 1.0).abs() < 1e-12 || sum == 0.0, "{name}: {:e} {sum:e}", known.error);
         // What Taylor's theorem leaves is little beside what the sum does in the interval.

@@ -102,10 +102,9 @@ impl Approximation {
         };
         let values: Vec<Double> = table.points().map(sample).collect();
         let mut series = table.coefficients(&values);
-        // Near an anchor an odd curve's omitted terms are divided by s, of which the smallest sample is above
-        // 1/(3·points).
-        let omitted = curve.omitted() * if curve.parity() == Parity::Odd { 3.0 * points as f64 } else { 1.0 };
-        let mut remainder = error + 2.0 * omitted * pole.map_or(1.0, |pole| pole.most(0.5));
+        // What is interpolated is the sum of the terms that aren't omitted; those that are change the value itself, which
+        // an error of the series does by half as much at most where the curve is odd.
+        let mut remainder = error + 2.0 * curve.omitted() * pole.map_or(1.0, |pole| pole.most(0.5));
         // What is far below the aim isn't worth carrying.
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
