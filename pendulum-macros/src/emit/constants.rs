@@ -10,6 +10,9 @@ use crate::scene::Scene;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+/// Those of the motion, of which each regime has its own.
+pub(super) const OF_MOTION: [&str; 8] = ["THETA0", "OMEGA", "AMPLITUDE", "MODULUS", "K", "K_PRIME", "NOME", "PERIOD"];
+
 /// Every constant that makes sense for the regime and the plan.
 pub(super) fn all(scene: &Scene, plan: &Plan) -> TokenStream {
     let motion = &scene.motion;
@@ -108,5 +111,27 @@ pub(crate) fn round_up(x: f64, float: Float) -> f64 {
             let rounded = x as f32;
             f64::from(if f64::from(rounded) < x { rounded.next_up() } else { rounded })
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::tests::scene;
+
+    /// The stub of a refused item has all that the item might have had.
+    #[test]
+    fn constants_of_each_regime_are_known() {
+        let mut seen = Vec::new();
+        for start in ["theta0 = 1", "velocity0 = 2", "velocity0 = 3"] {
+            let scene = scene(&format!("struct Motion; {start}, tol = 1e-3, t_max = 10"));
+            let text = all(&scene, &crate::plan::plan(&scene).unwrap()).to_string();
+            let names = text.split("pub const ").skip(1).filter_map(|rest| rest.split(' ').next());
+            seen.extend(names.map(str::to_owned));
+        }
+        let of_plan = ["METHOD", "TERMS", "OPERATIONS", "MAX_ERROR"];
+        seen.retain(|name| !of_plan.contains(&name.as_str()));
+        assert!(seen.iter().all(|name| OF_MOTION.contains(&name.as_str())), "{seen:?}");
+        assert!(OF_MOTION.iter().all(|name| seen.iter().any(|seen| seen == name)), "{seen:?}");
     }
 }

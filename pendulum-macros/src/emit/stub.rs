@@ -1,5 +1,6 @@
 //! What a refused request still expands to, so that one mistake is one error.
 
+use super::constants::OF_MOTION;
 use super::outputs::Wording;
 use super::{allowed, conditions};
 use crate::parse::{Float, Form, Item, Keyword, Output};
@@ -25,9 +26,8 @@ fn anywhere(errors: &[TokenStream]) -> TokenStream {
 
 fn structure(item: &Item, float: Float, errors: &[TokenStream]) -> TokenStream {
     let Item { attributes, visibility, name } = item;
-    let of_motion = ["THETA0", "OMEGA", "AMPLITUDE", "MODULUS", "K", "K_PRIME", "NOME", "PERIOD"];
     let of_outputs = Output::ALL.iter().map(|&output| Wording::of(output).max_error);
-    let constants = of_motion.into_iter().chain(of_outputs).map(|name| format_ident!("{name}"));
+    let constants = OF_MOTION.into_iter().chain(of_outputs).map(|name| format_ident!("{name}"));
     let scalars = Output::ALL.iter().filter(|&&output| output != Output::Position);
     let functions = scalars.map(|output| format_ident!("{}", output.word()));
     let allowed = allowed();

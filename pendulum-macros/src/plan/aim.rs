@@ -108,8 +108,8 @@ impl Task {
             Aim::with(scene, output, Size { largest, slope: 2.0 * unit, moment: moment * unit, unit })
         });
         let direction = direction(separatrix.mirrored);
-        // log₂ e.
-        let rate = Double { hi: std::f64::consts::LOG2_E, lo: 2.035_527_374_093_103_3e-17 };
+        let context = scene.motion.omega.context();
+        let rate = (context.integer(1) / context.ln_2()).to_double();
         let passage =
             Passage { rate, sigma: 0.0, image: Double::ZERO, image_exponent: 0, alternates: false, direction };
         Self {

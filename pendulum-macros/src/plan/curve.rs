@@ -285,3 +285,6 @@ impl Curves for RotationCurves<'_> {
         self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, [0.0; 2], 1.0)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,7 @@
 //! Polynomials for fixed functions on [0, Z]: what a plan uses of exponentials, arctangents and arcsines.
 
 use super::estrin::estrin;
-use crate::chebyshev::{CosineTable, interpolation_error, points_for, scale, shift, to_powers};
+use crate::chebyshev::{CosineTable, interpolation_error, points_for, rounding_of_powers, scale, shift, to_powers};
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
@@ -32,7 +32,8 @@ impl Fit {
     /// The Chebyshev interpolant, cut where its error is below `limit`.
     pub(crate) fn new(domain: &Domain, limit: f64, function: impl Fn(Double) -> Double) -> Self {
         let Domain { end, rho, bound } = *domain;
-        // So many that their error doesn't blur the bound where the last term is far below the limit.
+        // So many that their error doesn't blur the bound where the last term is far below the limit. Of more than 200,
+        // which no plan needs, the error says what is left.
         let points = points_for(bound, rho, limit * 2f64.powi(-16)).clamp(4.0, 200.0) as usize;
         let error = interpolation_error(bound, rho, points);
         let table = CosineTable::new(points);
@@ -42,7 +43,7 @@ impl Fit {
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
         let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));
         let coefficients = scale(powers, Double::new(2.0) / Double::new(end));
-        Self { coefficients, truncation: dropped(terms) }
+        Self { coefficients, truncation: dropped(terms) + rounding_of_powers(&series[..terms], 3.0) }
     }
 
     /// Emits the polynomial, its truncation charged to the constant term.

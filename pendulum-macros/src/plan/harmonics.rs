@@ -7,13 +7,14 @@
 
 use super::arcsine::Arcsine;
 use super::cosines::Cosines;
-use super::kernel::RESULT;
+use super::kernel::{CELLS, Kernel, RESULT, from_lowest};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use crate::program::rounding::{Known, half_ulp};
-use crate::program::{Builder, Id, Op};
+use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
+use crate::supremum::{by_halves, norm};
 use pendulum_runtime::double::Double;
 
 /// How one output is a sum of harmonics.
@@ -35,6 +36,9 @@ pub(crate) struct Harmonics {
     pub(crate) direction: f64,
 }
 
+/// How often slices are halved where the rounding peaks.
+const MOST_HALVED: usize = 200;
+
 /// The sums, whose ranges the analysis of the rounding knows.
 const ARGUMENT: &str = "argument";
 const SLOPE: &str = "slope";
@@ -45,7 +49,7 @@ impl Harmonics {
     }
 
     /// Whether the rounding has a narrow peak: that of the derivative of an arcsine, where its argument comes near 1.
-    pub(super) fn peaks(&self) -> bool {
+    fn peaks(&self) -> bool {
         self.is_odd() && self.arcsine.is_some()
     }
 
@@ -125,15 +129,39 @@ impl Harmonics {
         b.name(sum, ARGUMENT)
     }
 
+    /// The rounding over the whole range of the phase; some number above `cap` as soon as it is known to be, but for a
+    /// derivative of an arcsine.
+    pub(super) fn rounding(&self, program: &Program, reduction: &Reduction, cap: f64) -> f64 {
+        let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
+        let of_polynomial =
+            |polynomial: &Polynomial| Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
+        let sums = self.sums(reduction, self.errors(of_polynomial));
+        let given = |sums: &[Sum], low: f64, high: f64| {
+            let mut known = vec![(phase, Known::between(low, high))];
+            let known_sum = |sum: &Sum| Some((program.named(sum.name)?, sum.known(reduction, low, high)));
+            known.extend(sums.iter().filter_map(known_sum));
+            norm(program.rounding(&known).iter().map(|known| known.error))
+        };
+        // A sum of few terms that is the result itself is analysed better step by step.
+        let between = |low: f64, high: f64| {
+            let closed = given(&sums, low, high);
+            if self.arcsine.is_none() { closed.min(given(&[], low, high)) } else { closed }
+        };
+        if self.peaks() {
+            return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
+        }
+        from_lowest(reduction, reduction.range(), cap, between)
+    }
+
     /// The errors of the cosine and the sine, given the rounding of a polynomial.
-    pub(super) fn errors(&self, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
+    fn errors(&self, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
         let error = |polynomial: &Polynomial| rounding(polynomial) + polynomial.truncation;
         let cosine = self.folded.as_ref().unwrap_or(&self.cosine);
         [error(cosine), self.sine.as_ref().map_or(0.0, error)]
     }
 
     /// The sums that the program computes, given the errors of the cosine and the sine.
-    pub(super) fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
+    fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
         let float = reduction.float;
         let sum = |name, curve, order, weights: &[Double], factor: f64| {
             let name = if self.arcsine.is_some() { name } else { RESULT };
@@ -156,8 +184,8 @@ impl Harmonics {
 }
 
 /// A sum in a program, and how wrong it is computed.
-pub(super) struct Sum {
-    pub(super) name: &'static str,
+struct Sum {
+    name: &'static str,
     /// It is the derivative of this order.
     curve: Cosines,
     order: usize,
@@ -166,7 +194,7 @@ pub(super) struct Sum {
 
 impl Sum {
     /// What is known of it where the phase is between `low` and `high`, for [`crate::program::Program::rounding`].
-    pub(super) fn known(&self, reduction: &Reduction, low: f64, high: f64) -> Known {
+    fn known(&self, reduction: &Reduction, low: f64, high: f64) -> Known {
         let from_anchor = |phase: f64| {
             let phase = phase * reduction.unit.hi;
             if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase }

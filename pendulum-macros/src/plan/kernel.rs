@@ -1,20 +1,19 @@
 //! Kernels: what computes one output from the reduced phase; and the functions made of them.
 
-use super::harmonics::{Harmonics, Sum};
+use super::harmonics::Harmonics;
 use super::hyperbolic::Hyperbolic;
 use super::met::Met;
 use super::pieces::Pieces;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
-use super::turning::{Turning, modulo_turn, within_half_turn};
+use super::turning::{Turning, modulo_turn, rounding_modulo, rounding_within, within_half_turn};
 use super::variables::Variables;
 use super::{Function, Part};
 use crate::parse::Output;
-use crate::program::rounding::{Known, half_ulp};
+use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{by_halves, by_slices, norm, worst};
-use std::f64::consts::PI;
+use crate::supremum::{by_slices, norm, worst};
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,70 +125,52 @@ impl Kernel {
 
     /// The same where a polynomial's phases are met, if elsewhere it is no more than there is room for.
     pub(crate) fn rounding_where(&self, met: Option<Met>, reduction: &Reduction, cap: f64) -> f64 {
-        if let Self::Turning(Turning { angle, .. }) = self {
-            return angle.rounding_where(met, reduction, cap);
+        let of = |angle: &Self| angle.rounding_where(met, reduction, cap);
+        let program = || function(reduction, &[self]);
+        match self {
+            Self::Turning(Turning { angle, .. }) => of(angle),
+            Self::Within(angle) => of(angle) + rounding_within(reduction.float),
+            Self::Wrapped(angle) => of(angle) + rounding_modulo(reduction.float),
+            Self::Pieces(pieces) => pieces.rounding(),
+            Self::Hyperbolic(hyperbolic) => hyperbolic.rounding(&program(), cap),
+            Self::Harmonics(harmonics) => harmonics.rounding(&program(), reduction, cap),
+            Self::Polynomial(_) | Self::Circle { .. } => rounding_of_polynomials(&program(), met, reduction, cap),
         }
-        if let Self::Within(angle) = self {
-            // From the largest number that it may be to π itself it is 0.63 units of π in `f32`, 1.27 in `f64`: less than
-            // this and the rounding of the angle's own last sum, half a unit.
-            return angle.rounding_where(met, reduction, cap) + 2.0 * half_ulp(PI, reduction.float);
-        }
-        if let Self::Wrapped(angle) = self {
-            // The sum with a turn, the turn's own rounding, and the distance from π of the largest number below it.
-            return angle.rounding_where(met, reduction, cap) + 3.0 * half_ulp(2.0 * PI, reduction.float);
-        }
-        if let Self::Pieces(pieces) = self {
-            return pieces.rounding();
-        }
-        let program = function(reduction, &[self]);
-        if let Self::Hyperbolic(hyperbolic) = self {
-            return hyperbolic.rounding(&program, cap);
-        }
-        let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
-        let [least, most] = reduction.range();
-        let of_polynomial =
-            |polynomial: &Polynomial| Self::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
-        let harmonics = if let Self::Harmonics(harmonics) = self { Some(harmonics.as_ref()) } else { None };
-        let sums =
-            harmonics.map_or_else(Vec::new, |harmonics| harmonics.sums(reduction, harmonics.errors(of_polynomial)));
-        let given = |sums: &[Sum], low: f64, high: f64| {
-            let mut known = vec![(phase, Known::between(low, high))];
-            known.extend(
-                sums.iter().filter_map(|sum| Some((program.named(sum.name)?, sum.known(reduction, low, high)))),
-            );
-            norm(program.rounding(&known).iter().map(|known| known.error))
-        };
-        // A sum of few terms that is the result itself is analysed better step by step.
-        let is_sum = harmonics.is_some_and(|harmonics| harmonics.arcsine.is_none());
-        let between = |low: f64, high: f64| {
-            let closed = given(&sums, low, high);
-            if is_sum { closed.min(given(&[], low, high)) } else { closed }
-        };
-        if harmonics.is_some_and(Harmonics::peaks) {
-            return by_halves([least, most], CELLS * CELLS, MOST_HALVED, between);
-        }
-        // The motion is fastest, and the rounding mostly worst, at the lowest point.
-        let from_lowest = |[low, high]: [f64; 2], cap: f64| {
-            let slice = (high - low) / f64::from(CELLS * CELLS);
-            let ends = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };
-            let there = between(ends[0], ends[1]);
-            if there > cap { there } else { by_slices([low, high], CELLS, cap, between) }
-        };
-        let all = [least, most];
-        let Some(met) = met.filter(|_| harmonics.is_none()) else { return from_lowest(all, cap) };
-        let [low, high] = reduction.phases([met.least, met.farthest]).map(|phase| phase.clamp(least, most));
-        let elsewhere = [[least, low], [high, most]].map(|[low, high]| {
-            if low < high && met.spare < f64::INFINITY { from_lowest([low, high], met.spare) } else { 0.0 }
-        });
-        from_lowest(if worst(elsewhere) > met.spare { all } else { [low, high] }, cap)
     }
 }
 
-/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately.
-const CELLS: u32 = 8;
+/// The norm of the rounding of a program's results where nothing is known but the phase.
+fn rounding_of_polynomials(program: &Program, met: Option<Met>, reduction: &Reduction, cap: f64) -> f64 {
+    let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
+    let between = |low: f64, high: f64| {
+        norm(program.rounding(&[(phase, Known::between(low, high))]).iter().map(|known| known.error))
+    };
+    let all = reduction.range();
+    let Some(met) = met else { return from_lowest(reduction, all, cap, between) };
+    let [low, high] = reduction.phases([met.least, met.farthest]).map(|phase| phase.clamp(all[0], all[1]));
+    let elsewhere = [[all[0], low], [high, all[1]]].map(|[low, high]| {
+        let matters = low < high && met.spare < f64::INFINITY;
+        if matters { from_lowest(reduction, [low, high], met.spare, between) } else { 0.0 }
+    });
+    from_lowest(reduction, if worst(elsewhere) > met.spare { all } else { [low, high] }, cap, between)
+}
 
-/// How often slices are halved where the rounding peaks.
-const MOST_HALVED: usize = 200;
+/// The largest of the bounds on slices of a range of phases, or some number above `cap`. The motion is fastest, and the
+/// rounding mostly worst, at the lowest point.
+pub(super) fn from_lowest(
+    reduction: &Reduction,
+    [low, high]: [f64; 2],
+    cap: f64,
+    bound: impl Fn(f64, f64) -> f64,
+) -> f64 {
+    let slice = (high - low) / f64::from(CELLS * CELLS);
+    let [from, to] = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };
+    let there = bound(from, to);
+    if there > cap { there } else { by_slices([low, high], CELLS, cap, bound) }
+}
+
+/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately.
+pub(super) const CELLS: u32 = 8;
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
 fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Polynomial) -> Vec<Id> {

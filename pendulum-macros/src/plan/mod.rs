@@ -243,11 +243,7 @@ impl Plan {
 }
 
 #[cfg(test)]
-mod curve_tests;
-#[cfg(test)]
 mod full_precision_tests;
-#[cfg(test)]
-mod paper_tests;
 #[cfg(test)]
 mod random_tests;
 #[cfg(test)]

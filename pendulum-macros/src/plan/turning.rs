@@ -7,6 +7,7 @@ use crate::parse::Float;
 use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
+use std::f64::consts::{PI, TAU};
 
 /// What is added to the angle of the latest passage.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,8 +102,7 @@ impl Turning {
 /// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
 /// or after.
 pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
-    let half = std::f64::consts::PI;
-    let (half, minus) = (b.constant(half), b.constant(-half));
+    let (half, minus) = (b.constant(PI), b.constant(-PI));
     let turn = Double::PI * 2.0;
     let turn = b.exact(turn);
     let back = b.sub(angle, turn);
@@ -115,10 +115,22 @@ pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     within_half_turn(b, angle)
 }
 
+/// What [`modulo_turn`] rounds by: the sum with a turn, the turn's own rounding, and the distance from π of the largest
+/// number below it.
+pub(super) fn rounding_modulo(float: Float) -> f64 {
+    3.0 * half_ulp(TAU, float)
+}
+
+/// What [`within_half_turn`] changes: from the largest number that it may be to π itself it is 0.63 units of π in `f32`,
+/// 1.27 in `f64`; less than this and the rounding of the angle's own last sum, half a unit.
+pub(super) fn rounding_within(float: Float) -> f64 {
+    2.0 * half_ulp(PI, float)
+}
+
 /// The nearest number from −π to below π, the number next to π in `f64` being π itself.
 pub(super) fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
     let (most, least) = match b.float() {
-        Float::F64 => (std::f64::consts::PI.next_down(), -std::f64::consts::PI),
+        Float::F64 => (PI.next_down(), -PI),
         Float::F32 => {
             let below = f64::from(std::f32::consts::PI.next_down());
             (below, -below)

@@ -1,14 +1,12 @@
 //! The methods of the paper: as many terms as a tolerance needs, and errors that are known in closed form.
 
-use super::random_tests::Probe;
-use super::tests::scene;
-use super::truth::State;
-use super::{Plan, Refusal, plan};
+use super::*;
 use crate::motion::Regime;
-use crate::parse::Output;
-use crate::plan::curve::{Curves, SwingCurves};
 use crate::plan::kernel::Kernel;
-use pendulum_runtime::fourier_analysis::FourierAnalysis;
+use crate::plan::plan;
+use crate::plan::random_tests::Probe;
+use crate::plan::tests::scene;
+use crate::plan::truth::State;
 
 fn planned(text: &str) -> Result<Plan, Refusal> {
     plan(&scene(text))
@@ -370,5 +368,57 @@ fn within_a_moment_only_what_is_met_counts() {
             "{text}: {bound:e} for {seen:e} at {t}, {}",
             plan.parts[0].description
         );
+    }
+}
+
+/// |cos φ − cos 3φ| is at most 8/(3√3), where it isn't at an end; cos φ + ½ cos 5φ is 3/2 at 0.
+#[test]
+fn suprema_of_tails() {
+    let besides = |terms: &[(u32, f64)], omitted: f64| {
+        tail(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>(), omitted)
+    };
+    let wave = |terms: &[(u32, f64)]| besides(terms, 0.0);
+    for (terms, known) in [([(1, 1.0), (3, -1.0)], 8.0 / 27f64.sqrt()), ([(1, 1.0), (5, 0.5)], 1.5)] {
+        let found = wave(&terms);
+        assert!(known <= found && found <= 1.02 * known, "{found} for {known}");
+    }
+    // A supremum that is a sample is one as any other, and rounded up.
+    let excess = wave(&[(1, 1.0), (5, 0.5)]) / (1.5 / (std::f64::consts::PI / 16.0).cos()) - 1.0;
+    assert!((1e-10..1e-8).contains(&excess), "{excess:e}");
+    // What is omitted besides may have any sign.
+    assert_eq!(besides(&[(1, 1.0)], 0.25), wave(&[(1, 1.0)]) + 0.25);
+    assert_eq!((wave(&[]), besides(&[], 0.25)), (0.0, 0.25));
+}
+
+/// Of few terms their supremum, of many the sum of their magnitudes; and what the series itself omits.
+#[test]
+fn what_is_left_out() {
+    let scene = scene("theta0 = 0.999π");
+    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let theta = SwingCurves::new(swing, &scene.motion.omega).angle().omitting(0.125);
+    let all = theta.terms().len();
+    for left in [0, 3, 40, 41, 50] {
+        let terms = &theta.terms()[all - left..];
+        let magnitudes = terms.iter().map(|(_, a)| a.hi.abs()).sum::<f64>();
+        let sum = if left > 40 { magnitudes } else { tail(terms, 0.0) };
+        assert_eq!(left_out(&theta, all - left), sum + 0.125, "{left}");
+    }
+}
+
+/// A velocity's error of more than twice the largest velocity says nothing, if it wasn't asked for.
+#[test]
+fn useful_bounds() {
+    let scenes = ["n = 2", "method = fourier, tol = 1e-3"]
+        .map(|goal| scene(&format!("struct A; theta0 = 1, {goal}, outputs = [theta, velocity]")));
+    for (scene, is_vague) in scenes.iter().zip([true, false]) {
+        let parts = plan(scene).unwrap().parts;
+        for (part, is_vague) in parts.iter().zip([false, is_vague]) {
+            let useful = |evaluation: f64| {
+                let bound = Bound { evaluation, ..part.bound };
+                is_useful(&Part { bound, ..part.clone() }, scene)
+            };
+            let found = [1.5 * part.largest, 2.5 * part.largest, f64::INFINITY].map(useful);
+            assert_eq!(found, [true, !is_vague, false], "{:?}", part.output);
+        }
     }
 }

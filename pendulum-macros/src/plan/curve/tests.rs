@@ -1,11 +1,9 @@
 //! Largest values, slopes and moments of curves are what bounds of the phase's error stand on: here against samples.
 
-use super::aim::Task;
-use super::curve::{Curve, Curves, RotationCurves, SwingCurves};
-use super::reduction::Reduction;
-use super::tests::scene;
+use super::*;
 use crate::motion::Regime;
-use pendulum_runtime::double::Double;
+use crate::plan::aim::Task;
+use crate::plan::tests::scene;
 
 /// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the
 /// cosine's period off the anchor.
