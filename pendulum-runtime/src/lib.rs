@@ -26,11 +26,11 @@ mod error;
 mod fourier;
 #[doc(hidden)]
 pub mod fourier_analysis;
+mod inverse;
 mod kernel;
 mod launch;
 mod motion;
 mod nome;
-mod passage;
 mod pendulum;
 mod phase;
 mod regime;

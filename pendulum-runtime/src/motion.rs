@@ -9,9 +9,9 @@
 use crate::agm::complete;
 use crate::double::{Double, two_prod, two_sum};
 use crate::error::{Error, finite};
+use crate::inverse;
 use crate::kernel::sin_turns;
 use crate::nome::nome_of;
-use crate::passage;
 use crate::phase::{Phase, Reduced, binade};
 use crate::regime::Regime;
 use crate::rotation::Rotation;
@@ -195,7 +195,7 @@ impl Motion {
         if angle == self.theta {
             return Ok(0.0);
         }
-        passage::time_at(self, angle).ok_or(Error::NeverReached { angle })
+        inverse::time_at(self, angle).ok_or(Error::NeverReached { angle })
     }
 }
 

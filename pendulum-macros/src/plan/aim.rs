@@ -2,8 +2,8 @@
 
 use super::arc::Arc;
 use super::curve::{Curve, Curves, RotationCurves, Size, SwingCurves};
-use super::hyperbolic::{Hyperbolic, Passage};
 use super::met::Met;
+use super::passage::{Orbit, Passage};
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
 use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing, direction};
@@ -21,7 +21,7 @@ pub(super) struct Task {
     /// −1 for a mirror image.
     pub(super) direction: f64,
     /// The passage through the lowest point; absent where the nome makes its series converge slowly.
-    pub(super) passage: Option<Passage>,
+    pub(super) passage: Option<Orbit>,
     pub(super) turning: bool,
     /// Where no more than an arc is met, the time itself.
     unreduced: Option<Reduction>,
@@ -55,7 +55,7 @@ const BESIDE_SEPARATRIX: i64 = 72;
 /// ω·t up to which polynomials over an arc may be cheaper than the passage.
 const FARTHEST_BESIDE_SEPARATRIX: f64 = 4.0;
 
-/// Above this complementary nome the images of a passage are too many for [`Hyperbolic`].
+/// Above this complementary nome the images of a passage are too many for [`Passage`].
 const LARGEST_IMAGE: f64 = 0.05;
 
 impl Task {
@@ -110,8 +110,7 @@ impl Task {
         let direction = direction(separatrix.mirrored);
         let context = scene.motion.omega.context();
         let rate = (context.integer(1) / context.ln_2()).to_double();
-        let passage =
-            Passage { rate, sigma: 0.0, image: Double::ZERO, image_exponent: 0, alternates: false, direction };
+        let passage = Orbit { rate, sigma: 0.0, image: Double::ZERO, image_exponent: 0, alternates: false, direction };
         Self {
             aims: aims.collect(),
             rate: scene.motion.omega.clone(),
@@ -240,7 +239,7 @@ fn aims(scene: &Scene, curves: &impl Curves) -> Vec<Aim> {
 }
 
 /// The passage through the lowest point: w = (πK/K′)·phase, in units of ln 2.
-fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Passage> {
+fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Orbit> {
     let context = elliptic.quarter.context();
     let span = context.pi() * &elliptic.quarter / &elliptic.quarter_complementary;
     let ln_2 = context.ln_2();
@@ -250,7 +249,7 @@ fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Passage> {
     }
     let image_exponent = (-rate.hi).floor() as i32;
     let image = elliptic.nome_complementary.scale(-i64::from(image_exponent)).to_double();
-    Some(Passage { rate, sigma, image, image_exponent, alternates: sigma > 0.0, direction })
+    Some(Orbit { rate, sigma, image, image_exponent, alternates: sigma > 0.0, direction })
 }
 
 impl Aim {
@@ -295,9 +294,9 @@ impl Aim {
         self.truncation = self.floor();
     }
 
-    /// As [`Size::phase_error`] for a [`Hyperbolic`] kernel, which rounds w = phase·rate besides.
+    /// As [`Size::phase_error`] for a [`Passage`] kernel, which rounds w = phase·rate besides.
     pub(super) fn passage_error(&self, reduction: &Reduction) -> f64 {
-        self.size.phase_error(reduction) + self.size.moment * Hyperbolic::relative_error()
+        self.size.phase_error(reduction) + self.size.moment * Passage::relative_error()
     }
 }
 

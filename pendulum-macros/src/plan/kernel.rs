@@ -1,8 +1,8 @@
 //! Kernels: what computes one output from the reduced phase; and the functions made of them.
 
 use super::harmonics::Harmonics;
-use super::hyperbolic::Hyperbolic;
 use super::met::Met;
+use super::passage::Passage;
 use super::pieces::Pieces;
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
@@ -27,7 +27,7 @@ pub(crate) enum Kernel {
     /// A sum of harmonics of one cosine.
     Harmonics(Box<Harmonics>),
     /// The passage through the lowest point of a motion that comes near the top.
-    Hyperbolic(Box<Hyperbolic>),
+    Passage(Box<Passage>),
     /// The angle of a rotation.
     Turning(Turning),
     /// An angle kept within [−π, π), near the top.
@@ -44,7 +44,7 @@ impl Kernel {
             Self::Circle { sine, cosine } => circle(b, variables, sine, cosine),
             Self::Pieces(pieces) => vec![pieces.lower(b, name)],
             Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
-            Self::Hyperbolic(hyperbolic) => hyperbolic.lower(b, variables, name),
+            Self::Passage(passage) => passage.lower(b, variables, name),
             Self::Turning(turning) => vec![turning.lower(b, variables, name)],
             Self::Within(angle) => {
                 let value = angle.lower(b, variables, name)[0];
@@ -63,7 +63,7 @@ impl Kernel {
             Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
             Self::Circle { sine, cosine } => [sine, cosine].iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
-            Self::Hyperbolic(_) | Self::Pieces(_) => false,
+            Self::Passage(_) | Self::Pieces(_) => false,
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_odd(),
         }
     }
@@ -71,7 +71,7 @@ impl Kernel {
     /// Whether it changes its sign with the time's, of a release from rest.
     fn is_odd_in_time(&self) -> bool {
         match self {
-            Self::Hyperbolic(hyperbolic) => hyperbolic.output == Output::Velocity,
+            Self::Passage(passage) => passage.output == Output::Velocity,
             _ => self.is_odd(),
         }
     }
@@ -82,7 +82,7 @@ impl Kernel {
             Self::Polynomial(_) | Self::Circle { .. } => "polynomial",
             Self::Pieces(_) => "pieces",
             Self::Harmonics(_) => "harmonics",
-            Self::Hyperbolic(_) => "passage",
+            Self::Passage(_) => "passage",
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.word(),
         }
     }
@@ -96,7 +96,7 @@ impl Kernel {
             }
             Self::Pieces(pieces) => pieces.describe(),
             Self::Harmonics(harmonics) => harmonics.describe(),
-            Self::Hyperbolic(hyperbolic) => hyperbolic.describe(),
+            Self::Passage(passage) => passage.describe(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.describe(),
         }
     }
@@ -107,7 +107,7 @@ impl Kernel {
             Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.terms(),
             Self::Pieces(pieces) => pieces.terms(),
             Self::Harmonics(harmonics) => harmonics.terms(),
-            Self::Hyperbolic(hyperbolic) => hyperbolic.terms(),
+            Self::Passage(passage) => passage.terms(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms(),
         }
     }
@@ -132,7 +132,7 @@ impl Kernel {
             Self::Within(angle) => of(angle) + rounding_within(reduction.float),
             Self::Wrapped(angle) => of(angle) + rounding_modulo(reduction.float),
             Self::Pieces(pieces) => pieces.rounding(),
-            Self::Hyperbolic(hyperbolic) => hyperbolic.rounding(&program(), cap),
+            Self::Passage(passage) => passage.rounding(&program(), cap),
             Self::Harmonics(harmonics) => harmonics.rounding(&program(), reduction, cap),
             Self::Polynomial(_) | Self::Circle { .. } => rounding_of_polynomials(&program(), met, reduction, cap),
         }

@@ -3,8 +3,8 @@
 use super::aim::{Aim, Task};
 use super::curve::Curve;
 use super::form::{Division, Form};
-use super::hyperbolic::{Hyperbolic, Passage};
 use super::kernel::Kernel;
+use super::passage::{Orbit, Passage};
 use super::pieces::Piecewise;
 use super::polynomial::{Approximation, Pole, Polynomial, pade};
 use super::reduction::{Origin, Reduction};
@@ -248,7 +248,7 @@ impl Aim {
         scene: &Scene,
         task: &Task,
         reduction: &Reduction,
-        passage: &Passage,
+        passage: &Orbit,
     ) -> Result<Part, f64> {
         let phase = self.passage_error(reduction);
         let factor = match self.output {
@@ -256,14 +256,14 @@ impl Aim {
             Output::Acceleration => scene.motion.omega.square().to_double(),
             _ => Double::ONE,
         };
-        let scaled = Passage { rate: passage.rate * reduction.unit, ..passage.clone() };
+        let scaled = Orbit { rate: passage.rate * reduction.unit, ..passage.clone() };
         let mut limit = self.limit.min(self.truncation) / factor.hi;
         let met = task.met_from_lowest(scene, reduction);
         self.first_kept(scene, reduction, phase, |_| {
-            let kernel = Hyperbolic::new(self.output, scaled.clone(), met, factor, limit);
+            let kernel = Passage::new(self.output, scaled.clone(), met, factor, limit);
             limit *= 0.125;
             let truncation = kernel.truncation * factor.hi;
-            Ok((self.turned(scene, task, Kernel::Hyperbolic(Box::new(kernel)), None), truncation))
+            Ok((self.turned(scene, task, Kernel::Passage(Box::new(kernel)), None), truncation))
         })
     }
 

@@ -1,6 +1,6 @@
 //! Q/P and what it is made of, emitted.
 
-use super::{Hyperbolic, Images};
+use super::{Images, Passage};
 use crate::parse::Float;
 use crate::program::{Builder, Id, Op};
 
@@ -51,10 +51,10 @@ struct Exponential {
     odd: Id,
 }
 
-impl Hyperbolic {
+impl Passage {
     /// The exponential by powers of 2, 2⁻ʷ = 2⁻ʲ(1 + even − odd).
     fn exponential(&self, b: &mut Builder, magnitude: Id) -> Exponential {
-        let rate = b.exact(self.passage.rate);
+        let rate = b.exact(self.orbit.rate);
         let w = b.mul(magnitude, rate);
         let furthest = b.constant(FURTHEST);
         let w = b.push(Op::Min { limit: furthest, x: w });
@@ -87,7 +87,7 @@ impl Hyperbolic {
     /// G = q′·2ʷ, of the same parts.
     fn image(&self, b: &mut Builder, Exponential { j, even, odd, .. }: Exponential) -> Id {
         // 2^(j + image_exponent), below which there is nothing to add.
-        let shift = b.constant(f64::from(self.passage.image_exponent));
+        let shift = b.constant(f64::from(self.orbit.image_exponent));
         let exponent = b.add(j, shift);
         let least = b.constant(-1022.0);
         let exponent = b.push(Op::Max { limit: least, x: exponent });
@@ -96,7 +96,7 @@ impl Hyperbolic {
         b.name(exponent, "image_exponent");
         let power = b.push(Op::PowerOfTwo { magic: exponent });
         b.name(power, IMAGE_POWER);
-        let mantissa = b.exact(self.passage.image);
+        let mantissa = b.exact(self.orbit.image);
         let rising = b.add(even, odd);
         let one = b.constant(1.0);
         let rising = b.add(one, rising);
@@ -114,14 +114,14 @@ impl Hyperbolic {
         }
         let image = self.image(b, exponential);
         let (sum, difference) = (b.add(direct, image), b.sub(direct, image));
-        let (numerator, counterpart) = if self.passage.sigma > 0.0 { (sum, difference) } else { (difference, sum) };
+        let (numerator, counterpart) = if self.orbit.sigma > 0.0 { (sum, difference) } else { (difference, sum) };
         if self.images == Images::Sum {
             return Quotient { numerator, counterpart, squares: None, denominator: None };
         }
         let squares = [b.mul(direct, direct), b.mul(image, image)];
         let squares = b.add(squares[0], squares[1]);
         b.name(squares, "squares");
-        let (sigma, q) = (self.passage.sigma, self.passage.q());
+        let (sigma, q) = (self.orbit.sigma, self.orbit.q());
         let denominator = linear(b, 1.0, sigma * q, squares);
         b.name(denominator, "denominator");
         if self.careful {
@@ -142,7 +142,7 @@ impl Hyperbolic {
 
     /// κ in (1 + σq′³M − q′⁴)/P = 1 + κ. With Q/P = E + (σG + κ(E + σG)) only the last sum is rounded with a unit of E.
     fn excess(&self, b: &mut Builder, squares: Id, denominator: Id) -> Id {
-        let (sigma, q) = (self.passage.sigma, self.passage.q());
+        let (sigma, q) = (self.orbit.sigma, self.orbit.q());
         let top = if self.images == Images::Correction {
             linear(b, -q.powi(4), -sigma * q * (1.0 - q * q), squares)
         } else {

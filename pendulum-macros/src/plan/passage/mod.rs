@@ -38,7 +38,7 @@ use std::f64::consts::LN_2;
 
 /// What is the same for all outputs of one motion.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Passage {
+pub(crate) struct Orbit {
     /// log₂ e·|w| per unit of the phase.
     pub(crate) rate: Double,
     /// σ.
@@ -54,9 +54,9 @@ pub(crate) struct Passage {
 
 /// The kernel of one output.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Hyperbolic {
+pub(crate) struct Passage {
     pub(crate) output: Output,
-    passage: Passage,
+    orbit: Orbit,
     /// The least and the largest |phase| within the horizon.
     met: (f64, f64),
     images: Images,
@@ -87,16 +87,16 @@ enum Images {
 /// E below 2 to minus this is nothing beside the roundings of 1.
 const NEGLIGIBLE_BINADE: i32 = 24;
 
-impl Passage {
+impl Orbit {
     fn q(&self) -> f64 {
         self.image.hi * 2f64.powi(self.image_exponent)
     }
 }
 
-impl Hyperbolic {
+impl Passage {
     /// For phases of these magnitudes, with all approximations within `limit`, in units of `factor`.
-    pub(crate) fn new(output: Output, passage: Passage, met: (f64, f64), factor: Double, limit: f64) -> Self {
-        let q = passage.q();
+    pub(crate) fn new(output: Output, orbit: Orbit, met: (f64, f64), factor: Double, limit: f64) -> Self {
+        let q = orbit.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
         // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83: less than the bound that is given.
         let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * LN_2) * 2.0);
@@ -120,7 +120,7 @@ impl Hyperbolic {
         // whose inverse the arctangent is a mean.
         let lowest = match images {
             Images::Sum => 1.0 + q,
-            Images::Denominator if passage.sigma < 0.0 => (1.0 - q) / (1.0 - q - q.powi(3)),
+            Images::Denominator if orbit.sigma < 0.0 => (1.0 - q) / (1.0 - q - q.powi(3)),
             _ => 1.0,
         };
         let largest = lowest * lowest;
@@ -131,7 +131,7 @@ impl Hyperbolic {
         let truncation = left_out.sum::<f64>() + 5.0 * q.powi(6);
         // A truncation of a few units of rounding is asked for where full precision is.
         let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
-        Self { output, passage, met, images, careful, even, odd, arctangent, factor, truncation }
+        Self { output, orbit, met, images, careful, even, odd, arctangent, factor, truncation }
     }
 
     /// For the reader.
@@ -152,7 +152,7 @@ impl Hyperbolic {
         let quotient = self.quotient(b, magnitude);
         // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the
         // negative.
-        let direction = self.passage.direction * if self.passage.alternates { 1.0 } else { -1.0 };
+        let direction = self.orbit.direction * if self.orbit.alternates { 1.0 } else { -1.0 };
         let mut values = match self.output {
             Output::Theta | Output::Wrapped => vec![self.angle(b, &quotient, direction)],
             Output::Velocity => vec![self.velocity(b, &quotient)],
@@ -166,18 +166,18 @@ impl Hyperbolic {
             b.name(value, name);
         }
         // The height changes its sign nowhere.
-        values[0] = variables.signed(b, values[0], self.passage.alternates, self.parity());
+        values[0] = variables.signed(b, values[0], self.orbit.alternates, self.parity());
         values
     }
 
     /// About an anchor: an angle, θ̈ and x are even about a turning point and odd about the top, θ̇ the other way round.
     fn parity(&self) -> Parity {
-        if self.passage.alternates == (self.output == Output::Velocity) { Parity::Odd } else { Parity::Even }
+        if self.orbit.alternates == (self.output == Output::Velocity) { Parity::Odd } else { Parity::Even }
     }
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
     pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
-        let rate = self.passage.rate.hi;
+        let rate = self.orbit.rate.hi;
         let (nearest, furthest) = (rate * self.met.0 * (1.0 - 1e-6), rate * self.met.1 * (1.0 + 1e-6));
         let binades = furthest.ceil() as i32;
         let most = binades.min(NEGLIGIBLE_BINADE);
@@ -201,7 +201,7 @@ impl Hyperbolic {
         };
         let bound = |(j, low, high): (i32, f64, f64)| {
             let power = |exponent: i32| 2f64.powi(exponent.max(-1022));
-            let image = |j: i32| power(j + self.passage.image_exponent);
+            let image = |j: i32| power(j + self.orbit.image_exponent);
             let (powers, images) = if stands_for_all_that_follow(j) {
                 ((0.0, power(-j)), (0.0, image(binades)))
             } else {

@@ -31,7 +31,7 @@ fn curves(scene: &Scene) -> [Curve; 3] {
 struct Trial {
     scene: Scene,
     reduction: Reduction,
-    passage: Passage,
+    orbit: Orbit,
     curves: [Curve; 3],
 }
 
@@ -41,7 +41,7 @@ impl Trial {
         let (task, curves) = (Task::new(&scene), curves(&scene));
         let reduction = task.reductions(&scene).into_iter().filter(|reduction| reduction.origin == Origin::Lowest);
         let reduction = reduction.into_iter().find(|reduction| reduction.unit == Double::ONE).unwrap();
-        Self { scene, reduction, passage: task.passage.unwrap(), curves }
+        Self { scene, reduction, orbit: task.passage.unwrap(), curves }
     }
 
     /// |θ|, |θ̇|, |θ̈| or (sin |θ|, −cos θ) at the phase z ≥ 0 from the lowest point.
@@ -50,7 +50,7 @@ impl Trial {
         let angle = || {
             let angle = self.curves[0].at(s);
             // A rotation's angle is from the top.
-            if self.passage.sigma < 0.0 { (Double::PI - Double::PI * (s * 2.0) - angle).hi } else { angle.hi }
+            if self.orbit.sigma < 0.0 { (Double::PI - Double::PI * (s * 2.0) - angle).hi } else { angle.hi }
         };
         match output {
             Output::Velocity => vec![self.curves[1].at(s).hi.abs()],
@@ -61,16 +61,16 @@ impl Trial {
     }
 
     /// The kernel, the bound of its error, and what is seen of it.
-    fn errors(&self, output: Output, limit: f64) -> (Hyperbolic, f64, f64) {
+    fn errors(&self, output: Output, limit: f64) -> (Passage, f64, f64) {
         let factor = match output {
             Output::Velocity => Task::fastest(&self.scene),
             Output::Acceleration => Double::new(9.0),
             _ => Double::ONE,
         };
-        let hyperbolic = Hyperbolic::new(output, self.passage.clone(), (0.0, 0.5), factor, limit);
-        let kernel = Kernel::Hyperbolic(Box::new(hyperbolic.clone()));
+        let passage = Passage::new(output, self.orbit.clone(), (0.0, 0.5), factor, limit);
+        let kernel = Kernel::Passage(Box::new(passage.clone()));
         let program = function(&self.reduction, &[&kernel]);
-        let bound = (hyperbolic.truncation * factor.hi + hyperbolic.rounding(&program, f64::INFINITY)) / factor.hi;
+        let bound = (passage.truncation * factor.hi + passage.rounding(&program, f64::INFINITY)) / factor.hi;
         let phase = program.named("z").unwrap();
         let at =
             |i: u32| {
@@ -87,7 +87,7 @@ impl Trial {
                 )
             };
         let seen = (0..=40).map(at).fold(0.0, f64::max) / factor.hi;
-        (hyperbolic, bound, seen)
+        (passage, bound, seen)
     }
 }
 
@@ -109,13 +109,13 @@ fn bounds_are_kept_and_tight() {
                 let (kernel, bound, seen) = trial.errors(output, limit);
                 let about = format!("{text} {output:?} {limit:e}: {seen:e} of {bound:e}");
                 // Not in the bound: the rounding of w, which counts with the phase, and that of the exact value.
-                let beside = 1.33 * Hyperbolic::relative_error() + Float::F64.unit();
+                let beside = 1.33 * Passage::relative_error() + Float::F64.unit();
                 assert!(seen <= bound + beside && bound <= 9.0 * seen, "{about}");
-                let left = 9.0 * trial.passage.q().powi(6);
+                let left = 9.0 * trial.orbit.q().powi(6);
                 assert!(bound <= limit.max(left) + unit * 110.0, "{about}");
                 // No term is there that isn't needed: what the first omitted one would leave is little, or allowed.
                 let weight = if output == Output::Velocity { 2.5 } else { 4.5 };
-                let q = trial.passage.q();
+                let q = trial.orbit.q();
                 let levels =
                     [(Images::Sum, q.sqrt()), (Images::Denominator, 2.0 * q), (Images::Correction, 2.0 * q.powi(3))];
                 for (level, size) in levels {
@@ -135,8 +135,8 @@ fn velocities_at_the_lowest_point() {
         let trial = Trial::new(text, "f64");
         let fastest = Task::fastest(&trial.scene);
         for limit in limits {
-            let kernel = Hyperbolic::new(Output::Velocity, trial.passage.clone(), (0.0, 0.5), fastest, limit);
-            let program = function(&trial.reduction, &[&Kernel::Hyperbolic(Box::new(kernel))]);
+            let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), (0.0, 0.5), fastest, limit);
+            let program = function(&trial.reduction, &[&Kernel::Passage(Box::new(kernel))]);
             let mut given = program.clone();
             given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
             let error = given.run(0.0)[0].abs() / fastest.hi - 1.0;
@@ -150,7 +150,7 @@ fn velocities_at_the_lowest_point() {
 #[test]
 fn the_last_binade_stands_for_all_that_follow() {
     let kernel = |q: f64, image_exponent: i32| {
-        let passage = Passage {
+        let orbit = Orbit {
             rate: Double::new(60.0),
             sigma: 1.0,
             image: Double::new(q),
@@ -158,7 +158,7 @@ fn the_last_binade_stands_for_all_that_follow() {
             alternates: true,
             direction: 1.0,
         };
-        Hyperbolic::new(Output::Theta, passage, (0.0, 0.5), Double::ONE, 1e-16)
+        Passage::new(Output::Theta, orbit, (0.0, 0.5), Double::ONE, 1e-16)
     };
     for (name, factor, constant) in [("power", 2f64.powi(30), 0.0), ("image_power", -(2f64.powi(15)), 1.0)] {
         let mut b = Builder::new(Float::F64);
@@ -250,14 +250,14 @@ fn what_of_a_passage_is_met() {
 fn passages_in_other_units() {
     let scene = scene("struct Motion; theta0 = π - 1e-4, tol = 1e-6, t_max = 100");
     let task = Task::new(&scene);
-    let passage = task.passage.as_ref().unwrap();
+    let orbit = task.passage.as_ref().unwrap();
     let mut units = 0;
     for reduction in task.reductions(&scene).iter().filter(|reduction| reduction.origin == Origin::Lowest) {
-        let part = task.aims[0].passage_part(&scene, &task, reduction, passage).unwrap();
-        let Kernel::Hyperbolic(kernel) = part.kernel else { panic!("another kernel") };
-        let (rate, half) = (kernel.passage.rate, kernel.met.1);
-        assert!((rate / (passage.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");
-        let length = rate.hi * half / (passage.rate.hi * (0.5 + reduction.overshoot));
+        let part = task.aims[0].passage_part(&scene, &task, reduction, orbit).unwrap();
+        let Kernel::Passage(kernel) = part.kernel else { panic!("another kernel") };
+        let (rate, half) = (kernel.orbit.rate, kernel.met.1);
+        assert!((rate / (orbit.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");
+        let length = rate.hi * half / (orbit.rate.hi * (0.5 + reduction.overshoot));
         assert!((1.0..1.0 + 1e-14).contains(&length), "{reduction:?}: {length}");
         units += usize::from(reduction.unit != Double::ONE);
     }

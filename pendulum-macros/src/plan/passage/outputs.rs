@@ -1,11 +1,11 @@
 //! Angle, velocity, acceleration and position from Q and P, emitted.
 
 use super::quotient::{Parts, Quotient, linear, near};
-use super::{Hyperbolic, Images};
+use super::{Images, Passage};
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
-impl Hyperbolic {
+impl Passage {
     /// sign·(π − 4 arctan(Q/P)).
     pub(super) fn angle(&self, b: &mut Builder, quotient: &Quotient, sign: f64) -> Id {
         let numerator = quotient.numerator;
@@ -25,7 +25,7 @@ impl Hyperbolic {
 
     /// F·(E − σG)(1 − q′² − q′⁶ − σq′(1 − q′⁴)M + q′⁴M²)/N.
     pub(super) fn velocity(&self, b: &mut Builder, quotient: &Quotient) -> Id {
-        let (sigma, q) = (self.passage.sigma, self.passage.q());
+        let (sigma, q) = (self.orbit.sigma, self.orbit.q());
         let mut top = quotient.counterpart;
         if let Some(squares) = quotient.squares {
             let correction = if self.images == Images::Correction { q.powi(4) } else { 0.0 };
@@ -40,7 +40,7 @@ impl Hyperbolic {
             top = b.mul(top, series);
         }
         let bottom = quotient.parts(b).norm;
-        let sign = self.passage.direction * if self.passage.alternates { -1.0 } else { 1.0 };
+        let sign = self.orbit.direction * if self.orbit.alternates { -1.0 } else { 1.0 };
         let factor = self.factor * self.lowest() * sign;
         let factor = b.exact(factor);
         let ratio = b.div(top, bottom);
@@ -52,8 +52,7 @@ impl Hyperbolic {
         if self.images == Images::Nothing {
             return Double::new(2.0);
         }
-        let (sigma, q) =
-            (Double::new(self.passage.sigma), self.passage.image.scale(2f64.powi(self.passage.image_exponent)));
+        let (sigma, q) = (Double::new(self.orbit.sigma), self.orbit.image.scale(2f64.powi(self.orbit.image_exponent)));
         let m = Double::ONE + q * q;
         let part = |keep: bool, value: Double| if keep { value } else { Double::ZERO };
         let p = Double::ONE + part(self.images >= Images::Denominator, sigma * q * m);
