@@ -1,0 +1,103 @@
+//! One output's kernel: by polynomials, by the passage through the lowest point or in pieces, the first that keeps the
+//! promise.
+
+mod passage;
+mod pieces;
+mod polynomials;
+
+use super::aim::{Aim, Task};
+use super::curve::Curve;
+use super::kernel::Kernel;
+use super::reduction::Reduction;
+use super::turning::Turning;
+use super::{Bound, Part};
+use crate::motion::Regime;
+use crate::parse::Output;
+use crate::scene::{Goal, Scene};
+use pendulum_runtime::double::Double;
+pub(super) use polynomials::{Approximations, Variant};
+use std::f64::consts::PI;
+
+impl Aim {
+    /// The kernel of the first of three rounds that keeps the promise, or the least bound reached, in units of the
+    /// tolerance. A round is told by how much the kernel of the one before is rounded, and gives a kernel and its
+    /// truncation; or what can be reached at best, which ends the search.
+    fn first_kept(
+        &self,
+        scene: &Scene,
+        reduction: &Reduction,
+        phase: f64,
+        mut round: impl FnMut(f64) -> Result<(Kernel, f64), f64>,
+    ) -> Result<Part, f64> {
+        let (mut rounding, mut reached) = (0.0, f64::INFINITY);
+        for _ in 0..3 {
+            let (kernel, truncation) = round(rounding).map_err(|best| best.min(reached))?;
+            let evaluation = kernel.rounding_where(self.met, reduction, self.limit - phase - truncation);
+            let bound = Bound { truncation, phase, evaluation };
+            let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
+            rounding = bound.evaluation + turns;
+            match self.accept(scene, kernel, bound, reduction) {
+                Ok(part) => return Ok(part),
+                Err(total) => reached = reached.min(total),
+            }
+        }
+        Err(reached)
+    }
+
+    /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns
+    /// of an angle that grows without bound cost what they cost: the promise is about the rest.
+    pub(super) fn accept(
+        &self,
+        scene: &Scene,
+        kernel: Kernel,
+        bound: Bound,
+        reduction: &Reduction,
+    ) -> Result<Part, f64> {
+        let turns = kernel.rounding_of_turns(reduction);
+        let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
+        let judged = if self.grows(scene) { bound } else { whole };
+        if judged.total().is_nan() || judged.total() > self.limit {
+            return Err(judged.total() / self.size.unit);
+        }
+        let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
+        let usual = judged.total() - self.size.slope * reduction.seldom;
+        let (description, taken) = (kernel.describe(), usual / self.limit);
+        Ok(Part { output, description, kernel, bound: whole, unit, largest, taken })
+    }
+
+    /// Whether what its turns are rounded by doesn't count.
+    fn grows(&self, scene: &Scene) -> bool {
+        scene.goal == Goal::Full && self.output == Output::Theta
+    }
+
+    /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
+    /// as it is.
+    fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
+        let wrapped = self.output == Output::Wrapped;
+        if !task.turning || !self.output.is_angle() {
+            let near = wrapped && self.reach(scene) + self.limit >= PI.next_down();
+            if !near {
+                return kernel;
+            }
+            let kernel = Box::new(kernel);
+            return if self.passes_top() { Kernel::Wrapped(kernel) } else { Kernel::Within(kernel) };
+        }
+        let (direction, turns) = (task.direction, task.turns(scene));
+        let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
+        let (angle, from_top) = (Box::new(kernel), from_top.is_some());
+        Kernel::Turning(Turning { angle, from_top, unit, wrapped, direction, turns })
+    }
+
+    /// The largest magnitude that is met: of a rotation's arc that at one of its ends.
+    fn reach(&self, scene: &Scene) -> f64 {
+        let rotates = matches!(scene.motion.regime, Regime::Rotation(_));
+        let of_arc = self.curves.first().filter(|_| rotates).and_then(Curve::largest_met);
+        of_arc.unwrap_or(self.size.largest)
+    }
+
+    /// Whether an arc leads over the top.
+    fn passes_top(&self) -> bool {
+        let beyond = |end: f64| self.curves.iter().any(|curve| curve.at(Double::new(end)).hi.abs() > PI);
+        self.curves.iter().all(Curve::is_arc) && [-0.5, 0.5].into_iter().any(beyond)
+    }
+}

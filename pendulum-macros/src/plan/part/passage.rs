@@ -1,0 +1,50 @@
+//! An output by the passage through the lowest point.
+
+use crate::parse::Output;
+use crate::plan::Part;
+use crate::plan::aim::{Aim, Task};
+use crate::plan::kernel::Kernel;
+use crate::plan::passage::{Orbit, Passage};
+use crate::plan::reduction::Reduction;
+use crate::scene::Scene;
+use pendulum_runtime::double::Double;
+
+impl Aim {
+    /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them, one waiting for
+    /// the other. Roughly: near the top others cost several times as much.
+    pub(in crate::plan) fn passage_estimate(&self) -> f64 {
+        const POWERS_AND_IMAGES: f64 = 30.0;
+        const BITS_PER_TERM_OF_POWER: f64 = 5.0;
+        const BITS_PER_OPERATION_OF_ARCTANGENT: f64 = 1.3;
+        const QUOTIENT: f64 = 16.0;
+        let bits = -libm::log2(self.limit / self.size.unit.max(self.size.largest)).min(-4.0);
+        let power = 3.0 + bits / BITS_PER_TERM_OF_POWER;
+        let rest = if self.output.is_angle() { bits / BITS_PER_OPERATION_OF_ARCTANGENT } else { QUOTIENT };
+        POWERS_AND_IMAGES + 2.0 * power + rest
+    }
+
+    /// The kernel of the passage through the lowest point, or what it reaches.
+    pub(in crate::plan) fn passage_part(
+        &self,
+        scene: &Scene,
+        task: &Task,
+        reduction: &Reduction,
+        passage: &Orbit,
+    ) -> Result<Part, f64> {
+        let phase = self.passage_error(reduction);
+        let factor = match self.output {
+            Output::Velocity => Task::fastest(scene),
+            Output::Acceleration => scene.motion.omega.square().to_double(),
+            _ => Double::ONE,
+        };
+        let scaled = Orbit { rate: passage.rate * reduction.unit, ..passage.clone() };
+        let mut limit = self.limit.min(self.truncation) / factor.hi;
+        let met = task.met_from_lowest(scene, reduction);
+        self.first_kept(scene, reduction, phase, |_| {
+            let kernel = Passage::new(self.output, scaled.clone(), met, factor, limit);
+            limit *= 0.125;
+            let truncation = kernel.truncation * factor.hi;
+            Ok((self.turned(scene, task, Kernel::Passage(Box::new(kernel)), None), truncation))
+        })
+    }
+}

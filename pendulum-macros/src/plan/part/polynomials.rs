@@ -1,0 +1,169 @@
+//! An output by polynomials: its variants by cost, and the fewest terms of each that keep the promise.
+
+use crate::parse::Output;
+use crate::plan::Part;
+use crate::plan::aim::{Aim, Task};
+use crate::plan::curve::Curve;
+use crate::plan::form::{Division, Form};
+use crate::plan::kernel::Kernel;
+use crate::plan::polynomial::{Approximation, Pole, Polynomial, pade};
+use crate::plan::reduction::{Origin, Reduction};
+use crate::scene::Scene;
+use crate::series::Parity;
+use crate::supremum::norm;
+
+/// How a curve is approximated: in which form, and whether poles are divided out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::plan) struct Variant {
+    pub(in crate::plan) form: Form,
+    pub(in crate::plan) divided: bool,
+}
+
+impl Variant {
+    /// For the reader.
+    pub(in crate::plan) fn describe(self, parity: Parity) -> String {
+        let poles = if self.divided { " over poles" } else { "" };
+        format!("a polynomial in {}{poles}{}", self.form.variable(parity), self.form.scheme())
+    }
+}
+
+/// An output's approximations, without and with its poles divided out.
+pub(in crate::plan) struct Approximations {
+    plain: Vec<Approximation>,
+    divided: Vec<Approximation>,
+}
+
+impl Approximations {
+    pub(in crate::plan) fn new(aim: &Aim) -> Self {
+        // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
+        // Over an arc, that may be any number of digits; but there it costs nothing.
+        let negligible = |curve: &Curve| match curve.largest_met() {
+            Some(largest) => aim.floor() / 128.0 * (largest / curve.size.largest).clamp(2f64.powi(-30), 1.0),
+            None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
+        };
+        let over = |pole| {
+            let approximations = aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c)));
+            approximations.map(|approximation| approximation.meeting(aim.met)).collect()
+        };
+        let plain: Vec<Approximation> = over(None);
+        let divided = aim.poles(&plain).map_or_else(Vec::new, |pole| over(Some(pole)));
+        Self { plain, divided }
+    }
+
+    /// Those of a candidate; where no poles are worth it there is no choice.
+    pub(in crate::plan) fn choose(&self, divided: bool) -> &[Approximation] {
+        if divided && !self.divided.is_empty() { &self.divided } else { &self.plain }
+    }
+}
+
+/// Operations that make a position of sin(θ/2) and cos(θ/2).
+const SQUARING: f64 = 5.0;
+
+/// Terms that poles have to save a curve that has none: each takes an operation and a half.
+const WORTH: usize = 3;
+
+impl Aim {
+    /// The poles to be divided out, if any: the nearest, or near them those that save more terms. θ has logarithms
+    /// there, but poles serve it as they serve other curves.
+    fn poles(&self, plain: &[Approximation]) -> Option<Pole> {
+        let curve = self.curves.first().filter(|curve| !curve.is_arc())?;
+        let nearest = Pole::new(curve.strip(), self.power.max(1));
+        let limit = self.share(self.limit);
+        let best = || pade::best(plain, nearest, limit);
+        match self.power {
+            0 => {
+                let (pole, terms) = best()?;
+                let most = plain.first()?.terms_for(limit, 0.0);
+                most.is_none_or(|most| terms + WORTH <= most).then_some(pole)
+            }
+            1 => Some(best().map_or(nearest, |(pole, _)| pole)),
+            _ => Some(nearest),
+        }
+    }
+
+    /// The truncation allowed to each of the curves.
+    pub(super) fn share(&self, left: f64) -> f64 {
+        left.min(self.truncation) / self.error((self.curves.len() as f64).sqrt())
+    }
+
+    /// The output's error where that of its curves is `error`: a position is the square of a number on the unit circle.
+    fn error(&self, error: f64) -> f64 {
+        if self.output == Output::Position { error * (2.0 + error) } else { error }
+    }
+
+    /// The variants that might serve, and their cost in this reduction, cheapest first.
+    pub(in crate::plan) fn variants(&self, all: &Approximations, reduction: &Reduction) -> Vec<(Variant, f64)> {
+        let divisions: &[bool] = if all.divided.is_empty() { &[false] } else { &[false, true] };
+        let variants =
+            Form::ALL.iter().flat_map(|&form| divisions.iter().map(move |&divided| Variant { form, divided }));
+        let cost = |variant: Variant| Some((variant, self.estimate(all.choose(variant.divided), reduction, variant)?));
+        let mut costs: Vec<(Variant, f64)> = variants.filter_map(cost).collect();
+        costs.sort_by(|a, b| a.1.total_cmp(&b.1));
+        costs
+    }
+
+    /// The cost of the kernels with the fewest terms; `None` if no number of them serves.
+    fn estimate(&self, approximations: &[Approximation], reduction: &Reduction, variant: Variant) -> Option<f64> {
+        if self.curves.is_empty() || approximations.len() < self.curves.len() {
+            return None;
+        }
+        let left = self.share(self.limit - self.size.phase_error(reduction));
+        let one = |(curve, approximation): (&Curve, &Approximation)| {
+            let terms = approximation
+                .terms_for(left, reduction.overshoot)
+                .filter(|&terms| variant.form.suits(terms, reduction.float))?;
+            let signs = if curve.alternates && reduction.origin == Origin::Lowest { 1.3 } else { 0.0 };
+            let (odd, of_two) = (curve.parity() == Parity::Odd, self.curves.len() > 1);
+            let division = match (variant.divided, of_two, odd) {
+                (false, ..) => Division::None,
+                (true, true, _) => Division::Shared,
+                (true, false, true) => Division::OfPhase,
+                (true, false, false) => Division::Inverse,
+            };
+            let phase = if odd { 1.0 } else { 0.0 };
+            Some(variant.form.cost(terms, division) + phase + signs)
+        };
+        let kernels: Option<f64> = self.curves.iter().zip(approximations).map(one).sum();
+        Some(kernels? + variant.form.variables() + if self.curves.len() > 1 { SQUARING } else { 0.0 })
+    }
+
+    /// The fewest terms that keep the promise, or what was reached.
+    pub(in crate::plan) fn part(
+        &self,
+        scene: &Scene,
+        task: &Task,
+        approximations: &[Approximation],
+        reduction: &Reduction,
+        form: Form,
+    ) -> Result<Part, f64> {
+        let phase = self.size.phase_error(reduction);
+        self.first_kept(scene, reduction, phase, |rounding| {
+            let left = self.share(self.limit - phase - rounding);
+            let mut polynomials = Vec::new();
+            for (curve, approximation) in self.curves.iter().zip(approximations) {
+                let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
+                    let least = approximation.truncation(approximation.terms(), reduction.overshoot);
+                    return Err((phase + rounding + least) / self.size.unit);
+                };
+                let polynomial = approximation.polynomial(terms, form, reduction, curve.alternates, self.limit);
+                polynomials.push(polynomial.ok_or(f64::INFINITY)?);
+            }
+            let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
+            Ok((self.kernel(scene, task, reduction, polynomials), truncation))
+        })
+    }
+
+    /// Puts the polynomials together.
+    fn kernel(&self, scene: &Scene, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
+        if task.direction < 0.0 {
+            // A mirror image leaves the height as it is, and cos(θ/2) with it, or sin where the angle is from the top.
+            let mirrored =
+                |polynomial: &Polynomial| self.output != Output::Position || polynomial.mirrors(task.turning);
+            polynomials.iter_mut().filter(|polynomial| mirrored(polynomial)).for_each(Polynomial::negate);
+        }
+        match <[Polynomial; 2]>::try_from(polynomials) {
+            Ok([sine, cosine]) => Kernel::Circle { sine, cosine },
+            Err(mut single) => self.turned(scene, task, Kernel::Polynomial(single.swap_remove(0)), Some(reduction)),
+        }
+    }
+}
