@@ -296,6 +296,35 @@ fn bounds_are_close_to_errors() {
     }
 }
 
+/// Launched beside a turning point over less than half a swing, of which the plan may be that of the whole: within the
+/// horizon nothing is beyond its bound, nor that far from what is found; at other times the angle stays within its
+/// amplitude.
+#[test]
+fn horizons_of_less_than_half_a_swing() {
+    let mut ratios = Vec::new();
+    for index in 0..80 {
+        let mut random = Random::new(0x5000 + index);
+        let below = 10f64.powf(-5.0 * random.unit());
+        let velocity = below * 10f64.powf(-3.0 * random.unit()) * random.choose(&[1.0, -1.0]);
+        let (tol, t_max) = (10f64.powf(-2.0 - 8.0 * random.unit()), 0.5 + 9.0 * random.unit());
+        let output = random.choose(&["theta", "theta", "wrapped", "velocity", "acceleration", "position"]);
+        let start = format!("theta0 = π - {below:.4e}, velocity0 = {velocity:.4e}");
+        let text = format!("struct Motion; {start}, tol = {tol:.3e}, t_max = {t_max:.3}, outputs = [{output}]");
+        let Some((scene, plan)) = planned(&text) else { continue };
+        ratios.extend(tightness(&text, &mut random, 6));
+        let (Regime::Swing(swing), true) = (&scene.motion.regime, plan.parts[0].output.is_angle()) else { continue };
+        let most = swing.amplitude.to_f64() + plan.parts[0].bound.total();
+        for i in 0..2000 {
+            let t = 0.05 * f64::from(i);
+            let found = plan.functions[0].program.run(t)[0].abs().max(plan.functions[0].program.run(-t)[0].abs());
+            assert!(found <= most, "{text}: {found} at ±{t}, {most}");
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    let worst = ratios.iter().rev().take(3).collect::<Vec<_>>();
+    assert!(ratios.len() > 60 && *worst[0] <= 4.0, "{} scenes, {worst:?}", ratios.len());
+}
+
 /// The same, densely, and how tight the bounds are.
 #[test]
 #[ignore = "minutes: PENDULA_SCENES scenes from PENDULA_FUZZ_SEED"]
