@@ -37,8 +37,6 @@ pub(super) struct Aim {
     pub(super) power: i32,
     /// Of the output itself.
     pub(super) size: Size,
-    /// What a short horizon meets of it, where that isn't all.
-    pub(super) met: Option<Met>,
     /// For the total error, in the output's own unit, and for truncation alone.
     pub(super) limit: f64,
     pub(super) truncation: f64,
@@ -61,8 +59,8 @@ const LARGEST_IMAGE: f64 = 0.05;
 impl Task {
     pub(super) fn new(scene: &Scene) -> Self {
         match &scene.motion.regime {
-            Regime::Swing(swing) => Self::swing(scene, swing).meeting(scene),
-            Regime::Rotation(rotation) => Self::rotation(scene, rotation).meeting(scene),
+            Regime::Swing(swing) => Self::swing(scene, swing),
+            Regime::Rotation(rotation) => Self::rotation(scene, rotation),
             Regime::Separatrix(separatrix) => Self::separatrix(scene, separatrix),
         }
     }
@@ -178,21 +176,17 @@ impl Task {
         Some((arc.phase(Double::new(-0.5)).hi, arc.phase(Double::new(0.5)).hi))
     }
 
-    /// Tells the aims what a short horizon meets of them.
-    fn meeting(mut self, scene: &Scene) -> Self {
-        let met = self.met(scene).map(|(first, last)| Met::new([first, last]).with_margin());
-        for aim in &mut self.aims {
-            let confined = aim.curves.first().filter(|_| aim.output.is_angle() && !self.turning);
-            aim.met = met.map(|met| confined.map_or(met, |angle| met.confined(angle)));
-        }
-        self
+    /// How far from an anchor the horizon goes, where that isn't all the way.
+    pub(super) fn reach(&self, scene: &Scene) -> Option<f64> {
+        let met = self.met(scene).filter(|_| self.unreduced.is_none())?;
+        Met::new(met).reach()
     }
 
     /// The least and the largest distance from a lowest point within the horizon, in units of the reduced phase.
     pub(super) fn met_from_lowest(&self, scene: &Scene, reduction: &Reduction) -> (f64, f64) {
         let half = reduction.half();
-        let Some((first, last)) = self.met(scene).filter(|_| !reduction.is_linear()) else { return (0.0, half) };
-        let (Met { least, farthest, .. }, unit) = (Met::new([first, last]), reduction.unit.hi);
+        let Some(met) = self.met(scene).filter(|_| !reduction.is_linear()) else { return (0.0, half) };
+        let (Met { least, farthest }, unit) = (Met::new(met), reduction.unit.hi);
         let wrong = 2.0 * (reduction.error + reduction.relative_error);
         let largest = if least == 0.0 { half } else { half.min((0.5 - least + wrong) / unit) };
         ((0.5 - farthest - wrong).max(0.0) / unit, largest)
@@ -260,8 +254,8 @@ impl Aim {
     }
 
     fn with(scene: &Scene, output: Output, size: Size) -> Self {
-        let (curves, power, met) = (Vec::new(), 0, None);
-        let mut aim = Self { output, curves, power, size, met, limit: 0.0, truncation: 0.0, unit_of_rounding: 0.0 };
+        let mut aim =
+            Self { output, curves: Vec::new(), power: 0, size, limit: 0.0, truncation: 0.0, unit_of_rounding: 0.0 };
         aim.at_full_precision(scene.float);
         if let Goal::Tolerance(tol) = scene.goal {
             aim.limit = tol * size.unit;
@@ -277,7 +271,7 @@ impl Aim {
             if direction < 0.0 && index == 0 { curve.negated() } else { curve }
         };
         let curves = self.curves.iter().enumerate().map(over).collect();
-        Self { curves, power: 0, met: None, ..self.clone() }
+        Self { curves, power: 0, ..self.clone() }
     }
 
     /// One unit of rounding of the largest value.

@@ -150,7 +150,7 @@ impl Harmonics {
         if self.peaks() {
             return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
         }
-        from_lowest(reduction, reduction.range(), cap, between)
+        from_lowest(reduction, cap, between)
     }
 
     /// The errors of the cosine and the sine, given the rounding of a polynomial.

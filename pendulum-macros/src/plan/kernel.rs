@@ -1,7 +1,6 @@
 //! Kernels: what computes one output from the reduced phase; and the functions made of them.
 
 use super::harmonics::Harmonics;
-use super::met::Met;
 use super::passage::Passage;
 use super::pieces::Pieces;
 use super::polynomial::Polynomial;
@@ -13,7 +12,7 @@ use crate::parse::Output;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{by_slices, norm, worst};
+use crate::supremum::{by_slices, norm};
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,12 +119,7 @@ impl Kernel {
     /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above
     /// `cap` as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
-        self.rounding_where(None, reduction, cap)
-    }
-
-    /// The same where a polynomial's phases are met, if elsewhere it is no more than there is room for.
-    pub(crate) fn rounding_where(&self, met: Option<Met>, reduction: &Reduction, cap: f64) -> f64 {
-        let of = |angle: &Self| angle.rounding_where(met, reduction, cap);
+        let of = |angle: &Self| angle.rounding(reduction, cap);
         let program = || function(reduction, &[self]);
         match self {
             Self::Turning(Turning { angle, .. }) => of(angle),
@@ -134,35 +128,24 @@ impl Kernel {
             Self::Pieces(pieces) => pieces.rounding(),
             Self::Passage(passage) => passage.rounding(&program(), cap),
             Self::Harmonics(harmonics) => harmonics.rounding(&program(), reduction, cap),
-            Self::Polynomial(_) | Self::Circle { .. } => rounding_of_polynomials(&program(), met, reduction, cap),
+            Self::Polynomial(_) | Self::Circle { .. } => rounding_of_polynomials(&program(), reduction, cap),
         }
     }
 }
 
 /// The norm of the rounding of a program's results where nothing is known but the phase.
-fn rounding_of_polynomials(program: &Program, met: Option<Met>, reduction: &Reduction, cap: f64) -> f64 {
+fn rounding_of_polynomials(program: &Program, reduction: &Reduction, cap: f64) -> f64 {
     let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
     let between = |low: f64, high: f64| {
         norm(program.rounding(&[(phase, Known::between(low, high))]).iter().map(|known| known.error))
     };
-    let all = reduction.range();
-    let Some(met) = met else { return from_lowest(reduction, all, cap, between) };
-    let [low, high] = reduction.phases([met.least, met.farthest]).map(|phase| phase.clamp(all[0], all[1]));
-    let elsewhere = [[all[0], low], [high, all[1]]].map(|[low, high]| {
-        let matters = low < high && met.spare < f64::INFINITY;
-        if matters { from_lowest(reduction, [low, high], met.spare, between) } else { 0.0 }
-    });
-    from_lowest(reduction, if worst(elsewhere) > met.spare { all } else { [low, high] }, cap, between)
+    from_lowest(reduction, cap, between)
 }
 
-/// The largest of the bounds on slices of a range of phases, or some number above `cap`. The motion is fastest, and the
-/// rounding mostly worst, at the lowest point.
-pub(super) fn from_lowest(
-    reduction: &Reduction,
-    [low, high]: [f64; 2],
-    cap: f64,
-    bound: impl Fn(f64, f64) -> f64,
-) -> f64 {
+/// The largest of the bounds on slices of the range of phases, or some number above `cap`. The motion is fastest, and
+/// the rounding mostly worst, at the lowest point.
+pub(super) fn from_lowest(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
+    let [low, high] = reduction.range();
     let slice = (high - low) / f64::from(CELLS * CELLS);
     let [from, to] = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };
     let there = bound(from, to);

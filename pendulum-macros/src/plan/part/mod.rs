@@ -32,7 +32,7 @@ impl Aim {
         let (mut rounding, mut reached) = (0.0, f64::INFINITY);
         for _ in 0..3 {
             let (kernel, truncation) = round(rounding).map_err(|best| best.min(reached))?;
-            let evaluation = kernel.rounding_where(self.met, reduction, self.limit - phase - truncation);
+            let evaluation = kernel.rounding(reduction, self.limit - phase - truncation);
             let bound = Bound { truncation, phase, evaluation };
             let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
             rounding = bound.evaluation + turns;

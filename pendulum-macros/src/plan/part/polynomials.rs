@@ -41,10 +41,7 @@ impl Approximations {
             Some(largest) => aim.floor() / 128.0 * (largest / curve.size.largest).clamp(2f64.powi(-30), 1.0),
             None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
         };
-        let over = |pole| {
-            let approximations = aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c)));
-            approximations.map(|approximation| approximation.meeting(aim.met)).collect()
-        };
+        let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
         let plain: Vec<Approximation> = over(None);
         let divided = aim.poles(&plain).map_or_else(Vec::new, |pole| over(Some(pole)));
         Self { plain, divided }

@@ -16,7 +16,6 @@ use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices};
 use crate::plan::curve::Curve;
 use crate::plan::form::Form;
-use crate::plan::met::Met;
 use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Reduction;
 use crate::program::rounding::UNDERFLOW;
@@ -44,10 +43,8 @@ pub(crate) struct Approximation {
     /// Error of the whole series on the interval, and what is known of it outside.
     remainder: f64,
     growth: Growth,
-    /// What is met of the curve, where that isn't all.
-    met: Option<Met>,
-    /// What dropping all but so many terms changes, or changes where it is met, once it is known.
-    dropped: RefCell<BTreeMap<(usize, bool), f64>>,
+    /// What dropping all but so many terms changes of phases up to that of so many bits, once it is known.
+    dropped: RefCell<BTreeMap<(usize, u64), f64>>,
     /// The shifts found, by terms and chunk.
     choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
 }
@@ -116,7 +113,6 @@ impl Approximation {
             series,
             remainder,
             growth: Growth::Points { points, log_rho: libm::log(rho) },
-            met: None,
             dropped: RefCell::default(),
             choices: RefCell::default(),
         }
@@ -132,35 +128,27 @@ impl Approximation {
             series,
             remainder,
             growth: Growth::Power(growth),
-            met: None,
             dropped: RefCell::default(),
             choices: RefCell::default(),
         }
     }
 
-    /// The same, of which a short horizon meets no more than this.
-    pub(crate) fn meeting(self, met: Option<Met>) -> Self {
-        Self { met, ..self }
-    }
-
-    /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s),
-    /// or where the curve is met.
+    /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
         let dropped = terms.min(self.series.len())..self.series.len();
         let beyond = self.sum(dropped.clone(), |j| libm::cosh(j * ellipse_of(overshoot)) - 1.0);
         let whole = self.without(dropped, overshoot);
-        let met = self.met.filter(|met| whole <= met.spare);
-        let known = (terms, met.is_some());
-        let within = *self.dropped.borrow_mut().entry(known).or_insert_with(|| self.supremum(terms, met));
-        let ends = met.is_none_or(|met| met.farthest >= 0.5);
-        let sharp = if ends { within * self.gain(overshoot) + beyond * self.weight(overshoot) } else { within };
+        let reach = 0.5 + overshoot.min(0.0);
+        let known = (terms, reach.to_bits());
+        let within = *self.dropped.borrow_mut().entry(known).or_insert_with(|| self.supremum(terms, reach));
+        let sharp = within * self.gain(overshoot) + beyond * self.weight(overshoot);
         whole.min(sharp) + self.least_truncation(overshoot)
     }
 
-    /// What dropping all coefficients but so many changes where the curve is met.
-    fn supremum(&self, terms: usize, met: Option<Met>) -> f64 {
+    /// What dropping all coefficients but so many changes of phases up to `reach`.
+    fn supremum(&self, terms: usize, reach: f64) -> f64 {
         let dropped: Vec<f64> = self.series.iter().skip(terms).map(|c| c.hi).collect();
-        tail::supremum(&dropped, terms, self.pole, self.parity, met)
+        tail::supremum(&dropped, terms, self.pole, self.parity, reach)
     }
 
     /// What dropping these terms changes at most, whatever their signs.
@@ -187,6 +175,7 @@ impl Approximation {
 
     /// How much more than at the end of the interval that is beyond it.
     fn gain(&self, overshoot: f64) -> f64 {
+        let overshoot = overshoot.max(0.0);
         let phase = 0.5 + overshoot;
         let odd = if self.parity == Parity::Odd { 2.0 * phase } else { 1.0 };
         let least = |pole: Pole, phase: f64| pole.least_between(0.25, phase * phase);
@@ -204,9 +193,9 @@ impl Approximation {
             enough = Some(terms);
             truncation += self.without(terms - 1..terms, overshoot);
         }
-        // The magnitudes add up to more than what is left out, by little unless that is met in part.
+        // The magnitudes add up to more than what is left out, by little unless a part of the interval is.
         let fewer = |&terms: &usize| (terms > 2 && self.truncation(terms - 1, overshoot) <= limit).then(|| terms - 1);
-        let most = if self.met.is_some() { usize::MAX } else { 2 };
+        let most = if overshoot < 0.0 { usize::MAX } else { 2 };
         std::iter::successors(enough, fewer).take(most).last()
     }
 
@@ -366,7 +355,7 @@ fn is_moderate(coefficients: &[Double], quarter: f64, float: Float) -> bool {
 /// ln of an ellipse's parameter: 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot), and there |Tⱼ| ≤ cosh(j·arcosh(1 +
 /// ε)) ≤ cosh(j·√(2ε)).
 fn ellipse_of(overshoot: f64) -> f64 {
-    (16.0 * overshoot * (1.0 + overshoot)).sqrt()
+    (16.0 * overshoot.max(0.0) * (1.0 + overshoot)).sqrt()
 }
 
 /// As many points as make the interpolation error negligible.

@@ -2,7 +2,6 @@
 //! made those vanish that were by far the largest.
 
 use super::pole::Pole;
-use crate::plan::met::Met;
 use crate::series::Parity;
 use crate::supremum::worst;
 use std::f64::consts::PI;
@@ -11,17 +10,11 @@ use std::f64::consts::PI;
 const CELLS: u32 = 128;
 
 /// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, over the poles and times an odd curve's phase, for |u| ≤ 1, where p = (1 + u)/8
-/// is the square of the phase; or for those phases that are met.
+/// is the square of a phase up to `reach`.
 ///
 /// With u = cos φ the sum is one of cos jφ: between two angles it exceeds the larger of its values by at most h²/8 times
 /// its largest second derivative, h being their distance.
-pub(super) fn supremum(
-    coefficients: &[f64],
-    first: usize,
-    pole: Option<Pole>,
-    parity: Parity,
-    met: Option<Met>,
-) -> f64 {
+pub(super) fn supremum(coefficients: &[f64], first: usize, pole: Option<Pole>, parity: Parity, reach: f64) -> f64 {
     let h = PI / f64::from(CELLS);
     let orders = (first..).map(|j| j as f64);
     let second: f64 = coefficients.iter().zip(orders).map(|(c, j)| j * j * c.abs()).sum();
@@ -35,7 +28,7 @@ pub(super) fn supremum(
         phase / pole.map_or(1.0, |pole| pole.least_between(low, high))
     };
     let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
-    let is_met = |pair: &&[(f64, f64)]| met.is_none_or(|met| met.overlaps([pair[1].0.sqrt(), pair[0].0.sqrt()]));
+    let is_met = |pair: &&[(f64, f64)]| pair[1].0 <= reach * reach;
     let cell = |pair: &[(f64, f64)]| (worst([pair[0].1, pair[1].1]) + between) * weight(pair[1].0, pair[0].0);
     let cells = points.windows(2).filter(is_met).map(cell);
     // The rounding of the above.
@@ -81,7 +74,7 @@ mod tests {
                     (sum(&coefficients, first, u) * phase / over).abs()
                 };
                 let seen = (0..=100_000).map(at).fold(0.0, f64::max);
-                let bound = supremum(&coefficients, first, pole, parity, None);
+                let bound = supremum(&coefficients, first, pole, parity, 0.5);
                 assert!(seen <= bound && bound < 1.12 * seen, "{pole:?} {first}: {bound} for {seen}");
             }
         }

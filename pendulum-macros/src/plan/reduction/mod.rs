@@ -39,7 +39,8 @@ pub(crate) struct Reduction {
     /// The part of `error` that is hardly ever met: a promise has to include it, but no plan is the better for leaving
     /// room for it.
     pub(crate) seldom: f64,
-    /// |s| exceeds ½ by at most this, in anchors.
+    /// |s| exceeds ½ by at most this, in anchors; negative where it doesn't reach ½ within the horizon, and is kept from
+    /// it beyond.
     pub(crate) overshoot: f64,
     /// Anchors per unit of the reduced variable.
     pub(crate) unit: Double,
@@ -167,6 +168,15 @@ impl Reduction {
         (self.has_pieces() && error * pieces < 2f64.powi(-10)).then(|| Self { error, seldom, pieces, ..self.clone() })
     }
 
+    /// The same of phases that go so far from an anchor within the horizon. From a lowest point those that are nearer to
+    /// it aren't kept away.
+    pub(crate) fn reaching(self, reach: Option<f64>) -> Self {
+        match reach.filter(|_| self.origin == Origin::Anchor) {
+            Some(reach) => Self { overshoot: reach - 0.5, ..self },
+            None => self,
+        }
+    }
+
     /// Whether it can count pieces of an anchor.
     pub(crate) fn has_pieces(&self) -> bool {
         let subtracts = match self.method {
@@ -191,12 +201,6 @@ impl Reduction {
     /// symmetry, one elsewhere.
     pub(crate) fn range(&self) -> [f64; 2] {
         [if self.is_lopsided() { -self.half() } else { 0.0 }, self.half()]
-    }
-
-    /// The reduced phases between two distances from an anchor.
-    pub(crate) fn phases(&self, [near, far]: [f64; 2]) -> [f64; 2] {
-        let from_origin = if self.origin == Origin::Anchor { [near, far] } else { [0.5 - far, 0.5 - near] };
-        from_origin.map(|phase| phase / self.unit.hi)
     }
 
     /// Whether the phase is known at all at the end of the horizon.

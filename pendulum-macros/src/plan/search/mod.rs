@@ -184,6 +184,8 @@ impl Prospect {
         let approximations = task.aims.iter().map(Approximations::new).collect();
         let reductions = task.reductions(scene);
         let pieces = InPieces::new(scene, &task, &reductions);
+        let reach = task.reach(scene);
+        let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         Self { task, approximations, reductions, pieces }
     }
 
