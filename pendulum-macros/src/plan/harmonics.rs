@@ -7,14 +7,14 @@
 
 use super::arcsine::Arcsine;
 use super::cosines::Cosines;
-use super::kernel::{CELLS, Kernel, RESULT, from_lowest};
+use super::kernel::{CELLS, Kernel, RESULT, from_lowest, rounding_given};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use crate::program::rounding::{Known, half_ulp};
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{by_halves, norm};
+use crate::supremum::by_halves;
 use pendulum_runtime::double::Double;
 
 /// How one output is a sum of harmonics.
@@ -140,7 +140,7 @@ impl Harmonics {
             let mut known = vec![(phase, Known::between(low, high))];
             let known_sum = |sum: &Sum| Some((program.named(sum.name)?, sum.known(reduction, low, high)));
             known.extend(sums.iter().filter_map(known_sum));
-            norm(program.rounding(&known).iter().map(|known| known.error))
+            rounding_given(program, &known)
         };
         // A sum of few terms that is the result itself is analysed better step by step.
         let between = |low: f64, high: f64| {

@@ -133,13 +133,15 @@ impl Kernel {
     }
 }
 
-/// The norm of the rounding of a program's results where nothing is known but the phase.
+/// The norm of the rounding of a program's results, given what is known of some nodes.
+pub(super) fn rounding_given(program: &Program, given: &[(Id, Known)]) -> f64 {
+    norm(program.rounding(given).iter().map(|known| known.error))
+}
+
+/// The same over the whole range of the phase, of which nothing else is known.
 fn rounding_of_polynomials(program: &Program, reduction: &Reduction, cap: f64) -> f64 {
     let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
-    let between = |low: f64, high: f64| {
-        norm(program.rounding(&[(phase, Known::between(low, high))]).iter().map(|known| known.error))
-    };
-    from_lowest(reduction, cap, between)
+    from_lowest(reduction, cap, |low, high| rounding_given(program, &[(phase, Known::between(low, high))]))
 }
 
 /// The largest of the bounds on slices of the range of phases, or some number above `cap`. The motion is fastest, and

@@ -75,7 +75,7 @@ impl Aim {
     fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !self.output.is_angle() {
-            let near = wrapped && self.reach(scene) + self.limit >= PI.next_down();
+            let near = wrapped && self.largest_angle(scene) + self.limit >= PI.next_down();
             if !near {
                 return kernel;
             }
@@ -88,8 +88,8 @@ impl Aim {
         Kernel::Turning(Turning { angle, from_top, unit, wrapped, direction, turns })
     }
 
-    /// The largest magnitude that is met: of a rotation's arc that at one of its ends.
-    fn reach(&self, scene: &Scene) -> f64 {
+    /// The largest that is met: of a rotation's arc that at one of its ends.
+    fn largest_angle(&self, scene: &Scene) -> f64 {
         let rotates = matches!(scene.motion.regime, Regime::Rotation(_));
         let of_arc = self.curves.first().filter(|_| rotates).and_then(Curve::largest_met);
         of_arc.unwrap_or(self.size.largest)
@@ -97,7 +97,6 @@ impl Aim {
 
     /// Whether an arc leads over the top.
     fn passes_top(&self) -> bool {
-        let beyond = |end: f64| self.curves.iter().any(|curve| curve.at(Double::new(end)).hi.abs() > PI);
-        self.curves.iter().all(Curve::is_arc) && [-0.5, 0.5].into_iter().any(beyond)
+        self.curves.iter().filter_map(Curve::largest_met).any(|largest| largest > PI)
     }
 }

@@ -25,12 +25,13 @@ mod outputs;
 mod quotient;
 
 use super::fit::{Domain, Fit};
+use super::kernel::rounding_given;
 use super::variables::Variables;
 use crate::parse::{Float, Output};
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Program};
 use crate::series::Parity;
-use crate::supremum::{largest, norm};
+use crate::supremum::largest;
 use functions::{arctangent_ratio, series};
 use pendulum_runtime::double::Double;
 use quotient::{FRACTION, IMAGE_POWER, POWER};
@@ -212,7 +213,7 @@ impl Passage {
                 .into_iter()
                 .filter_map(|(name, (low, high))| Some((program.named(name)?, Known::between(low, high))))
                 .collect();
-            norm(program.rounding(&given).iter().map(|known| known.error))
+            rounding_given(program, &given)
         };
         largest((0..=most).flat_map(slices).filter(is_met).map(bound), cap)
     }

@@ -10,6 +10,7 @@ use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::tests::scene;
 use crate::program::Op;
 use crate::scene::Scene;
+use crate::supremum::norm;
 
 const OUTPUTS: [Output; 4] = [Output::Theta, Output::Velocity, Output::Acceleration, Output::Position];
 
