@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::check::check;
+use crate::fuzz::random::Random;
 use crate::parse::parse;
 use crate::program::Op;
 use crate::report::Report;
@@ -244,12 +245,19 @@ fn beyond_the_horizon_the_motion_goes_on() {
         "theta0 = 2, t_max = 10, outputs = [theta, velocity, acceleration]",
         "theta0 = 1, velocity0 = 0.5, t_max = 10",
         "velocity0 = 3, tol = 1e-9, t_max = 10, outputs = [velocity]",
+        "theta0 = 7π/8, tol = 1e-6, t_max = 10, outputs = [velocity]",
+        "theta0 = 0.2, tol = 1e-9, t_max = 10, omega = 1000, outputs = [velocity]",
+        "theta0 = 3.1, tol = 1e-12, t_max = 10, omega = 0.01, outputs = [velocity]",
+        "theta0 = 7π/8, tol = 1e-2, t_max = 10, float = f32, outputs = [velocity]",
+        "theta0 = 3, tol = 1e-5, t_max = 10, float = f32, outputs = [velocity]",
+        "velocity0 = 2.2, tol = 1e-6, t_max = 10, outputs = [acceleration]",
     ] {
         let plan = planned(text);
+        let mut random = Random::new(3);
         for (part, function) in plan.parts.iter().zip(&plan.functions) {
             let most = part.largest + part.bound.total();
-            for i in 0..400 {
-                let t = plan.reduction.float.round(10.0 * 1.23f64.powi(i));
+            for i in 0..8000 {
+                let t = plan.reduction.float.round(10.0 * 1.0115f64.powi(i) * (1.0 + random.unit()));
                 let found = if t.is_finite() { function.program.run(t)[0] } else { 0.0 };
                 assert!(found.abs() <= most, "{text} {t:e}: {found}");
             }

@@ -15,6 +15,8 @@ pub(crate) struct Variables {
     pub(crate) magnitude: Id,
     /// p = s².
     pub(crate) square: Id,
+    /// s and p as they come, where s is either within half an anchor or of a whole one at least.
+    pub(crate) leaping: Option<[Id; 2]>,
     /// Anchors per unit of the phase.
     pub(crate) unit: Double,
     /// What p and its kin are computed of.
@@ -53,8 +55,9 @@ impl Variables {
 
     fn from_anchor(b: &mut Builder, phase: Phase, reduction: &Reduction, odd: bool) -> Self {
         let half = reduction.half();
-        let square = b.mul(phase.remainder, phase.remainder);
-        let square = at_most(b, square, half * half);
+        let unlimited = b.mul(phase.remainder, phase.remainder);
+        let leaping = reduction.leaps().then_some([phase.remainder, unlimited]);
+        let square = at_most(b, unlimited, half * half);
         b.name(square, "p");
         // Not what is squared: an operation more, and the square waits for one less.
         let distance = if odd {
@@ -64,7 +67,7 @@ impl Variables {
             phase.remainder
         };
         let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
-        Self { distance, magnitude: distance, square, unit, source: Source::Square, side: None, magic, count }
+        Self { distance, magnitude: distance, square, leaping, unit, source: Source::Square, side: None, magic, count }
     }
 
     /// Over an arc without symmetry.
@@ -76,7 +79,7 @@ impl Variables {
         let square = b.add(distance, half_id);
         let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
         let source = Source::Linear { half };
-        Self { distance, magnitude: distance, square, unit, source, side: None, magic, count }
+        Self { distance, magnitude: distance, square, leaping: None, unit, source, side: None, magic, count }
     }
 
     /// With s = ½ − |z|: p = ¼ − |z|(1 − |z|), in which |z| small beside 1 loses nothing.
@@ -96,7 +99,13 @@ impl Variables {
         b.name(square, "p");
         let (side, magic, count) = (Some(phase.remainder), phase.magic, phase.count);
         let source = Source::Below { below: product, quarter };
-        Self { distance, magnitude, square, unit: reduction.unit, source, side, magic, count }
+        Self { distance, magnitude, square, leaping: None, unit: reduction.unit, source, side, magic, count }
+    }
+
+    /// The same with s and p as they come, of which a whole anchor and more is left beyond the horizon; if so.
+    pub(crate) fn unlimited(&self) -> Option<Self> {
+        let [distance, square] = self.leaping?;
+        Some(Self { distance, magnitude: distance, square, ..*self })
     }
 
     /// 8p − 1, of a phase in anchors.

@@ -38,6 +38,11 @@ impl Program {
 /// What finding a row of a table costs.
 pub(crate) const ROW: f64 = 3.0;
 
+/// What keeping a number within an interval costs.
+pub(crate) const CLAMP: f64 = 2.0 * MINIMUM;
+
+const MINIMUM: f64 = 1.3;
+
 /// What a division costs beside a multiplication.
 pub(crate) const QUOTIENT: f64 = 2.5;
 
@@ -59,7 +64,7 @@ fn weight(op: Op) -> f64 {
         Op::Input | Op::Constant { .. } | Op::Entry { .. } => 0.0,
         Op::Div(..) => QUOTIENT,
         Op::Root(_) => 36.0,
-        Op::Against { .. } | Op::Min { .. } | Op::Max { .. } => 1.3,
+        Op::Against { .. } | Op::Min { .. } | Op::Max { .. } => MINIMUM,
         Op::Select { .. } => 3.0,
         Op::Row { .. } => ROW,
         Op::Widen(_) | Op::Narrow(_) => 2.0,

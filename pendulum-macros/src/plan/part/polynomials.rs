@@ -8,6 +8,7 @@ use crate::plan::form::{Division, Form};
 use crate::plan::kernel::Kernel;
 use crate::plan::polynomial::{Approximation, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
+use crate::program::cost::CLAMP;
 use crate::scene::Scene;
 use crate::series::Parity;
 use crate::supremum::norm;
@@ -117,7 +118,9 @@ impl Aim {
                 (true, false, true) => Division::OfPhase,
                 (true, false, false) => Division::Inverse,
             };
-            let phase = if odd { 1.0 } else { 0.0 };
+            let unlimited = division == Division::OfPhase && approximation.falls();
+            let clamp = if reduction.leaps() && !unlimited { CLAMP } else { 0.0 };
+            let phase = if odd { 1.0 + clamp } else { 0.0 };
             Some(variant.form.cost(terms, division) + phase + signs)
         };
         let kernels: Option<f64> = self.curves.iter().zip(approximations).map(one).sum();

@@ -208,6 +208,11 @@ impl Approximation {
         &self.series
     }
 
+    /// Whether a phase that leaps to a whole anchor may be divided by its poles as it comes.
+    pub(in crate::plan) fn falls(&self) -> bool {
+        self.pole.is_some_and(|pole| pole.falls(0.5))
+    }
+
     pub(super) fn parity(&self) -> Parity {
         self.parity
     }

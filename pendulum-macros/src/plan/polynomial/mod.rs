@@ -61,7 +61,7 @@ impl Polynomial {
         let phase = (self.parity == Parity::Odd).then_some(variables.distance);
         let factor = match (self.pole, phase) {
             (None, phase) => phase,
-            (Some(pole), Some(phase)) if !one_of_two => Some(pole.divide(b, phase, variables)),
+            (Some(pole), Some(_)) if !one_of_two => Some(pole.divide_phase(b, variables)),
             (Some(pole), phase) => {
                 let one = b.constant(1.0);
                 let inverse = pole.divide(b, one, variables);

@@ -87,8 +87,54 @@ impl Pole {
         b.div(value, divisor)
     }
 
+    /// `phase` over it. What is divided need not be kept within half an anchor where it leaps to a whole one: from
+    /// there on the quotient is less than at a half, and falls.
+    pub(super) fn divide_phase(self, b: &mut Builder, variables: &Variables) -> Id {
+        let half = 0.5 / variables.unit.hi;
+        let unlimited = variables.unlimited().filter(|_| self.falls(half)).unwrap_or(*variables);
+        self.divide(b, unlimited.distance, &unlimited)
+    }
+
+    /// Whether s over it has a smaller magnitude at 2·`half` than at `half`, and falls from there on: with D = (p − a)² + h²
+    /// its derivative has the sign of D − 4·power·p(p − a), whose own by p is negative for p > a.
+    pub(super) fn falls(self, half: f64) -> bool {
+        let Self { place, height_squared, power } = self;
+        let [low, high] = [half, 2.0 * half].map(|s| s * s);
+        let single = |p: f64| (p - place.hi) * (p - place.hi) + height_squared.hi;
+        let falling = single(high) < 4.0 * high * (high - place.hi);
+        falling && high > place.hi && 2.1 * single(low).powi(power) < single(high).powi(power)
+    }
+
     /// Terms of the divisor, for the reader.
     pub(super) fn terms(self) -> usize {
         2 * self.power as usize + 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Beyond a whole anchor the quotient is less than at a half, wherever it is said to fall; it does by the poles of all
+    /// but the smallest swings.
+    #[test]
+    fn quotients_that_fall() {
+        let mut falling = 0;
+        for (strip, power) in (1..40).flat_map(|tenths| [1, 2].map(|power| (0.05 * f64::from(tenths), power))) {
+            let pole = Pole::new(strip, power);
+            if !pole.falls(0.5) {
+                continue;
+            }
+            falling += 1;
+            assert!(pole.scaled(Double::new(16.0)).falls(0.125), "{strip}: not so in other units");
+            let quotient = |s: f64| s / pole.at(Double::new(8.0 * s * s - 1.0)).hi.abs();
+            let mut before = quotient(0.5);
+            for s in (0..400).map(|step| 1.05f64.powi(step)) {
+                assert!(quotient(s) < before, "{strip}: {} at {s}", quotient(s));
+                before = quotient(s);
+            }
+        }
+        assert!(falling > 20, "{falling}");
+        assert!(!Pole::new(2.0, 1).falls(0.5));
     }
 }

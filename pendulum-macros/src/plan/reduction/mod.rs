@@ -203,6 +203,20 @@ impl Reduction {
         [if self.is_lopsided() { -self.half() } else { 0.0 }, self.half()]
     }
 
+    /// Whether its remainders are finite and either within half an anchor or of a whole one at least, whatever the time.
+    /// Of a product x below 2^(p−2) x − n is exact. From there on x is a multiple of ½, and so are the magic sum, which is
+    /// rounded to such a multiple if at all, n and their difference: 0, ±½, or from ±1 on. A wide one is below an ulp of
+    /// 2¹²⁸·rate.
+    pub(crate) fn leaps(&self) -> bool {
+        let one_word = match self.method {
+            Method::OneWord { .. } => true,
+            Method::Wide { rate } => rate < 2f64.powi(50),
+            _ => false,
+        };
+        let exact = self.launch == Double::ZERO && self.overshoot == 0.0 && self.pieces == 1.0;
+        one_word && exact && self.origin == Origin::Anchor
+    }
+
     /// Whether the phase is known at all at the end of the horizon.
     fn is_useful(&self) -> bool {
         self.error < 0.5 && self.half().is_finite()

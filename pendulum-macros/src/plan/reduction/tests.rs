@@ -239,6 +239,39 @@ fn every_finite_time_has_a_phase() {
     }
 }
 
+/// What is divided by poles as it comes relies on it.
+#[test]
+fn remainders_that_leap() {
+    let context = Context::for_digits(60);
+    let mut random = Random::new(15);
+    let mut count = 0;
+    for (float, largest) in [(Float::F64, 1023.99), (Float::F32, 127.99)] {
+        for rate in ["0.2345678901234567891", "1.3", "123456.7", "1e20"] {
+            let rate = context.decimal(rate).unwrap();
+            let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0 / rate.to_f64()), float };
+            for reduction in clock.reductions().into_iter().filter(Reduction::leaps) {
+                count += 1;
+                let mut b = Builder::new(float);
+                let t = b.input();
+                let phase = reduction.lower(&mut b, t).remainder;
+                let program = b.finish(vec![phase]);
+                let wide = matches!(reduction.method, Method::Wide { .. });
+                let least = f64::from(if wide { Float::F64 } else { float }.bits()) - 4.0;
+                let mut beyond = 0;
+                for _ in 0..20_000 {
+                    let exponent = least + (largest - least) * random.unit().powi(8);
+                    let t = float.round(2f64.powf((exponent - libm::log2(rate.to_f64())).min(largest)));
+                    let s = program.run(if random.unit() < 0.5 { -t } else { t })[0] * reduction.unit.hi;
+                    assert!(s.abs() <= 0.5 || (1.0..f64::INFINITY).contains(&s.abs()), "{s} at {t:e}: {reduction:?}");
+                    beyond += u32::from(s.abs() >= 1.0);
+                }
+                assert!(beyond > 100, "{beyond}: {reduction:?}");
+            }
+        }
+    }
+    assert_eq!(count, 4 + 4 + 3);
+}
+
 /// The time itself, and the launch.
 #[test]
 fn the_separatrix() {

@@ -234,14 +234,14 @@ fn waiting(float: Float) -> f64 {
     }
 }
 
-/// The reduction and the variables, without any kernel.
+/// The reduction and the variables that all kernels have, without any kernel.
 fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
     let odd = aims.iter().flat_map(|aim| &aim.curves).any(|curve| curve.parity() == Parity::Odd);
     let mut b = Builder::new(reduction.float);
     let t = b.input();
     let phase = reduction.lower(&mut b, t);
     let variables = Variables::lower(&mut b, phase, reduction, odd);
-    let distance = odd.then_some(variables.distance);
+    let distance = (odd && !reduction.leaps()).then_some(variables.distance);
     b.finish([variables.square, variables.magic].into_iter().chain(distance).collect())
 }
 
