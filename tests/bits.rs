@@ -101,6 +101,7 @@ fn generated() -> String {
         f64 theta { theta0 = 1, velocity0 = 1, omega = 2.5 }
         f64 theta { theta0 = 7π/8, tol = 1e-6, t_max = 1000 }
         f64 velocity { theta0 = 1e-6, tol = 1e-12, t_max = 100000 }
+        f64 velocity { theta0 = 7π/8, tol = 1e-9, t_max = 1000 }
         f64 theta { theta0 = 7π/8, n = 4 }
         f64 velocity { theta0 = 7π/8, n = 4 }
         f64 theta { theta0 = PI - 1e-7 }

@@ -87,15 +87,24 @@ impl Form {
     ///
     /// [`Program::cost`]: crate::program::Program::cost
     pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
-        let (operations, chain) = match self {
+        let operations = match self {
             // The first block isn't adapted.
             Self::Powers { .. } | Self::Careful { .. } | Self::Normalised => {
-                let last = if let Self::Powers { .. } = self { 0 } else { blocks::STEP / 2 };
-                (blocks::operations(terms, blocks::LEAST) + 1, blocks::chain(terms, blocks::LEAST) + last)
+                blocks::operations(terms, blocks::LEAST) + 1
             }
-            Self::Adapted { chunk } => (blocks::operations(terms, chunk), blocks::chain(terms, chunk)),
+            Self::Adapted { chunk } => blocks::operations(terms, chunk),
         };
-        operations as f64 + division.cost() + WAITING * chain.saturating_sub(HIDDEN) as f64
+        operations as f64 + division.cost() + self.waiting(terms)
+    }
+
+    /// The part of this that is no operation.
+    pub(crate) fn waiting(self, terms: usize) -> f64 {
+        let chain = match self {
+            Self::Powers { .. } => blocks::chain(terms, blocks::LEAST),
+            Self::Careful { .. } | Self::Normalised => blocks::chain(terms, blocks::LEAST) + blocks::STEP / 2,
+            Self::Adapted { chunk } => blocks::chain(terms, chunk),
+        };
+        WAITING * chain.saturating_sub(HIDDEN) as f64
     }
 
     /// The variable, for the reader; s is the phase in half periods (turns), or in arcs.

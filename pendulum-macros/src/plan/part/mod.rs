@@ -15,7 +15,8 @@ use crate::motion::Regime;
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
-pub(super) use polynomials::{Approximations, Variant};
+pub(super) use polynomials::Approximations;
+pub(crate) use polynomials::Variant;
 use std::f64::consts::PI;
 
 impl Aim {

@@ -15,9 +15,9 @@ use crate::supremum::norm;
 
 /// How a curve is approximated: in which form, and whether poles are divided out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::plan) struct Variant {
-    pub(in crate::plan) form: Form,
-    pub(in crate::plan) divided: bool,
+pub(crate) struct Variant {
+    pub(crate) form: Form,
+    pub(crate) divided: bool,
 }
 
 impl Variant {

@@ -15,6 +15,7 @@ pub(crate) use approximation::Approximation;
 use super::blocks::Blocks;
 use super::form::Form;
 use super::moebius::Moebius;
+use super::part::Variant;
 use super::variables::Variables;
 use crate::program::{Builder, Id};
 use crate::series::Parity;
@@ -82,6 +83,11 @@ impl Polynomial {
     /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
     pub(crate) fn mirrors(&self, from_top: bool) -> bool {
         if from_top { self.parity == Parity::Odd } else { self.alternates }
+    }
+
+    /// How it approximates its curve.
+    pub(crate) fn variant(&self) -> Variant {
+        Variant { form: self.form, divided: self.pole.is_some() }
     }
 
     pub(crate) fn terms(&self) -> usize {

@@ -2,6 +2,7 @@
 //! order of their estimated cost, until one keeps the promise.
 
 mod in_pieces;
+mod together;
 
 use super::aim::{Aim, Task};
 use super::curve::Curve;
@@ -287,6 +288,7 @@ impl Candidate<'_> {
             }
         };
         let parts = task.aims.iter().zip(approximations).map(&mut part).collect::<Result<Vec<Part>, f64>>()?;
+        let parts = self.together(scene, parts, &mut rejected);
         Ok(joined(self.reduction, parts, rejected))
     }
 
