@@ -120,15 +120,18 @@ impl Kernel {
     /// `cap` as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
         let of = |angle: &Self| angle.rounding(reduction, cap);
-        let program = || function(reduction, &[self]);
+        let whole = || function(reduction, &[self]);
         match self {
             Self::Turning(Turning { angle, .. }) => of(angle),
             Self::Within(angle) => of(angle) + rounding_within(reduction.float),
             Self::Wrapped(angle) => of(angle) + rounding_modulo(reduction.float),
             Self::Pieces(pieces) => pieces.rounding(),
-            Self::Passage(passage) => passage.rounding(&program(), cap),
-            Self::Harmonics(harmonics) => harmonics.rounding(&program(), reduction, cap),
-            Self::Polynomial(_) | Self::Circle { .. } => rounding_of_polynomials(&program(), reduction, cap),
+            Self::Passage(passage) => passage.rounding(&whole(), cap),
+            Self::Harmonics(harmonics) => harmonics.rounding(&whole(), reduction, cap),
+            // Of either sign it is the same, and bounded better where the sign is known.
+            Self::Polynomial(_) | Self::Circle { .. } => {
+                rounding_of_polynomials(&program(reduction, &[self], false), reduction, cap)
+            }
         }
     }
 }
@@ -173,17 +176,22 @@ fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Po
     vec![x, b.name(y, "y")]
 }
 
-/// The name of a single result, before it takes the sign of the phase.
+/// The name of a single result, before it takes the sign of the phase if it does last.
 pub(super) const RESULT: &str = "result";
 
 /// One function of the time, the kernels' results its own.
 pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
+    program(reduction, kernels, true)
+}
+
+/// The same with or without the signs that anchors and sides give.
+fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
     const NAMES: [&str; 2] = ["first_result", "second_result"];
     let mut b = Builder::new(reduction.float);
     let t = b.input();
     let phase = reduction.lower(&mut b, t);
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
-    let variables = Variables::lower(&mut b, phase, reduction, odd);
+    let variables = Variables { signs, ..Variables::lower(&mut b, phase, reduction, odd) };
     let names = if kernels.len() == 1 { [RESULT; 2] } else { NAMES };
     let mut results = Vec::new();
     for (kernel, name) in kernels.iter().zip(names) {

@@ -27,6 +27,8 @@ pub(crate) struct Variables {
     pub(crate) magic: Id,
     /// The number of anchors passed.
     pub(crate) count: Id,
+    /// Whether values take the signs that the anchor and the side of the lowest point give.
+    pub(crate) signs: bool,
 }
 
 /// What the variable of a polynomial is computed of, with no rounding more than it takes.
@@ -67,7 +69,18 @@ impl Variables {
             phase.remainder
         };
         let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
-        Self { distance, magnitude: distance, square, leaping, unit, source: Source::Square, side: None, magic, count }
+        Self {
+            distance,
+            magnitude: distance,
+            square,
+            leaping,
+            unit,
+            source: Source::Square,
+            side: None,
+            magic,
+            count,
+            signs: true,
+        }
     }
 
     /// Over an arc without symmetry.
@@ -79,7 +92,18 @@ impl Variables {
         let square = b.add(distance, half_id);
         let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
         let source = Source::Linear { half };
-        Self { distance, magnitude: distance, square, leaping: None, unit, source, side: None, magic, count }
+        Self {
+            distance,
+            magnitude: distance,
+            square,
+            leaping: None,
+            unit,
+            source,
+            side: None,
+            magic,
+            count,
+            signs: true,
+        }
     }
 
     /// With s = ½ − |z|: p = ¼ − |z|(1 − |z|), in which |z| small beside 1 loses nothing.
@@ -99,7 +123,18 @@ impl Variables {
         b.name(square, "p");
         let (side, magic, count) = (Some(phase.remainder), phase.magic, phase.count);
         let source = Source::Below { below: product, quarter };
-        Self { distance, magnitude, square, leaping: None, unit: reduction.unit, source, side, magic, count }
+        Self {
+            distance,
+            magnitude,
+            square,
+            leaping: None,
+            unit: reduction.unit,
+            source,
+            side,
+            magic,
+            count,
+            signs: true,
+        }
     }
 
     /// The same with s and p as they come, of which a whole anchor and more is left beyond the horizon; if so.
@@ -168,6 +203,9 @@ impl Variables {
     /// before that point the anchor passed counts, after it the next one, in between which an even curve that alternates
     /// changes its sign, and an odd one that doesn't.
     pub(crate) fn signed(&self, b: &mut Builder, value: Id, alternates: bool, parity: Parity) -> Id {
+        if !self.signs {
+            return value;
+        }
         let changing = if alternates { Parity::Even } else { Parity::Odd };
         let side = self.side.filter(|_| parity == changing);
         let value = side.map_or(value, |side| b.push(Op::Against { x: value, sign: side }));

@@ -60,7 +60,7 @@ impl Forever {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 58;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.9015111269568344e-15;
+    pub const MAX_ERROR: f64 = 1.901511126956834e-15;
     /// θ(t), rad; NaN if t is not finite. 58 operations.
     #[inline(always)]
     #[must_use]
@@ -77,20 +77,20 @@ impl Forever {
         let s = first - n + second + third + fourth;
         let v_2 = s * s;
         let p = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
+        let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
         let v_3 = p + 0.00954559538513422;
         let d = -0.2894105315208435 - v_3 * v_3;
         let y = p - 0.15625;
         let w = y * y;
         let w2 = w * w;
         let w4 = w2 * w2;
-        let result = 1.0 / d
+        sign / d
             * ((0.16435345102400264 + 2.889908597254424 * y) * (w + 0.6130725086990148)
                 - 0.27050478467360234
                 + ((2.899314285561524 - 0.492430495496803 * y) * (w + 2.8067766233419844)
                     - 10.370918535692603) * w2
                 + ((3.489608632029096 - 7.648079217643113 * y) * (w - 0.4492094273883639)
                     - 2.1824709052620093
-                    + (-0.7723487803595143 + 10.31420102223766 * y) * w2) * w4);
-        f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
+                    + (-0.7723487803595143 + 10.31420102223766 * y) * w2) * w4)
     }
 }

@@ -78,16 +78,16 @@ impl Clock {
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
+        let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
         let v_2 = y - 0.18865548074245453;
         let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
-        let result = 1.0 / d
+        sign / d
             * ((-2.954103940390827 + 0.8373570488401288 * y) * (w + 2.2724042455674227)
                 + 6.376550749077674 + 83.28867355374429 * (w2 * w2)
                 + ((-7.316130745540807 - 62.54356825341267 * y)
-                    * (w - 0.0878098025082964) + 7.340001934601612) * w2);
-        f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
+                    * (w - 0.0878098025082964) + 7.340001934601612) * w2)
     }
     /// θ̇(t), rad per unit of t; NaN if t is not finite. 24 operations.
     #[inline(always)]
@@ -99,14 +99,14 @@ impl Clock {
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
+        let signed = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
         let v_2 = v - 0.1819869726896286;
         let d = -0.06803102046251297 - v_2 * v_2;
         let w = y * y;
-        let result = s / d
+        signed / d
             * ((((3.6973742062408896 + 1.3482512120238663 * y) * (w - 6.3999381293002475)
                 + 29.7118629515765) * (w - 0.5585415927321175) - 2.249491458975769)
-                * (w + 0.3213332117839283) + 2.5478814264570677);
-        f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
+                * (w + 0.3213332117839283) + 2.5478814264570677)
     }
     /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 46 operations.
     #[inline(always)]
@@ -118,24 +118,23 @@ impl Clock {
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
+        let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
         let v_2 = y - 0.18865548074245453;
         let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
-        let first_result = 1.0 / d
+        let first_result = sign / d
             * ((-2.954103940390827 + 0.8373570488401288 * y) * (w + 2.2724042455674227)
                 + 6.376550749077674 + 83.28867355374429 * (w2 * w2)
                 + ((-7.316130745540807 - 62.54356825341267 * y)
                     * (w - 0.0878098025082964) + 7.340001934601612) * w2);
+        let signed = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
         let v_3 = v - 0.1819869726896286;
         let d_2 = -0.06803102046251297 - v_3 * v_3;
-        let second_result = s / d_2
+        let second_result = signed / d_2
             * ((((3.6973742062408896 + 1.3482512120238663 * y) * (w - 6.3999381293002475)
                 + 29.7118629515765) * (w - 0.5585415927321175) - 2.249491458975769)
                 * (w + 0.3213332117839283) + 2.5478814264570677);
-        (
-            f64::from_bits(first_result.to_bits() ^ (magic.to_bits() << 63)),
-            f64::from_bits(second_result.to_bits() ^ (magic.to_bits() << 63)),
-        )
+        (first_result, second_result)
     }
 }

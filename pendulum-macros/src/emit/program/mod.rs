@@ -39,7 +39,7 @@ fn table(program: &Program) -> Option<TokenStream> {
     Some(quote!(#[doc = #doc] const TABLE: &[[#float; #columns]; #rows] = &[#(#table),*];))
 }
 
-/// The variable that each node is bound to; `None` if it's written where it is used.
+/// The variable that each node is bound to; `None` if it's written where it is used, or is what is returned.
 fn names(program: &Program) -> Vec<Option<Ident>> {
     let mut uses = vec![0; program.nodes.len()];
     for node in &program.nodes {
@@ -57,8 +57,10 @@ fn names(program: &Program) -> Vec<Option<Ident>> {
         .nodes
         .iter()
         .zip(uses)
-        .map(|(node, uses)| match (node.op, node.name) {
+        .enumerate()
+        .map(|(id, (node, uses))| match (node.op, node.name) {
             (Op::Constant { .. }, _) => None,
+            _ if uses == 0 && program.results == [id] => None,
             (_, Some(name)) => Some(unique(name)),
             (_, None) if uses > 1 => Some(unique("v")),
             _ => None,

@@ -39,36 +39,51 @@ pub(crate) struct Polynomial {
 }
 
 impl Polynomial {
-    /// Evaluates it, with its sign.
+    /// Evaluates it, with its sign. That is known long before the polynomial is: what the polynomial is multiplied with
+    /// takes it, if anything, and nothing waits for it.
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
-        let value = self.magnitude(b, variables);
+        let signed = |b: &mut Builder, x: Id| variables.signed(b, x, self.alternates, self.parity);
+        let factor = self.factor(b, variables, signed);
+        let value = self.times(b, variables, factor);
         b.name(value, name);
-        variables.signed(b, value, self.alternates, self.parity)
+        if factor.is_some() { value } else { signed(b, value) }
     }
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
     pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
-        self.times(b, variables, false)
+        let factor = self.factor(b, variables, |_, x| x);
+        self.times(b, variables, factor)
     }
 
     /// The same, one of two with the same poles: one division serves both.
     pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
-        self.times(b, variables, true)
+        let one = b.constant(1.0);
+        let inverse = self.pole.map(|pole| pole.divide(b, one, variables));
+        let phase = (self.parity == Parity::Odd).then_some(variables.distance);
+        let both = phase.zip(inverse).map(|(phase, inverse)| b.mul(phase, inverse));
+        self.times(b, variables, both.or(phase).or(inverse))
     }
 
-    /// The polynomial times an odd curve's phase, over its poles. What is divided is the phase, or 1, while the
-    /// polynomial is evaluated: nothing waits for it.
-    fn times(&self, b: &mut Builder, variables: &Variables, one_of_two: bool) -> Id {
-        let phase = (self.parity == Parity::Odd).then_some(variables.distance);
-        let factor = match (self.pole, phase) {
-            (None, phase) => phase,
-            (Some(pole), Some(_)) if !one_of_two => Some(pole.divide_phase(b, variables)),
-            (Some(pole), phase) => {
-                let one = b.constant(1.0);
-                let inverse = pole.divide(b, one, variables);
-                Some(phase.map_or(inverse, |phase| b.mul(phase, inverse)))
-            }
+    /// What the polynomial is multiplied with, if anything: an odd curve's phase, or 1, `signed` and over the poles. It is
+    /// divided while the polynomial is evaluated. A phase that leaps from half an anchor to a whole one needs no clamp
+    /// where the quotient falls.
+    fn factor(&self, b: &mut Builder, variables: &Variables, signed: impl Fn(&mut Builder, Id) -> Id) -> Option<Id> {
+        let odd = self.parity == Parity::Odd;
+        let Some(pole) = self.pole else {
+            return odd.then(|| signed(b, variables.distance));
         };
+        let falls = odd && pole.falls(0.5 / variables.unit.hi);
+        let variables = variables.unlimited().filter(|_| falls).unwrap_or(*variables);
+        let magnitude = if odd { variables.distance } else { b.constant(1.0) };
+        let numerator = signed(b, magnitude);
+        if numerator != magnitude {
+            b.name(numerator, if odd { "signed" } else { "sign" });
+        }
+        Some(pole.divide(b, numerator, &variables))
+    }
+
+    /// The polynomial times a factor, if any.
+    fn times(&self, b: &mut Builder, variables: &Variables, factor: Option<Id>) -> Id {
         let value = self.value(b, variables);
         factor.map_or(value, |factor| b.mul(factor, value))
     }

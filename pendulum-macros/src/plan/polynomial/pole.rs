@@ -87,14 +87,6 @@ impl Pole {
         b.div(value, divisor)
     }
 
-    /// `phase` over it. What is divided need not be kept within half an anchor where it leaps to a whole one: from
-    /// there on the quotient is less than at a half, and falls.
-    pub(super) fn divide_phase(self, b: &mut Builder, variables: &Variables) -> Id {
-        let half = 0.5 / variables.unit.hi;
-        let unlimited = variables.unlimited().filter(|_| self.falls(half)).unwrap_or(*variables);
-        self.divide(b, unlimited.distance, &unlimited)
-    }
-
     /// Whether s over it has a smaller magnitude at 2·`half` than at `half`, and falls from there on: with D = (p − a)² + h²
     /// its derivative has the sign of D − 4·power·p(p − a), whose own by p is negative for p > a.
     pub(super) fn falls(self, half: f64) -> bool {

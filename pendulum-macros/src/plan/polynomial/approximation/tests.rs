@@ -379,7 +379,8 @@ fn evaluated(polynomial: &Polynomial, unit: Double, s: f64) -> f64 {
     let input = b.input();
     let (source, square) = (Source::Square, b.mul(input, input));
     let [distance, magnitude, magic, count] = [input; 4];
-    let variables = Variables { distance, magnitude, square, leaping: None, unit, source, side: None, magic, count };
+    let variables =
+        Variables { distance, magnitude, square, leaping: None, unit, source, side: None, magic, count, signs: true };
     let result = polynomial.magnitude(&mut b, &variables);
     b.finish(vec![result]).run(s / unit.hi)[0]
 }
