@@ -15,8 +15,8 @@ pub(crate) struct Variables {
     pub(crate) magnitude: Id,
     /// p = s².
     pub(crate) square: Id,
-    /// s and p as they come, where s is either within half an anchor or of a whole one at least.
-    pub(crate) leaping: Option<[Id; 2]>,
+    /// What s and p are before they are limited, if it is known.
+    pub(crate) unlimited: Option<Unlimited>,
     /// Anchors per unit of the phase.
     pub(crate) unit: Double,
     /// What p and its kin are computed of.
@@ -29,6 +29,17 @@ pub(crate) struct Variables {
     pub(crate) count: Id,
     /// Whether values take the signs that the anchor and the side of the lowest point give.
     pub(crate) signs: bool,
+}
+
+/// s and p as they come, which beyond the horizon may be anything.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unlimited {
+    distance: Id,
+    square: Id,
+    /// What |s| is limited to.
+    pub(crate) half: f64,
+    /// Whether it is no more, or twice as much at least.
+    pub(crate) leaps: bool,
 }
 
 /// What the variable of a polynomial is computed of, with no rounding more than it takes.
@@ -57,9 +68,9 @@ impl Variables {
 
     fn from_anchor(b: &mut Builder, phase: Phase, reduction: &Reduction, odd: bool) -> Self {
         let half = reduction.half();
-        let unlimited = b.mul(phase.remainder, phase.remainder);
-        let leaping = reduction.leaps().then_some([phase.remainder, unlimited]);
-        let square = at_most(b, unlimited, half * half);
+        let square = b.mul(phase.remainder, phase.remainder);
+        let unlimited = Unlimited { distance: phase.remainder, square, half, leaps: reduction.leaps() };
+        let square = at_most(b, square, half * half);
         b.name(square, "p");
         // Not what is squared: an operation more, and the square waits for one less.
         let distance = if odd {
@@ -73,7 +84,7 @@ impl Variables {
             distance,
             magnitude: distance,
             square,
-            leaping,
+            unlimited: Some(unlimited),
             unit,
             source: Source::Square,
             side: None,
@@ -96,7 +107,7 @@ impl Variables {
             distance,
             magnitude: distance,
             square,
-            leaping: None,
+            unlimited: None,
             unit,
             source,
             side: None,
@@ -127,7 +138,7 @@ impl Variables {
             distance,
             magnitude,
             square,
-            leaping: None,
+            unlimited: None,
             unit: reduction.unit,
             source,
             side,
@@ -137,10 +148,15 @@ impl Variables {
         }
     }
 
-    /// The same with s and p as they come, of which a whole anchor and more is left beyond the horizon; if so.
-    pub(crate) fn unlimited(&self) -> Option<Self> {
-        let [distance, square] = self.leaping?;
-        Some(Self { distance, magnitude: distance, square, ..*self })
+    /// The same without limits, if `harmless` says that these do no harm.
+    pub(crate) fn without_limits(self, harmless: impl Fn(Unlimited) -> bool) -> Self {
+        let unlimited = self.unlimited.filter(|&unlimited| harmless(unlimited));
+        unlimited.map_or(self, |Unlimited { distance, square, .. }| Self {
+            distance,
+            magnitude: distance,
+            square,
+            ..self
+        })
     }
 
     /// 8p − 1, of a phase in anchors.

@@ -78,7 +78,7 @@ impl Forever {
         let v_2 = s * s;
         let p = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
         let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
-        let v_3 = p + 0.00954559538513422;
+        let v_3 = v_2 + 0.00954559538513422;
         let d = -0.2894105315208435 - v_3 * v_3;
         let y = p - 0.15625;
         let w = y * y;

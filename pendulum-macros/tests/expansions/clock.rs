@@ -79,7 +79,7 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
-        let v_2 = y - 0.18865548074245453;
+        let v_2 = v - 0.18865548074245453;
         let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
@@ -119,7 +119,7 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
-        let v_2 = y - 0.18865548074245453;
+        let v_2 = v - 0.18865548074245453;
         let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;

@@ -16,7 +16,7 @@ use super::blocks::Blocks;
 use super::form::Form;
 use super::moebius::Moebius;
 use super::part::Variant;
-use super::variables::Variables;
+use super::variables::{Unlimited, Variables};
 use crate::program::{Builder, Id};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
@@ -65,15 +65,20 @@ impl Polynomial {
     }
 
     /// What the polynomial is multiplied with, if anything: an odd curve's phase, or 1, `signed` and over the poles. It is
-    /// divided while the polynomial is evaluated. A phase that leaps from half an anchor to a whole one needs no clamp
-    /// where the quotient falls.
+    /// divided while the polynomial is evaluated, and needn't wait for the limits that this is kept within beyond the
+    /// horizon: of a curve on both sides of 0 there may be less, where the divisor grows, or a phase leaps to where it is
+    /// less over that.
     fn factor(&self, b: &mut Builder, variables: &Variables, signed: impl Fn(&mut Builder, Id) -> Id) -> Option<Id> {
         let odd = self.parity == Parity::Odd;
         let Some(pole) = self.pole else {
             return odd.then(|| signed(b, variables.distance));
         };
-        let falls = odd && pole.falls(0.5 / variables.unit.hi);
-        let variables = variables.unlimited().filter(|_| falls).unwrap_or(*variables);
+        let variables =
+            variables.without_limits(
+                |Unlimited { half, leaps, .. }| {
+                    if odd { leaps && pole.falls(half) } else { self.alternates && pole.grows(half) }
+                },
+            );
         let magnitude = if odd { variables.distance } else { b.constant(1.0) };
         let numerator = signed(b, magnitude);
         if numerator != magnitude {

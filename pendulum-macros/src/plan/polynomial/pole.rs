@@ -97,6 +97,11 @@ impl Pole {
         falling && high > place.hi && 2.1 * single(low).powi(power) < single(high).powi(power)
     }
 
+    /// Whether its magnitude grows from |s| = `half` on.
+    pub(super) fn grows(self, half: f64) -> bool {
+        self.place.hi <= half * half
+    }
+
     /// Terms of the divisor, for the reader.
     pub(super) fn terms(self) -> usize {
         2 * self.power as usize + 1
@@ -106,6 +111,20 @@ impl Pole {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// From a half on, wherever it is said to grow.
+    #[test]
+    fn divisors_that_grow() {
+        let mut growing = 0;
+        for (strip, half) in (1..40).flat_map(|tenths| [0.5, 0.3].map(|half| (0.05 * f64::from(tenths), half))) {
+            let pole = Pole::new(strip, 1);
+            let most = |s: f64| pole.at(Double::new(8.0 * s * s - 1.0)).hi.abs();
+            let grows = (0..400).all(|step| most(half * 1.05f64.powi(step + 1)) > most(half * 1.05f64.powi(step)));
+            assert!(grows || !pole.grows(half), "{strip} {half}");
+            growing += u32::from(pole.grows(half));
+        }
+        assert!((40..78).contains(&growing), "{growing}");
+    }
 
     /// Beyond a whole anchor the quotient is less than at a half, wherever it is said to fall; it does by the poles of all
     /// but the smallest swings.
