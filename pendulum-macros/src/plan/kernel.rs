@@ -191,7 +191,8 @@ fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
     let t = b.input();
     let phase = reduction.lower(&mut b, t);
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
-    let variables = Variables { signs, ..Variables::lower(&mut b, phase, reduction, odd) };
+    let alone = kernels.len() == 1;
+    let variables = Variables { alone, signs, ..Variables::lower(&mut b, phase, reduction, odd) };
     let names = if kernels.len() == 1 { [RESULT; 2] } else { NAMES };
     let mut results = Vec::new();
     for (kernel, name) in kernels.iter().zip(names) {

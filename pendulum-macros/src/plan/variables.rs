@@ -27,6 +27,8 @@ pub(crate) struct Variables {
     pub(crate) magic: Id,
     /// The number of anchors passed.
     pub(crate) count: Id,
+    /// Whether they are those of one kernel.
+    pub(crate) alone: bool,
     /// Whether values take the signs that the anchor and the side of the lowest point give.
     pub(crate) signs: bool,
 }
@@ -53,6 +55,16 @@ pub(crate) enum Source {
     Linear { half: Double },
     /// P = (¼ + b) − b(¼ + b)/divisor, in anchors whatever the unit of the reduced variable.
     Quotient { divisor: Id, map: Moebius },
+}
+
+impl Unlimited {
+    /// p + `shift`, limited only then: the same number.
+    pub(crate) fn shifted(self, b: &mut Builder, shift: Double) -> Id {
+        let float = b.float();
+        let limit = float.round(float.round(self.half * self.half) + shift.hi);
+        let shifted = b.offset(self.square, shift);
+        at_most(b, shifted, limit)
+    }
 }
 
 impl Variables {
@@ -90,6 +102,7 @@ impl Variables {
             side: None,
             magic,
             count,
+            alone: true,
             signs: true,
         }
     }
@@ -113,6 +126,7 @@ impl Variables {
             side: None,
             magic,
             count,
+            alone: true,
             signs: true,
         }
     }
@@ -144,19 +158,14 @@ impl Variables {
             side,
             magic,
             count,
+            alone: true,
             signs: true,
         }
     }
 
-    /// The same without limits, if `harmless` says that these do no harm.
-    pub(crate) fn without_limits(self, harmless: impl Fn(Unlimited) -> bool) -> Self {
-        let unlimited = self.unlimited.filter(|&unlimited| harmless(unlimited));
-        unlimited.map_or(self, |Unlimited { distance, square, .. }| Self {
-            distance,
-            magnitude: distance,
-            square,
-            ..self
-        })
+    /// The same of a phase without limits.
+    pub(crate) fn without(self, Unlimited { distance, square, .. }: Unlimited) -> Self {
+        Self { distance, magnitude: distance, square, ..self }
     }
 
     /// 8p − 1, of a phase in anchors.

@@ -60,7 +60,7 @@ impl Forever {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 58;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.901511126956834e-15;
+    pub const MAX_ERROR: f64 = 1.9015111269568344e-15;
     /// θ(t), rad; NaN if t is not finite. 58 operations.
     #[inline(always)]
     #[must_use]
@@ -76,11 +76,15 @@ impl Forever {
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_2 = s * s;
-        let p = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
         let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
         let v_3 = v_2 + 0.00954559538513422;
         let d = -0.2894105315208435 - v_3 * v_3;
-        let y = p - 0.15625;
+        let v_4 = v_2 - 0.15625;
+        let y = if 0.09375095367522612_f64 < v_4 {
+            0.09375095367522612_f64
+        } else {
+            v_4
+        };
         let w = y * y;
         let w2 = w * w;
         let w4 = w2 * w2;

@@ -16,9 +16,9 @@
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
 /// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.743e-10 rad (6.3e-10 of truncation, 4.7e-11 of phase, 2.9e-14 of rounding); 29 operations
-/// * velocity: polynomial of 8 terms in s² over one of 3, coefficients adapted; proven error ≤ 3.953e-10 rad·ω (3.7e-10 of truncation, 2.4e-11 of phase, 7.1e-15 of rounding); 24 operations
+/// * velocity: polynomial of 8 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 3.953e-10 rad·ω (3.7e-10 of truncation, 2.4e-11 of phase, 3.7e-15 of rounding); 26 operations
 /// * not a polynomial in s² over poles, adapted in blocks of 16 for `theta`: it costs about 0.5 operations more
-/// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
+/// * not a polynomial in s² over poles, adapted in blocks of 8 for `velocity`: beside `theta` it costs about 0.5 operations more
 /// * not pieces, phase by one product with the rate: it costs about 88 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 58 operations
@@ -67,7 +67,7 @@ impl Clock {
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 6.743497908505441e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 3.9526006677877867e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 3.9525663087288603e-10;
     /// θ(t), rad; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]
@@ -89,7 +89,7 @@ impl Clock {
                 + ((-7.316130745540807 - 62.54356825341267 * y)
                     * (w - 0.0878098025082964) + 7.340001934601612) * w2)
     }
-    /// θ̇(t), rad per unit of t; NaN if t is not finite. 24 operations.
+    /// θ̇(t), rad per unit of t; NaN if t is not finite. 26 operations.
     #[inline(always)]
     #[must_use]
     pub const fn velocity(t: f64) -> f64 {
@@ -103,12 +103,14 @@ impl Clock {
         let v_2 = v - 0.1819869726896286;
         let d = -0.06803102046251297 - v_2 * v_2;
         let w = y * y;
+        let w2 = w * w;
         signed / d
-            * ((((3.6973742062408896 + 1.3482512120238663 * y) * (w - 6.3999381293002475)
-                + 29.7118629515765) * (w - 0.5585415927321175) - 2.249491458975769)
-                * (w + 0.3213332117839283) + 2.5478814264570677)
+            * ((-4.3479376675759465 + 1.8048243479001937 * y) * (w + 0.8580701370810065)
+                + 4.470236901607331
+                + ((3.6973742062408896 + 1.3482512120238663 * y)
+                    * (w - 6.637146510248437) + 29.7118629515765) * w2)
     }
-    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 46 operations.
+    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 47 operations.
     #[inline(always)]
     #[must_use]
     pub const fn state(t: f64) -> (f64, f64) {
@@ -132,9 +134,10 @@ impl Clock {
         let v_3 = v - 0.1819869726896286;
         let d_2 = -0.06803102046251297 - v_3 * v_3;
         let second_result = signed / d_2
-            * ((((3.6973742062408896 + 1.3482512120238663 * y) * (w - 6.3999381293002475)
-                + 29.7118629515765) * (w - 0.5585415927321175) - 2.249491458975769)
-                * (w + 0.3213332117839283) + 2.5478814264570677);
+            * ((-4.3479376675759465 + 1.8048243479001937 * y) * (w + 0.8580701370810065)
+                + 4.470236901607331
+                + ((3.6973742062408896 + 1.3482512120238663 * y)
+                    * (w - 6.637146510248437) + 29.7118629515765) * w2);
         (first_result, second_result)
     }
 }

@@ -57,6 +57,7 @@ impl Polynomial {
 
     /// The same, one of two with the same poles: one division serves both.
     pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
+        let variables = &Variables { unlimited: None, ..*variables };
         let one = b.constant(1.0);
         let inverse = self.pole.map(|pole| pole.divide(b, one, variables));
         let phase = (self.parity == Parity::Odd).then_some(variables.distance);
@@ -65,20 +66,13 @@ impl Polynomial {
     }
 
     /// What the polynomial is multiplied with, if anything: an odd curve's phase, or 1, `signed` and over the poles. It is
-    /// divided while the polynomial is evaluated, and needn't wait for the limits that this is kept within beyond the
-    /// horizon: of a curve on both sides of 0 there may be less, where the divisor grows, or a phase leaps to where it is
-    /// less over that.
+    /// divided while the polynomial is evaluated.
     fn factor(&self, b: &mut Builder, variables: &Variables, signed: impl Fn(&mut Builder, Id) -> Id) -> Option<Id> {
         let odd = self.parity == Parity::Odd;
         let Some(pole) = self.pole else {
             return odd.then(|| signed(b, variables.distance));
         };
-        let variables =
-            variables.without_limits(
-                |Unlimited { half, leaps, .. }| {
-                    if odd { leaps && pole.falls(half) } else { self.alternates && pole.grows(half) }
-                },
-            );
+        let variables = self.unlimited(variables).map_or(*variables, |unlimited| variables.without(unlimited));
         let magnitude = if odd { variables.distance } else { b.constant(1.0) };
         let numerator = signed(b, magnitude);
         if numerator != magnitude {
@@ -87,17 +81,36 @@ impl Polynomial {
         Some(pole.divide(b, numerator, &variables))
     }
 
-    /// The polynomial times a factor, if any.
-    fn times(&self, b: &mut Builder, variables: &Variables, factor: Option<Id>) -> Id {
-        let value = self.value(b, variables);
-        factor.map_or(value, |factor| b.mul(factor, value))
+    /// The phase without limits, if what is divided may be of that. The polynomial's variable is kept within limits beyond
+    /// the horizon; but of a curve on both sides of 0 there may be less, where the divisor grows, or a phase leaps to where
+    /// it is less over that.
+    ///
+    /// Two terms and 8p − 1 use the limited variable once. LLVM makes a choice of results of such a limit, if what is
+    /// limited has other uses: four operations in place of one.
+    fn unlimited(&self, variables: &Variables) -> Option<Unlimited> {
+        let pole = self.pole?;
+        let used_once = self.terms() < 3 || self.form == Form::Normalised;
+        variables.unlimited.filter(|&Unlimited { half, leaps, .. }| {
+            let less = if self.parity == Parity::Odd {
+                leaps && pole.falls(half)
+            } else {
+                self.alternates && pole.grows(half)
+            };
+            less && !used_once
+        })
     }
 
-    /// Of the variable alone.
-    fn value(&self, b: &mut Builder, variables: &Variables) -> Id {
+    /// The polynomial times a factor, if any.
+    fn times(&self, b: &mut Builder, variables: &Variables, factor: Option<Id>) -> Id {
         let variables = &self.map.map_or(*variables, |map| variables.mapped(b, map));
-        let y = if self.form == Form::Normalised { variables.normalised(b) } else { variables.shifted(b, self.shift) };
-        self.blocks.lower(b, y)
+        let y = match self.unlimited(variables) {
+            _ if self.form == Form::Normalised => variables.normalised(b),
+            // Where another kernel uses p, too, p is there.
+            Some(unlimited) if self.shift != Double::ZERO && variables.alone => unlimited.shifted(b, self.shift),
+            _ => variables.shifted(b, self.shift),
+        };
+        let value = self.blocks.lower(b, y);
+        factor.map_or(value, |factor| b.mul(factor, value))
     }
 
     /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.

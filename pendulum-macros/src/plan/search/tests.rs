@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::plan::Bound;
-use crate::plan::kernel::Kernel;
 use crate::plan::tests::scene;
 
 fn prospects(text: &str) -> (Scene, Vec<Prospect>) {
@@ -182,16 +181,10 @@ fn the_best_within_reach() {
     }
 }
 
-/// Of the velocity's variants that are little dearer by themselves the one that costs least, alone and beside θ; alone the
-/// cheapest.
+/// Of the velocity's variants that are little dearer by themselves one of the form of θ, or one that costs less with θ;
+/// alone the cheapest.
 #[test]
 fn velocities_beside_theta() {
-    let cost = |reduction: &Reduction, theta: &Part, velocity: &Part| {
-        let functions = kernel::functions(reduction, &[theta.clone(), velocity.clone()]);
-        let Kernel::Polynomial(polynomial) = &velocity.kernel else { panic!("{}", velocity.description) };
-        let waiting = polynomial.form.waiting(polynomial.terms());
-        functions[1..].iter().map(|function| function.program.cost() + waiting).sum::<f64>()
-    };
     let mut others = 0;
     for text in ["tol = 1e-6, t_max = 1e3", "tol = 1e-9, t_max = 1e3", "tol = 1e-12, t_max = 1e3", "t_max = 1e3"] {
         let planned = |outputs| plan(&prospects(&format!("theta0 = 7π/8, {text}, outputs = {outputs}")).0).unwrap();
@@ -199,9 +192,16 @@ fn velocities_beside_theta() {
         let [theta, velocity] = [0, 1].map(|index| &both.parts[index]);
         let told = both.rejected.iter().any(|line| line.contains("beside `theta` it costs about"));
         assert_eq!(told, velocity.kernel != alone.parts[0].kernel, "{text}: {:?}", both.rejected);
-        let saved = cost(&both.reduction, theta, &alone.parts[0]) - cost(&both.reduction, theta, velocity);
-        assert_eq!(told, saved > 0.0, "{text}: {saved}");
-        others += usize::from(told);
+        if told {
+            others += 1;
+            let form = |part: &Part| together::polynomial(part).map(|found| found.form);
+            let state = |velocity: &Part| {
+                let functions = kernel::functions(&both.reduction, &[theta.clone(), velocity.clone()]);
+                functions.last().map_or(f64::NAN, |function| function.program.cost())
+            };
+            let cheaper = state(velocity) < state(&alone.parts[0]);
+            assert!(form(theta) == form(velocity) || cheaper, "{text}: {}", velocity.description);
+        }
     }
-    assert!(others > 0);
+    assert!(others > 1, "{others}");
 }

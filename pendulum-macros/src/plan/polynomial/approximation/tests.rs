@@ -379,8 +379,19 @@ fn evaluated(polynomial: &Polynomial, unit: Double, s: f64) -> f64 {
     let input = b.input();
     let (source, square) = (Source::Square, b.mul(input, input));
     let [distance, magnitude, magic, count] = [input; 4];
-    let variables =
-        Variables { distance, magnitude, square, unlimited: None, unit, source, side: None, magic, count, signs: true };
+    let variables = Variables {
+        distance,
+        magnitude,
+        square,
+        unlimited: None,
+        unit,
+        source,
+        side: None,
+        magic,
+        count,
+        alone: true,
+        signs: true,
+    };
     let result = polynomial.magnitude(&mut b, &variables);
     b.finish(vec![result]).run(s / unit.hi)[0]
 }
