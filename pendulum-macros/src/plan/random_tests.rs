@@ -323,6 +323,32 @@ fn horizons_of_less_than_half_a_swing() {
     assert!(ratios.len() > 60 && *worst[0] <= 4.0, "{} scenes, {worst:?}", ratios.len());
 }
 
+/// Of any finite time, however far beyond the horizon, the result is within the range of the motion, but for an angle
+/// that counts turns.
+#[test]
+fn all_times_stay_within_the_range() {
+    let mut checked = 0;
+    for index in 0..60 {
+        let mut random = Random::new(0x6000 + index);
+        let text = format!("struct Motion; {}", random_scene(&mut random));
+        let Some((scene, plan)) = planned(&text) else { continue };
+        let part = &plan.parts[0];
+        if part.output == Output::Theta && matches!(scene.motion.regime, Regime::Rotation(_)) {
+            continue;
+        }
+        checked += 1;
+        let (program, most) = (&plan.functions[0].program, part.largest + part.bound.total());
+        let (bits, largest) = if scene.float == Float::F64 { (53.0, 1023.9) } else { (24.0, 127.9) };
+        for _ in 0..2000 {
+            let exponent = random.choose(&[bits + 30.0, largest]) * random.unit();
+            let t = scene.float.round(2f64.powf(exponent) * random.choose(&[1.0, -1.0]));
+            let found = program.run(t).iter().map(|x| x * x).sum::<f64>().sqrt();
+            assert!(found <= most, "{text}: {found} at {t:e}, {most}");
+        }
+    }
+    assert!(checked > 30, "{checked}");
+}
+
 /// The same, densely, and how tight the bounds are.
 #[test]
 #[ignore = "minutes: PENDULA_SCENES scenes from PENDULA_FUZZ_SEED"]
