@@ -20,6 +20,21 @@ pub(crate) enum Form {
     Adapted { chunk: usize },
 }
 
+/// How a curve is approximated: in which form, and whether poles are divided out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Variant {
+    pub(crate) form: Form,
+    pub(crate) divided: bool,
+}
+
+impl Variant {
+    /// For the reader.
+    pub(in crate::plan) fn describe(self, parity: Parity) -> String {
+        let poles = if self.divided { " over poles" } else { "" };
+        format!("a polynomial in {}{poles}{}", self.form.variable(parity), self.form.scheme())
+    }
+}
+
 /// How a polynomial comes to be over its poles. In each case the division is done by the time that it is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Division {

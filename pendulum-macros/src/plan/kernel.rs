@@ -193,7 +193,7 @@ fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
     let alone = kernels.len() == 1;
     let variables = Variables { alone, signs, ..Variables::lower(&mut b, phase, reduction, odd) };
-    let names = if kernels.len() == 1 { [RESULT; 2] } else { NAMES };
+    let names = if alone { [RESULT; 2] } else { NAMES };
     let mut results = Vec::new();
     for (kernel, name) in kernels.iter().zip(names) {
         let of_magnitude = kernel.lower(&mut b, &variables, name);

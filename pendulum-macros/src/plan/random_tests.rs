@@ -11,6 +11,7 @@ use super::*;
 use crate::fuzz::random::Random;
 use crate::parse::Float;
 use crate::program::Op;
+use crate::supremum::norm;
 
 /// A random scene of every regime, horizon, tolerance, float and output.
 fn random_scene(random: &mut Random) -> String {
@@ -296,6 +297,16 @@ fn bounds_are_close_to_errors() {
     }
 }
 
+/// Whether the first output is never larger than that of the motion by more than its error.
+fn stays_within_its_range(text: &str, plan: &Plan, times: impl Iterator<Item = f64>) {
+    let (program, part) = (&plan.functions[0].program, &plan.parts[0]);
+    let most = part.largest + part.bound.total();
+    for t in times {
+        let found = norm(program.run(t).iter().copied());
+        assert!(found <= most, "{text}: {found} at {t:e}, {most}");
+    }
+}
+
 /// Launched beside a turning point over less than half a swing, of which the plan may be that of the whole: within the
 /// horizon nothing is beyond its bound, nor that far from what is found; at other times all stays within its range.
 #[test]
@@ -311,12 +322,7 @@ fn horizons_of_less_than_half_a_swing() {
         let text = format!("struct Motion; {start}, tol = {tol:.3e}, t_max = {t_max:.3}, outputs = [{output}]");
         let Some((_, plan)) = planned(&text) else { continue };
         ratios.extend(tightness(&text, &mut random, 6));
-        let (program, part) = (&plan.functions[0].program, &plan.parts[0]);
-        let most = part.largest + part.bound.total();
-        for t in (-2000..2000).map(|i| 0.05 * f64::from(i)) {
-            let found = program.run(t).iter().map(|x| x * x).sum::<f64>().sqrt();
-            assert!(found <= most, "{text}: {found} at {t}, {most}");
-        }
+        stays_within_its_range(&text, &plan, (-2000..2000).map(|i| 0.05 * f64::from(i)));
     }
     ratios.sort_by(f64::total_cmp);
     let worst = ratios.iter().rev().take(3).collect::<Vec<_>>();
@@ -332,19 +338,16 @@ fn all_times_stay_within_the_range() {
         let mut random = Random::new(0x6000 + index);
         let text = format!("struct Motion; {}", random_scene(&mut random));
         let Some((scene, plan)) = planned(&text) else { continue };
-        let part = &plan.parts[0];
-        if part.output == Output::Theta && matches!(scene.motion.regime, Regime::Rotation(_)) {
+        if plan.parts[0].output == Output::Theta && matches!(scene.motion.regime, Regime::Rotation(_)) {
             continue;
         }
         checked += 1;
-        let (program, most) = (&plan.functions[0].program, part.largest + part.bound.total());
         let (bits, largest) = if scene.float == Float::F64 { (53.0, 1023.9) } else { (24.0, 127.9) };
-        for _ in 0..2000 {
+        let time = |_| {
             let exponent = random.choose(&[bits + 30.0, largest]) * random.unit();
-            let t = scene.float.round(2f64.powf(exponent) * random.choose(&[1.0, -1.0]));
-            let found = program.run(t).iter().map(|x| x * x).sum::<f64>().sqrt();
-            assert!(found <= most, "{text}: {found} at {t:e}, {most}");
-        }
+            scene.float.round(2f64.powf(exponent) * random.choose(&[1.0, -1.0]))
+        };
+        stays_within_its_range(&text, &plan, (0..2000).map(time));
     }
     assert!(checked > 30, "{checked}");
 }

@@ -58,7 +58,7 @@ pub(crate) enum Source {
 }
 
 impl Unlimited {
-    /// p + `shift`, limited only then: the same number.
+    /// p + `shift`, limited only after it was shifted: the same number.
     pub(crate) fn shifted(self, b: &mut Builder, shift: Double) -> Id {
         let float = b.float();
         let limit = float.round(float.round(self.half * self.half) + shift.hi);
@@ -78,6 +78,13 @@ impl Variables {
         }
     }
 
+    /// From an anchor, with signs.
+    pub(crate) fn of_one_kernel([distance, square]: [Id; 2], unit: Double, source: Source, phase: Phase) -> Self {
+        let Phase { magic, count, .. } = phase;
+        let (magnitude, unlimited, side, alone, signs) = (distance, None, None, true, true);
+        Self { distance, magnitude, square, unlimited, unit, source, side, magic, count, alone, signs }
+    }
+
     fn from_anchor(b: &mut Builder, phase: Phase, reduction: &Reduction, odd: bool) -> Self {
         let half = reduction.half();
         let square = b.mul(phase.remainder, phase.remainder);
@@ -91,20 +98,8 @@ impl Variables {
         } else {
             phase.remainder
         };
-        let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
-        Self {
-            distance,
-            magnitude: distance,
-            square,
-            unlimited: Some(unlimited),
-            unit,
-            source: Source::Square,
-            side: None,
-            magic,
-            count,
-            alone: true,
-            signs: true,
-        }
+        let variables = Self::of_one_kernel([distance, square], reduction.unit, Source::Square, phase);
+        Self { unlimited: Some(unlimited), ..variables }
     }
 
     /// Over an arc without symmetry.
@@ -114,21 +109,7 @@ impl Variables {
         let half = Double::new(0.5) / reduction.unit;
         let half_id = b.exact(half);
         let square = b.add(distance, half_id);
-        let (unit, magic, count) = (reduction.unit, phase.magic, phase.count);
-        let source = Source::Linear { half };
-        Self {
-            distance,
-            magnitude: distance,
-            square,
-            unlimited: None,
-            unit,
-            source,
-            side: None,
-            magic,
-            count,
-            alone: true,
-            signs: true,
-        }
+        Self::of_one_kernel([distance, square], reduction.unit, Source::Linear { half }, phase)
     }
 
     /// With s = ½ − |z|: p = ¼ − |z|(1 − |z|), in which |z| small beside 1 loses nothing.
@@ -146,21 +127,14 @@ impl Variables {
         let distance = b.sub(half_id, magnitude);
         let square = b.sub(quarter_id, product);
         b.name(square, "p");
-        let (side, magic, count) = (Some(phase.remainder), phase.magic, phase.count);
         let source = Source::Below { below: product, quarter };
-        Self {
-            distance,
-            magnitude,
-            square,
-            unlimited: None,
-            unit: reduction.unit,
-            source,
-            side,
-            magic,
-            count,
-            alone: true,
-            signs: true,
-        }
+        let variables = Self::of_one_kernel([distance, square], reduction.unit, source, phase);
+        Self { magnitude, side: Some(phase.remainder), ..variables }
+    }
+
+    /// The same without signs.
+    pub(crate) fn unsigned(self) -> Self {
+        Self { signs: false, ..self }
     }
 
     /// The same of a phase without limits.

@@ -16,7 +16,6 @@ use crate::parse::Output;
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
 pub(super) use polynomials::Approximations;
-pub(crate) use polynomials::Variant;
 use std::f64::consts::PI;
 
 impl Aim {

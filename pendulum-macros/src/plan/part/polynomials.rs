@@ -4,7 +4,7 @@ use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
 use crate::plan::curve::Curve;
-use crate::plan::form::{Division, Form};
+use crate::plan::form::{Division, Form, Variant};
 use crate::plan::kernel::Kernel;
 use crate::plan::polynomial::{Approximation, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
@@ -12,21 +12,6 @@ use crate::program::cost::CLAMP;
 use crate::scene::Scene;
 use crate::series::Parity;
 use crate::supremum::norm;
-
-/// How a curve is approximated: in which form, and whether poles are divided out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Variant {
-    pub(crate) form: Form,
-    pub(crate) divided: bool,
-}
-
-impl Variant {
-    /// For the reader.
-    pub(in crate::plan) fn describe(self, parity: Parity) -> String {
-        let poles = if self.divided { " over poles" } else { "" };
-        format!("a polynomial in {}{poles}{}", self.form.variable(parity), self.form.scheme())
-    }
-}
 
 /// An output's approximations, without and with its poles divided out.
 pub(in crate::plan) struct Approximations {
@@ -132,15 +117,15 @@ impl Aim {
         &self,
         scene: &Scene,
         task: &Task,
-        approximations: &[Approximation],
+        all: &Approximations,
         reduction: &Reduction,
-        form: Form,
+        Variant { form, divided }: Variant,
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
         self.first_kept(scene, reduction, phase, |rounding| {
             let left = self.share(self.limit - phase - rounding);
             let mut polynomials = Vec::new();
-            for (curve, approximation) in self.curves.iter().zip(approximations) {
+            for (curve, approximation) in self.curves.iter().zip(all.choose(divided)) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
                     return Err((phase + rounding + least) / self.size.unit);

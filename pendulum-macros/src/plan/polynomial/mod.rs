@@ -13,9 +13,8 @@ mod tail;
 pub(crate) use approximation::Approximation;
 
 use super::blocks::Blocks;
-use super::form::Form;
+use super::form::{Form, Variant};
 use super::moebius::Moebius;
-use super::part::Variant;
 use super::variables::{Unlimited, Variables};
 use crate::program::{Builder, Id};
 use crate::series::Parity;
@@ -42,43 +41,50 @@ impl Polynomial {
     /// Evaluates it, with its sign. That is known long before the polynomial is: what the polynomial is multiplied with
     /// takes it, if anything, and nothing waits for it.
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
-        let signed = |b: &mut Builder, x: Id| variables.signed(b, x, self.alternates, self.parity);
-        let factor = self.factor(b, variables, signed);
-        let value = self.times(b, variables, factor);
+        let (value, signed) = self.product(b, variables);
         b.name(value, name);
-        if factor.is_some() { value } else { signed(b, value) }
+        if signed { value } else { self.signed(b, variables, value) }
     }
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.
     pub(crate) fn magnitude(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let factor = self.factor(b, variables, |_, x| x);
-        self.times(b, variables, factor)
+        self.product(b, &variables.unsigned()).0
     }
 
     /// The same, one of two with the same poles: one division serves both.
     pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let variables = &Variables { unlimited: None, ..*variables };
         let one = b.constant(1.0);
         let inverse = self.pole.map(|pole| pole.divide(b, one, variables));
         let phase = (self.parity == Parity::Odd).then_some(variables.distance);
         let both = phase.zip(inverse).map(|(phase, inverse)| b.mul(phase, inverse));
-        self.times(b, variables, both.or(phase).or(inverse))
+        self.times(b, variables, both.or(phase).or(inverse), None)
     }
 
-    /// What the polynomial is multiplied with, if anything: an odd curve's phase, or 1, `signed` and over the poles. It is
-    /// divided while the polynomial is evaluated.
-    fn factor(&self, b: &mut Builder, variables: &Variables, signed: impl Fn(&mut Builder, Id) -> Id) -> Option<Id> {
+    /// The polynomial times its factor, if it has one, and whether that has taken the sign.
+    fn product(&self, b: &mut Builder, variables: &Variables) -> (Id, bool) {
+        let unlimited = self.unlimited(variables);
+        let factor = self.factor(b, variables, unlimited);
+        (self.times(b, variables, factor, unlimited), factor.is_some())
+    }
+
+    /// What the polynomial is multiplied with, if anything: an odd curve's phase, or 1, with the sign and over the poles.
+    /// It is divided while the polynomial is evaluated.
+    fn factor(&self, b: &mut Builder, variables: &Variables, unlimited: Option<Unlimited>) -> Option<Id> {
         let odd = self.parity == Parity::Odd;
         let Some(pole) = self.pole else {
-            return odd.then(|| signed(b, variables.distance));
+            return odd.then(|| self.signed(b, variables, variables.distance));
         };
-        let variables = self.unlimited(variables).map_or(*variables, |unlimited| variables.without(unlimited));
+        let variables = unlimited.map_or(*variables, |unlimited| variables.without(unlimited));
         let magnitude = if odd { variables.distance } else { b.constant(1.0) };
-        let numerator = signed(b, magnitude);
+        let numerator = self.signed(b, &variables, magnitude);
         if numerator != magnitude {
             b.name(numerator, if odd { "signed" } else { "sign" });
         }
         Some(pole.divide(b, numerator, &variables))
+    }
+
+    fn signed(&self, b: &mut Builder, variables: &Variables, value: Id) -> Id {
+        variables.signed(b, value, self.alternates, self.parity)
     }
 
     /// The phase without limits, if what is divided may be of that. The polynomial's variable is kept within limits beyond
@@ -100,10 +106,10 @@ impl Polynomial {
         })
     }
 
-    /// The polynomial times a factor, if any.
-    fn times(&self, b: &mut Builder, variables: &Variables, factor: Option<Id>) -> Id {
+    /// The polynomial times a factor, if any; `unlimited` is what that is of.
+    fn times(&self, b: &mut Builder, variables: &Variables, factor: Option<Id>, unlimited: Option<Unlimited>) -> Id {
         let variables = &self.map.map_or(*variables, |map| variables.mapped(b, map));
-        let y = match self.unlimited(variables) {
+        let y = match unlimited {
             _ if self.form == Form::Normalised => variables.normalised(b),
             // Where another kernel uses p, too, p is there.
             Some(unlimited) if self.shift != Double::ZERO && variables.alone => unlimited.shifted(b, self.shift),

@@ -90,11 +90,10 @@ impl Pole {
     /// Whether s over it has a smaller magnitude at 2·`half` than at `half`, and falls from there on: with D = (p − a)² + h²
     /// its derivative has the sign of D − 4·power·p(p − a), whose own by p is negative for p > a.
     pub(super) fn falls(self, half: f64) -> bool {
-        let Self { place, height_squared, power } = self;
         let [low, high] = [half, 2.0 * half].map(|s| s * s);
-        let single = |p: f64| (p - place.hi) * (p - place.hi) + height_squared.hi;
-        let falling = single(high) < 4.0 * high * (high - place.hi);
-        falling && high > place.hi && 2.1 * single(low).powi(power) < single(high).powi(power)
+        let distance = high - self.place.hi;
+        let falling = distance > 0.0 && distance * distance + self.height_squared.hi < 4.0 * high * distance;
+        falling && 2.1 * self.least_between(low, low) < self.least_between(high, high)
     }
 
     /// Whether its magnitude grows from |s| = `half` on.

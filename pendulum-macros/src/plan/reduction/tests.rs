@@ -225,10 +225,7 @@ fn every_finite_time_has_a_phase() {
                 let clock =
                     Clock { rate: &rate, launch: Double::new(launch), t_max: Some(10.0 / rate.to_f64()), float };
                 for reduction in clock.reductions() {
-                    let mut b = Builder::new(float);
-                    let t = b.input();
-                    let phase = reduction.lower(&mut b, t).remainder;
-                    let program = b.finish(vec![phase]);
+                    let program = remainder(&reduction);
                     for sign in [1.0, -1.0] {
                         assert!(!program.run(sign * most)[0].is_nan(), "{:e}: {reduction:?}", rate.to_f64());
                         assert!(program.run(sign * f64::INFINITY)[0].is_nan(), "{:e}: {reduction:?}", rate.to_f64());
@@ -237,6 +234,14 @@ fn every_finite_time_has_a_phase() {
             }
         }
     }
+}
+
+/// The remainder as a program of the time.
+fn remainder(reduction: &Reduction) -> Program {
+    let mut b = Builder::new(reduction.float);
+    let t = b.input();
+    let phase = reduction.lower(&mut b, t).remainder;
+    b.finish(vec![phase])
 }
 
 /// What is divided by poles as it comes relies on it.
@@ -251,10 +256,7 @@ fn remainders_that_leap() {
             let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0 / rate.to_f64()), float };
             for reduction in clock.reductions().into_iter().filter(Reduction::leaps) {
                 count += 1;
-                let mut b = Builder::new(float);
-                let t = b.input();
-                let phase = reduction.lower(&mut b, t).remainder;
-                let program = b.finish(vec![phase]);
+                let program = remainder(&reduction);
                 let wide = matches!(reduction.method, Method::Wide { .. });
                 let least = f64::from(if wide { Float::F64 } else { float }.bits()) - 4.0;
                 let mut beyond = 0;

@@ -6,7 +6,8 @@ mod together;
 
 use super::aim::{Aim, Task};
 use super::curve::Curve;
-use super::part::{Approximations, Variant};
+use super::form::Variant;
+use super::part::Approximations;
 use super::pieces::Piecewise;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
@@ -145,8 +146,7 @@ fn parts<'a>(
     all: &'a Approximations,
     reduction: &'a Reduction,
 ) -> impl Iterator<Item = Part> + 'a {
-    let polynomial =
-        move |variant: Variant| aim.part(scene, task, all.choose(variant.divided), reduction, variant.form).ok();
+    let polynomial = move |variant: Variant| aim.part(scene, task, all, reduction, variant).ok();
     let polynomials = aim.variants(all, reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
     let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
     polynomials.chain(passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage).ok()))
@@ -314,7 +314,7 @@ impl Candidate<'_> {
         let word = aim.output.word();
         let parity = aim.curves.first().map_or(Parity::Even, Curve::parity);
         for (index, (variant, cost)) in variants.iter().enumerate() {
-            let found = aim.part(scene, &self.prospect.task, all.choose(variant.divided), self.reduction, variant.form);
+            let found = aim.part(scene, &self.prospect.task, all, self.reduction, *variant);
             let reached = found.as_ref().map_or_else(|&reached| reached, Part::error);
             if found.as_ref().is_ok_and(|part| part.taken <= comfortable(scene, self.reduction)) {
                 let next = variants.get(index + 1).map(|(next, dearer)| {

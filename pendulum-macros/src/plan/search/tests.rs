@@ -69,9 +69,7 @@ fn comfortable_plans() {
                 continue;
             }
             let (aim, all, reduction) = (&task.aims[0], &approximations[0], candidate.reduction);
-            let form = |(variant, _): &(Variant, f64)| {
-                aim.part(&scene, task, all.choose(variant.divided), reduction, variant.form).ok()
-            };
+            let form = |&(variant, _): &(Variant, f64)| aim.part(&scene, task, all, reduction, variant).ok();
             let forms: Vec<f64> = aim.variants(all, reduction).iter().filter_map(form).map(|part| part.taken).collect();
             assert_eq!(plan.taken(), best(&forms), "{text}: {forms:?}, {}", candidate.describe());
         }

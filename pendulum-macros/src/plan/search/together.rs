@@ -3,8 +3,8 @@
 use super::{Candidate, Prospect};
 use crate::parse::Output;
 use crate::plan::Part;
+use crate::plan::form::Variant;
 use crate::plan::kernel::{self, Kernel};
-use crate::plan::part::Variant;
 use crate::plan::polynomial::Polynomial;
 use crate::scene::Scene;
 
@@ -25,13 +25,11 @@ impl Candidate<'_> {
     pub(super) fn together(&self, scene: &Scene, mut parts: Vec<Part>, rejected: &mut Vec<String>) -> Vec<Part> {
         let place = |output| parts.iter().position(|part| part.output == output);
         let (Some(theta), Some(velocity)) = (place(Output::Theta), place(Output::Velocity)) else { return parts };
-        let (Some(beside), Some(found)) = (polynomial(&parts[theta]), polynomial(&parts[velocity])) else {
-            return parts;
-        };
+        let Some(found) = polynomial(&parts[velocity]) else { return parts };
         let (parity, first) = (found.parity, found.variant());
-        let cost = |part: &Part| polynomial(part).map_or(f64::INFINITY, |found| self.cost_beside(beside, found));
-        let before = cost(&parts[velocity]);
-        let others = self.others(scene, velocity, first).map(|(other, part)| (cost(&part), other, part));
+        let cost = |part: &Part| self.cost_beside(&parts[theta], part);
+        let Some(before) = cost(&parts[velocity]) else { return parts };
+        let others = self.others(scene, velocity, first).filter_map(|(other, part)| Some((cost(&part)?, other, part)));
         let cheaper = others.filter(|(cost, ..)| *cost < before).min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((less, other, part)) = cheaper else { return parts };
         let [name, of_other] =
@@ -43,13 +41,13 @@ impl Candidate<'_> {
         parts
     }
 
-    /// What both cost in one function, and the velocity in one of its own.
-    fn cost_beside(&self, theta: &Polynomial, velocity: &Polynomial) -> f64 {
-        let paired = if theta.form == velocity.form { PAIRED } else { 0.0 };
-        let waiting = velocity.form.waiting(velocity.terms());
-        let [theta, velocity] = [theta, velocity].map(|polynomial| Kernel::Polynomial(polynomial.clone()));
+    /// What both cost in one function, and the velocity in one of its own, if both are polynomials.
+    fn cost_beside(&self, theta: &Part, velocity: &Part) -> Option<f64> {
+        let (of_theta, of_velocity) = (polynomial(theta)?, polynomial(velocity)?);
+        let paired = if of_theta.form == of_velocity.form { PAIRED } else { 0.0 };
+        let waiting = of_velocity.form.waiting(of_velocity.terms());
         let cost = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost() + waiting;
-        cost(&[&theta, &velocity]) + ALONE * cost(&[&velocity]) - paired
+        Some(cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel]) - paired)
     }
 
     /// The output's variants that by themselves are little dearer than this one and keep the promise comfortably.
@@ -60,7 +58,7 @@ impl Candidate<'_> {
         let cost = variants.iter().find(|(variant, _)| *variant == first).map_or(0.0, |(_, cost)| *cost);
         let near = variants.into_iter().filter(move |&(variant, other)| variant != first && other <= cost + SHARED);
         near.filter_map(move |(variant, _)| {
-            let part = aim.part(scene, task, all.choose(variant.divided), self.reduction, variant.form).ok();
+            let part = aim.part(scene, task, all, self.reduction, variant).ok();
             Some((variant, part.filter(|part| part.taken <= super::comfortable(scene, self.reduction))?))
         })
     }

@@ -4,6 +4,7 @@ use super::*;
 use crate::chebyshev::value;
 use crate::parse::Float;
 use crate::plan::aim::Task;
+use crate::plan::reduction::Phase;
 use crate::plan::tests::scene;
 use crate::plan::variables::{Source, Variables};
 use crate::program::Builder;
@@ -377,21 +378,9 @@ fn adapted_polynomials() {
 fn evaluated(polynomial: &Polynomial, unit: Double, s: f64) -> f64 {
     let mut b = Builder::new(Float::F64);
     let input = b.input();
-    let (source, square) = (Source::Square, b.mul(input, input));
-    let [distance, magnitude, magic, count] = [input; 4];
-    let variables = Variables {
-        distance,
-        magnitude,
-        square,
-        unlimited: None,
-        unit,
-        source,
-        side: None,
-        magic,
-        count,
-        alone: true,
-        signs: true,
-    };
+    let square = b.mul(input, input);
+    let phase = Phase { remainder: input, magic: input, count: input };
+    let variables = Variables::of_one_kernel([input, square], unit, Source::Square, phase);
     let result = polynomial.magnitude(&mut b, &variables);
     b.finish(vec![result]).run(s / unit.hi)[0]
 }
