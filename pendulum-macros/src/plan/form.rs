@@ -20,18 +20,57 @@ pub(crate) enum Form {
     Adapted { chunk: usize },
 }
 
-/// How a curve is approximated: in which form, and whether poles are divided out.
+/// How a curve is approximated: in which form, and what becomes of its poles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Variant {
     pub(crate) form: Form,
-    pub(crate) divided: bool,
+    pub(crate) poles: Poles,
+}
+
+/// What becomes of the poles that are divided out of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Poles {
+    /// None are.
+    Absent,
+    /// A polynomial N is divided by theirs, D.
+    Under,
+    /// N/D = Q + R/D with R of two terms: rounded less, since what is divided is only a part of the sum.
+    Beside,
+}
+
+impl Poles {
+    pub(crate) const ALL: [Self; 3] = [Self::Absent, Self::Under, Self::Beside];
 }
 
 impl Variant {
     /// For the reader.
     pub(in crate::plan) fn describe(self, parity: Parity) -> String {
-        let poles = if self.divided { " over poles" } else { "" };
+        let poles = match self.poles {
+            Poles::Absent => "",
+            Poles::Under => " over poles",
+            Poles::Beside => " and poles",
+        };
         format!("a polynomial in {}{poles}{}", self.form.variable(parity), self.form.scheme())
+    }
+
+    /// Whether it is one for so many terms.
+    pub(crate) fn suits(self, terms: usize, float: Float) -> bool {
+        match self.poles {
+            // Adapted coefficients are for few operations, and poles may as well be under them.
+            Poles::Beside => {
+                let powers = matches!(self.form, Form::Powers { .. } | Form::Careful { .. });
+                powers && terms > 3 && self.form.suits(terms - 2, float)
+            }
+            Poles::Absent | Poles::Under => self.form.suits(terms, float),
+        }
+    }
+
+    /// Estimated cost of a polynomial of that many terms, given the variables: see [`Program::cost`].
+    ///
+    /// [`Program::cost`]: crate::program::Program::cost
+    pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
+        let left = if self.poles == Poles::Beside { terms - 2 } else { terms };
+        self.form.cost(left, division)
     }
 }
 
@@ -46,6 +85,8 @@ pub(crate) enum Division {
     Inverse,
     /// It is multiplied with the inverse, as another one is.
     Shared,
+    /// Two terms are divided, and added.
+    OfRemainder,
 }
 
 impl Division {
@@ -56,9 +97,14 @@ impl Division {
             Self::OfPhase => QUOTIENT + 3.0,
             Self::Inverse => QUOTIENT + 4.0,
             Self::Shared => 0.5 * (QUOTIENT + 3.0) + 1.0,
+            Self::OfRemainder => QUOTIENT + 6.0 + APART,
         }
     }
 }
+
+/// What poles beside a polynomial had better save, in operations: compilers don't compute it in one vector with a
+/// velocity over poles. To 1e-6 at 7π/8 scalar calls of both take a seventh more time.
+const APART: f64 = 2.0;
 
 /// What stands for the square of the phase, for the reader.
 fn square(parity: Parity) -> &'static str {
@@ -79,7 +125,17 @@ impl Form {
         Self::Normalised,
     ];
 
-    /// Whether it is one for so many terms: where no smaller blocks hold as many, and where powers of numbers up to an
+    /// What is added to p.
+    pub(crate) fn shift(self) -> f64 {
+        if let Self::Powers { shift } | Self::Careful { shift } = self { shift } else { 0.0 }
+    }
+
+    /// Whether the largest terms are added last.
+    pub(crate) fn largest_last(self) -> bool {
+        !matches!(self, Self::Powers { .. })
+    }
+
+    /// Whether it suits so many terms: where no smaller blocks hold as many, and where powers of numbers up to an
     /// eighth don't underflow often, which is slow. In `f32` the sixteenth does for one time in thirty.
     pub(crate) fn suits(self, terms: usize, float: Float) -> bool {
         match self {
@@ -98,9 +154,7 @@ impl Form {
         }
     }
 
-    /// Estimated cost of a polynomial of that many terms, given the variables: see [`Program::cost`].
-    ///
-    /// [`Program::cost`]: crate::program::Program::cost
+    /// Estimated cost of a polynomial of that many terms, given the variables.
     pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
         let operations = match self {
             // The first block isn't adapted.

@@ -20,7 +20,7 @@ pub(crate) enum Kernel {
     /// The output itself, as a polynomial or a quotient.
     Polynomial(Polynomial),
     /// sin θ and −cos θ from sin(θ/2) and cos(θ/2): the square of a point of the unit circle.
-    Circle { sine: Polynomial, cosine: Polynomial },
+    Circle(Box<[Polynomial; 2]>),
     /// A polynomial for each part of the period.
     Pieces(Box<Pieces>),
     /// A sum of harmonics of one cosine.
@@ -40,7 +40,7 @@ impl Kernel {
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
         match self {
             Self::Polynomial(polynomial) => vec![polynomial.lower(b, variables, name)],
-            Self::Circle { sine, cosine } => circle(b, variables, sine, cosine),
+            Self::Circle(factors) => circle(b, variables, factors),
             Self::Pieces(pieces) => vec![pieces.lower(b, name)],
             Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
             Self::Passage(passage) => passage.lower(b, variables, name),
@@ -60,7 +60,7 @@ impl Kernel {
     fn is_odd(&self) -> bool {
         match self {
             Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
-            Self::Circle { sine, cosine } => [sine, cosine].iter().any(|factor| factor.parity == Parity::Odd),
+            Self::Circle(factors) => factors.iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
             Self::Passage(_) | Self::Pieces(_) => false,
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_odd(),
@@ -78,7 +78,7 @@ impl Kernel {
     /// The method, in a word.
     pub(crate) fn word(&self) -> &'static str {
         match self {
-            Self::Polynomial(_) | Self::Circle { .. } => "polynomial",
+            Self::Polynomial(_) | Self::Circle(_) => "polynomial",
             Self::Pieces(_) => "pieces",
             Self::Harmonics(_) => "harmonics",
             Self::Passage(_) => "passage",
@@ -90,8 +90,9 @@ impl Kernel {
     pub(crate) fn describe(&self) -> String {
         match self {
             Self::Polynomial(polynomial) => polynomial.describe(),
-            Self::Circle { sine, cosine } => {
-                format!("sin(θ/2) by a {}, cos(θ/2) by a {}, squared", sine.describe(), cosine.describe())
+            Self::Circle(factors) => {
+                let [sine, cosine] = factors.each_ref().map(Polynomial::describe);
+                format!("sin(θ/2) by a {sine}, cos(θ/2) by a {cosine}, squared")
             }
             Self::Pieces(pieces) => pieces.describe(),
             Self::Harmonics(harmonics) => harmonics.describe(),
@@ -103,7 +104,8 @@ impl Kernel {
     /// Terms of the (first) polynomial, or harmonics.
     pub(crate) fn terms(&self) -> usize {
         match self {
-            Self::Polynomial(polynomial) | Self::Circle { sine: polynomial, .. } => polynomial.terms(),
+            Self::Polynomial(polynomial) => polynomial.terms(),
+            Self::Circle(factors) => factors[0].terms(),
             Self::Pieces(pieces) => pieces.terms(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Passage(passage) => passage.terms(),
@@ -129,7 +131,7 @@ impl Kernel {
             Self::Passage(passage) => passage.rounding(&whole(), cap),
             Self::Harmonics(harmonics) => harmonics.rounding(&whole(), reduction, cap),
             // Of either sign it is the same, and bounded better where the sign is known.
-            Self::Polynomial(_) | Self::Circle { .. } => {
+            Self::Polynomial(_) | Self::Circle(_) => {
                 rounding_of_polynomials(&program(reduction, &[self], false), reduction, cap)
             }
         }
@@ -161,7 +163,7 @@ pub(super) fn from_lowest(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f
 pub(super) const CELLS: u32 = 8;
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
-fn circle(b: &mut Builder, variables: &Variables, sine: &Polynomial, cosine: &Polynomial) -> Vec<Id> {
+fn circle(b: &mut Builder, variables: &Variables, [sine, cosine]: &[Polynomial; 2]) -> Vec<Id> {
     let (half_sine, half_cosine) = (sine.one_of_two(b, variables), cosine.one_of_two(b, variables));
     b.name(half_sine, "half_sine");
     b.name(half_cosine, "half_cosine");

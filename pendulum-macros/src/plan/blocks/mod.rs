@@ -181,7 +181,7 @@ fn mismatch(powers: &[Double], blocks: &[Block], reach: f64) -> f64 {
 }
 
 /// The largest sum of the powers of |y| ≤ `reach`, whatever the signs.
-fn magnitude(powers: &[Double], reach: f64) -> f64 {
+pub(crate) fn magnitude(powers: &[Double], reach: f64) -> f64 {
     powers.iter().rev().fold(0.0, |sum, c| sum * reach + c.hi.abs())
 }
 

@@ -4,7 +4,7 @@ use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
 use crate::plan::curve::Curve;
-use crate::plan::form::{Division, Form, Variant};
+use crate::plan::form::{Division, Form, Poles, Variant};
 use crate::plan::kernel::Kernel;
 use crate::plan::polynomial::{Approximation, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
@@ -34,8 +34,8 @@ impl Approximations {
     }
 
     /// Those of a candidate; where no poles are worth it there is no choice.
-    pub(in crate::plan) fn choose(&self, divided: bool) -> &[Approximation] {
-        if divided && !self.divided.is_empty() { &self.divided } else { &self.plain }
+    pub(in crate::plan) fn choose(&self, poles: Poles) -> &[Approximation] {
+        if poles != Poles::Absent && !self.divided.is_empty() { &self.divided } else { &self.plain }
     }
 }
 
@@ -76,10 +76,16 @@ impl Aim {
 
     /// The variants that might serve, and their cost in this reduction, cheapest first.
     pub(in crate::plan) fn variants(&self, all: &Approximations, reduction: &Reduction) -> Vec<(Variant, f64)> {
-        let divisions: &[bool] = if all.divided.is_empty() { &[false] } else { &[false, true] };
-        let variants =
-            Form::ALL.iter().flat_map(|&form| divisions.iter().map(move |&divided| Variant { form, divided }));
-        let cost = |variant: Variant| Some((variant, self.estimate(all.choose(variant.divided), reduction, variant)?));
+        // Double poles would leave four terms over them, and of two curves one division serves both.
+        let beside = self.power < 2 && self.curves.len() == 1;
+        let poles = |poles: &Poles| match poles {
+            Poles::Absent => true,
+            Poles::Under => !all.divided.is_empty(),
+            Poles::Beside => !all.divided.is_empty() && beside,
+        };
+        let with = |poles: Poles| Form::ALL.map(|form| Variant { form, poles });
+        let variants = Poles::ALL.into_iter().filter(poles).flat_map(with);
+        let cost = |variant: Variant| Some((variant, self.estimate(all.choose(variant.poles), reduction, variant)?));
         let mut costs: Vec<(Variant, f64)> = variants.filter_map(cost).collect();
         costs.sort_by(|a, b| a.1.total_cmp(&b.1));
         costs
@@ -94,19 +100,20 @@ impl Aim {
         let one = |(curve, approximation): (&Curve, &Approximation)| {
             let terms = approximation
                 .terms_for(left, reduction.overshoot)
-                .filter(|&terms| variant.form.suits(terms, reduction.float))?;
+                .filter(|&terms| variant.suits(terms, reduction.float))?;
             let signs = if curve.alternates && reduction.origin == Origin::Lowest { 1.3 } else { 0.0 };
             let (odd, of_two) = (curve.parity() == Parity::Odd, self.curves.len() > 1);
-            let division = match (variant.divided, of_two, odd) {
-                (false, ..) => Division::None,
-                (true, true, _) => Division::Shared,
-                (true, false, true) => Division::OfPhase,
-                (true, false, false) => Division::Inverse,
+            let division = match (variant.poles, of_two, odd) {
+                (Poles::Absent, ..) => Division::None,
+                (Poles::Under, true, _) => Division::Shared,
+                (Poles::Under, false, true) => Division::OfPhase,
+                (Poles::Under, false, false) => Division::Inverse,
+                (Poles::Beside, ..) => Division::OfRemainder,
             };
             let unlimited = division == Division::OfPhase && approximation.falls();
             let clamp = if reduction.leaps() && !unlimited { CLAMP } else { 0.0 };
             let phase = if odd { 1.0 + clamp } else { 0.0 };
-            Some(variant.form.cost(terms, division) + phase + signs)
+            Some(variant.cost(terms, division) + phase + signs)
         };
         let kernels: Option<f64> = self.curves.iter().zip(approximations).map(one).sum();
         Some(kernels? + variant.form.variables() + if self.curves.len() > 1 { SQUARING } else { 0.0 })
@@ -119,18 +126,22 @@ impl Aim {
         task: &Task,
         all: &Approximations,
         reduction: &Reduction,
-        Variant { form, divided }: Variant,
+        variant: Variant,
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
         self.first_kept(scene, reduction, phase, |rounding| {
             let left = self.share(self.limit - phase - rounding);
             let mut polynomials = Vec::new();
-            for (curve, approximation) in self.curves.iter().zip(all.choose(divided)) {
+            for (curve, approximation) in self.curves.iter().zip(all.choose(variant.poles)) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
                     return Err((phase + rounding + least) / self.size.unit);
                 };
-                let polynomial = approximation.polynomial(terms, form, reduction, curve.alternates, self.limit);
+                let Variant { form, poles } = variant;
+                let polynomial = match poles {
+                    Poles::Beside => approximation.beside_poles(terms, form, reduction, curve.alternates),
+                    _ => approximation.polynomial(terms, form, reduction, curve.alternates, self.limit),
+                };
                 polynomials.push(polynomial.ok_or(f64::INFINITY)?);
             }
             let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
@@ -147,7 +158,7 @@ impl Aim {
             polynomials.iter_mut().filter(|polynomial| mirrored(polynomial)).for_each(Polynomial::negate);
         }
         match <[Polynomial; 2]>::try_from(polynomials) {
-            Ok([sine, cosine]) => Kernel::Circle { sine, cosine },
+            Ok(factors) => Kernel::Circle(Box::new(factors)),
             Err(mut single) => self.turned(scene, task, Kernel::Polynomial(single.swap_remove(0)), Some(reduction)),
         }
     }

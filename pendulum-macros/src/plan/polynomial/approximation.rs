@@ -8,12 +8,12 @@
 //! of their sum is bounded in `tail.rs`. M is chosen so that the former is negligible; the latter, explicitly known, is
 //! the truncation error.
 
-use super::Polynomial;
-use super::pole::Pole;
+use super::pole::{Pole, Quotient};
 use super::tail;
+use super::{Divided, Polynomial};
 use crate::chebyshev::{CosineTable, Interpolation, rounding_of_powers, scale, shift, to_powers};
 use crate::parse::Float;
-use crate::plan::blocks::{Blocks, Choices};
+use crate::plan::blocks::{Blocks, Choices, magnitude};
 use crate::plan::curve::Curve;
 use crate::plan::form::Form;
 use crate::plan::moebius::Moebius;
@@ -249,18 +249,48 @@ impl Approximation {
         Some(self.evaluated(form, variable, blocks, reduction, alternates))
     }
 
+    /// The same by powers of p, with the poles beside them: N/D = Q + R/D. `None` if there are none.
+    pub(crate) fn beside_poles(
+        &self,
+        terms: usize,
+        form: Form,
+        reduction: &Reduction,
+        alternates: bool,
+    ) -> Option<Polynomial> {
+        let pole = self.pole?.scaled(self.area(reduction));
+        let variable = self.variable(form, form.shift(), reduction);
+        let powers = self.powers_of(terms, variable, reduction);
+        let Quotient { polynomial, remainder, lost } = pole.division(&powers, variable.shift);
+        let mut blocks = Blocks::careful(&polynomial, form.largest_last(), variable.reach);
+        // Of the polynomial that was divided.
+        blocks.mismatch = blocks.mismatch * pole.most(reduction.half()) + magnitude(&lost, variable.reach);
+        let whole = self.of_terms(terms, form, variable, blocks, reduction, alternates);
+        Some(Polynomial { divided: Divided::Rest(pole, remainder), ..whole })
+    }
+
     /// The same by powers, which always are: of p if no other form is asked for.
     pub(crate) fn in_powers(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
-        let shift = if let Form::Powers { shift } | Form::Careful { shift } = form { shift } else { 0.0 };
-        let variable = self.variable(form, shift, reduction);
+        let variable = self.variable(form, form.shift(), reduction);
         let coefficients = self.powers_of(terms, variable, reduction);
-        let largest_last = !matches!(form, Form::Powers { .. });
-        let blocks = Blocks::careful(&coefficients, largest_last, variable.reach);
+        let blocks = Blocks::careful(&coefficients, form.largest_last(), variable.reach);
         self.evaluated(form, variable, blocks, reduction, alternates)
     }
 
     fn evaluated(
         &self,
+        form: Form,
+        variable: Variable,
+        blocks: Blocks,
+        reduction: &Reduction,
+        alternates: bool,
+    ) -> Polynomial {
+        self.of_terms(blocks.terms(), form, variable, blocks, reduction, alternates)
+    }
+
+    /// A polynomial of so many terms, though they aren't as many that are evaluated.
+    fn of_terms(
+        &self,
+        terms: usize,
         form: Form,
         Variable { shift, area, reach }: Variable,
         blocks: Blocks,
@@ -269,18 +299,19 @@ impl Approximation {
     ) -> Polynomial {
         let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
         let poles = self.pole.map_or(1.0, |pole| pole.unit(self.area(reduction)).hi);
-        let lost = blocks.mismatch + lost_to_underflow(blocks.terms(), area);
+        let lost = blocks.mismatch + lost_to_underflow(terms, area);
         // Farther from 1 the second word of a pole's unit would lose bits.
         let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
         let lost = if bounded { lost * self.weight(reduction.overshoot) * poles / unit } else { f64::INFINITY };
-        let kept = &self.series[..blocks.terms().min(self.series.len())];
+        let kept = &self.series[..terms.min(self.series.len())];
         let eighth = 8.0 * area.hi;
         let converted = rounding_of_powers(kept, eighth * reach + (1.0 + eighth * shift.hi).abs());
         let truncation =
-            self.truncation(blocks.terms(), reduction.overshoot) + converted * self.weight(reduction.overshoot) + lost;
-        let pole = self.pole.map(|pole| pole.scaled(self.area(reduction)));
+            self.truncation(terms, reduction.overshoot) + converted * self.weight(reduction.overshoot) + lost;
+        let whole = |pole: Pole| Divided::Whole(pole.scaled(self.area(reduction)));
+        let divided = self.pole.map_or(Divided::Nothing, whole);
         let (parity, map) = (self.parity, self.map);
-        Polynomial { form, shift, pole, parity, map, alternates, blocks, truncation }
+        Polynomial { form, shift, divided, parity, map, alternates, blocks, truncation }
     }
 
     /// The variable of a form, which shifts p by so much.

@@ -13,7 +13,7 @@ mod tail;
 pub(crate) use approximation::Approximation;
 
 use super::blocks::Blocks;
-use super::form::{Form, Variant};
+use super::form::{Form, Poles, Variant};
 use super::moebius::Moebius;
 use super::variables::{Unlimited, Variables};
 use crate::program::{Builder, Id};
@@ -27,7 +27,7 @@ pub(crate) struct Polynomial {
     pub(crate) form: Form,
     /// What the form's variable is more than p.
     shift: Double,
-    pole: Option<Pole>,
+    divided: Divided,
     pub(crate) parity: Parity,
     map: Option<Moebius>,
     pub(crate) alternates: bool,
@@ -35,6 +35,23 @@ pub(crate) struct Polynomial {
     blocks: Blocks,
     /// sup |approximation − curve|.
     pub(crate) truncation: f64,
+}
+
+/// What is divided by poles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Divided {
+    Nothing,
+    /// The polynomial.
+    Whole(Pole),
+    /// What is added to it, in powers of the form's variable.
+    Rest(Pole, [Double; 2]),
+}
+
+impl Divided {
+    /// The poles that the polynomial is over.
+    fn under(self) -> Option<Pole> {
+        if let Self::Whole(pole) = self { Some(pole) } else { None }
+    }
 }
 
 impl Polynomial {
@@ -54,7 +71,7 @@ impl Polynomial {
     /// The same, one of two with the same poles: one division serves both.
     pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
         let one = b.constant(1.0);
-        let inverse = self.pole.map(|pole| pole.divide(b, one, variables));
+        let inverse = self.divided.under().map(|pole| pole.divide(b, one, variables));
         let phase = (self.parity == Parity::Odd).then_some(variables.distance);
         let both = phase.zip(inverse).map(|(phase, inverse)| b.mul(phase, inverse));
         self.times(b, variables, both.or(phase).or(inverse), None)
@@ -71,7 +88,7 @@ impl Polynomial {
     /// It is divided while the polynomial is evaluated.
     fn factor(&self, b: &mut Builder, variables: &Variables, unlimited: Option<Unlimited>) -> Option<Id> {
         let odd = self.parity == Parity::Odd;
-        let Some(pole) = self.pole else {
+        let Some(pole) = self.divided.under() else {
             return odd.then(|| self.signed(b, variables, variables.distance));
         };
         let variables = unlimited.map_or(*variables, |unlimited| variables.without(unlimited));
@@ -94,7 +111,7 @@ impl Polynomial {
     /// Two terms and 8p − 1 use the limited variable once. LLVM makes a choice of results of such a limit, if what is
     /// limited has other uses: four operations in place of one.
     fn unlimited(&self, variables: &Variables) -> Option<Unlimited> {
-        let pole = self.pole?;
+        let pole = self.divided.under()?;
         let used_once = self.terms() < 3 || self.form == Form::Normalised;
         variables.unlimited.filter(|&Unlimited { half, leaps, .. }| {
             let less = if self.parity == Parity::Odd {
@@ -115,8 +132,21 @@ impl Polynomial {
             Some(unlimited) if self.shift != Double::ZERO && variables.alone => unlimited.shifted(b, self.shift),
             _ => variables.shifted(b, self.shift),
         };
+        let fraction = self.fraction(b, variables, y);
         let value = self.blocks.lower(b, y);
+        let value = fraction.map_or(value, |fraction| b.add(value, fraction));
         factor.map_or(value, |factor| b.mul(factor, value))
+    }
+
+    /// What of it is over the poles. It is divided while the rest is evaluated.
+    fn fraction(&self, b: &mut Builder, variables: &Variables, y: Id) -> Option<Id> {
+        let Divided::Rest(pole, remainder) = self.divided else { return None };
+        let [constant, slope] = remainder.map(|c| b.exact(c));
+        let product = b.mul(slope, y);
+        let remainder = b.add(product, constant);
+        let fraction = pole.divide(b, remainder, variables);
+        b.name(fraction, "fraction");
+        Some(fraction)
     }
 
     /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
@@ -126,7 +156,12 @@ impl Polynomial {
 
     /// How it approximates its curve.
     pub(crate) fn variant(&self) -> Variant {
-        Variant { form: self.form, divided: self.pole.is_some() }
+        let poles = match self.divided {
+            Divided::Nothing => Poles::Absent,
+            Divided::Whole(_) => Poles::Under,
+            Divided::Rest(..) => Poles::Beside,
+        };
+        Variant { form: self.form, poles }
     }
 
     pub(crate) fn terms(&self) -> usize {
@@ -135,12 +170,19 @@ impl Polynomial {
 
     pub(crate) fn negate(&mut self) {
         self.blocks.negate();
+        if let Divided::Rest(_, remainder) = &mut self.divided {
+            *remainder = remainder.map(|c| -c);
+        }
     }
 
     /// For the reader.
     pub(crate) fn describe(&self) -> String {
         let terms = self.terms();
-        let over = self.pole.map_or(String::new(), |pole| format!(" over one of {}", pole.terms()));
+        let over = match self.divided {
+            Divided::Nothing => String::new(),
+            Divided::Whole(pole) => format!(" over one of {}", pole.terms()),
+            Divided::Rest(pole, rest) => format!(" plus one of {} over one of {}", rest.len(), pole.terms()),
+        };
         let adapted = matches!(self.form, Form::Adapted { .. });
         let shift = if adapted && self.shift != Double::ZERO { " + c" } else { "" };
         let (variable, how) = (self.form.variable(self.parity), self.blocks.describe());

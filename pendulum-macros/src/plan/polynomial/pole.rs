@@ -87,6 +87,29 @@ impl Pole {
         b.div(value, divisor)
     }
 
+    /// Divides a polynomial, given in powers of y = p + `shift`, by it if it is single: −(y² + linear·y + constant).
+    pub(super) fn division(self, powers: &[Double], shift: Double) -> Quotient {
+        let place = self.place + shift;
+        let [constant, linear] = [place * place + self.height_squared, place * -2.0];
+        let mut quotient: Vec<Double> = powers.iter().map(|c| -*c).collect();
+        for index in (2..powers.len()).rev() {
+            let c = quotient[index];
+            quotient[index - 1] = quotient[index - 1] - linear * c;
+            quotient[index - 2] = quotient[index - 2] - constant * c;
+        }
+        let remainder = [0, 1].map(|index| -quotient[index]);
+        quotient.drain(..2);
+        let of = |index: usize, back: usize| index.checked_sub(back).and_then(|index| quotient.get(index));
+        let difference = |(index, c): (usize, &Double)| {
+            let factors = [constant, linear, Double::ONE];
+            let terms = (0..3).filter_map(|back| Some(factors[back] * *of(index, back)?));
+            let product = terms.fold(Double::ZERO, |sum, term| sum + term);
+            *c + product - remainder.get(index).copied().unwrap_or(Double::ZERO)
+        };
+        let lost = powers.iter().enumerate().map(difference).collect();
+        Quotient { polynomial: quotient, remainder, lost }
+    }
+
     /// Whether s over it has a smaller magnitude at 2·`half` than at `half`, and falls from there on: with D = (p − a)² + h²
     /// its derivative has the sign of D − 4·power·p(p − a), whose own by p is negative for p > a.
     pub(super) fn falls(self, half: f64) -> bool {
@@ -107,6 +130,14 @@ impl Pole {
     }
 }
 
+/// What comes of dividing a polynomial by poles, in powers as it is given, the lowest first.
+pub(super) struct Quotient {
+    pub(super) polynomial: Vec<Double>,
+    pub(super) remainder: [Double; 2],
+    /// What the polynomial is more than the quotient times the divisor and the remainder, by rounding.
+    pub(super) lost: Vec<Double>,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,6 +154,34 @@ mod tests {
             growing += u32::from(pole.grows(half));
         }
         assert!((40..78).contains(&growing), "{growing}");
+    }
+
+    /// Quotient times divisor and remainder are what was divided; and a multiple of the divisor leaves no remainder.
+    #[test]
+    fn quotients_and_remainders() {
+        let pole = Pole::new(0.26, 1).scaled(Double::new(0.7));
+        for (terms, shift) in (3..30).flat_map(|terms| [0.0, -0.125].map(|shift| (terms, Double::new(shift)))) {
+            let powers: Vec<Double> =
+                (0..terms).map(|j| Double::new(2.75 / f64::from(j + 1) * (-3.0_f64).powi(j))).collect();
+            let Quotient { polynomial: quotient, remainder, lost } = pole.division(&powers, shift);
+            assert_eq!((quotient.len(), lost.len()), (powers.len() - 2, powers.len()));
+            for p in [0.0, 0.07, 0.3] {
+                let at = |powers: &[Double]| {
+                    powers.iter().rev().fold(Double::ZERO, |sum, &c| sum * (shift + Double::new(p)) + c)
+                };
+                let distance = Double::new(p) - pole.place;
+                let divisor = -(distance * distance + pole.height_squared);
+                let error = at(&quotient) * divisor + at(&remainder) - at(&powers);
+                assert!((error + at(&lost)).hi.abs() < 1e-29, "{terms} {p}: {error:?}");
+                assert!(at(&lost).hi.abs() < 1e-29, "{terms} {p}: {lost:?}");
+            }
+        }
+        // −(p² − 2·place·p + place² + height²)(1 + 2p).
+        let [constant, linear] = pole.coefficients().map(|c| -c);
+        let multiple = [constant, linear + 2.0 * constant, -1.0 + 2.0 * linear, -2.0].map(Double::new);
+        let Quotient { polynomial: quotient, remainder, .. } = pole.division(&multiple, Double::ZERO);
+        assert!(remainder.iter().all(|c| c.hi.abs() < 1e-15), "{remainder:?}");
+        assert!(quotient.iter().zip([1.0, 2.0]).all(|(c, expected)| (c.hi - expected).abs() < 1e-14), "{quotient:?}");
     }
 
     /// Beyond a whole anchor the quotient is less than at a half, wherever it is said to fall; it does by the poles of all

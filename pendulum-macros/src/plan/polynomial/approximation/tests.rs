@@ -17,7 +17,7 @@ impl Polynomial {
         let p = s * s;
         let x = if self.form == Form::Normalised { p * 8.0 } else { p } + self.shift;
         let sum = self.blocks.powers().iter().rev().fold(Double::ZERO, |sum, c| sum * x + *c);
-        let over = self.pole.map_or(Double::ONE, |pole| pole.at(p * 8.0 - Double::ONE));
+        let over = self.divided.under().map_or(Double::ONE, |pole| pole.at(p * 8.0 - Double::ONE));
         sum / over * if self.parity == Parity::Odd { s } else { Double::ONE }
     }
 }
@@ -408,6 +408,44 @@ fn values_in_other_units() {
             }
         }
     }
+}
+
+/// With the poles beside it a polynomial has the values and the bound that it has over them, in two terms less; and so
+/// it has negated.
+#[test]
+fn values_beside_poles() {
+    for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 0.3", 1), ("velocity0 = 2.1", 1)] {
+        let (curves, reduction) = curves(text);
+        let curve = &curves[index].0;
+        let approximation = Approximation::new(curve, Some(Pole::new(curve.strip(), 1)), 1e-18).unwrap();
+        let terms = approximation.terms() - 3;
+        let by_powers = |form: &Form| matches!(form, Form::Powers { .. } | Form::Careful { .. });
+        for form in Form::ALL.into_iter().filter(by_powers) {
+            for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
+                let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+                let over = approximation.in_powers(terms, form, &reduction, true);
+                let mut beside = approximation.beside_poles(terms, form, &reduction, true).unwrap();
+                assert_eq!(beside.terms() + 2, terms);
+                let what = format!("{text} {index} {form:?} {unit}");
+                let times = beside.truncation / over.truncation;
+                assert!((1.0 - 1e-6..1.0 + 1e-6).contains(&times), "{what}: {:e} {times}", over.truncation);
+                let expected = evaluated(&over, reduction.unit, s);
+                let most = if form == PLAIN { 1e-12 } else { 1e-14 };
+                let found = evaluated(&beside, reduction.unit, s);
+                assert!((found - expected).abs() <= most, "{what} {s}: {found} {expected}");
+                beside.negate();
+                assert_eq!(evaluated(&beside, reduction.unit, s), -found, "{what} {s}");
+            }
+        }
+    }
+}
+
+/// Without poles there is nothing to put beside.
+#[test]
+fn nothing_beside() {
+    let (curves, reduction) = curves("theta0 = 1");
+    let approximation = Approximation::new(&curves[0].0, None, 1e-18).unwrap();
+    assert_eq!(approximation.beside_poles(9, PLAIN, &reduction, true), None);
 }
 
 /// Of the image of p, whatever the unit and the form: 1 + T₁ + … of what goes from −1 to 1 with it.
