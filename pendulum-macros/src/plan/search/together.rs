@@ -3,7 +3,7 @@
 use super::{Candidate, Prospect};
 use crate::parse::Output;
 use crate::plan::Part;
-use crate::plan::form::Variant;
+use crate::plan::form::{Poles, Variant};
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::polynomial::Polynomial;
 use crate::scene::Scene;
@@ -44,7 +44,7 @@ impl Candidate<'_> {
     /// What both cost in one function, and the velocity in one of its own, if both are polynomials.
     fn cost_beside(&self, theta: &Part, velocity: &Part) -> Option<f64> {
         let (of_theta, of_velocity) = (polynomial(theta)?, polynomial(velocity)?);
-        let paired = if of_theta.form == of_velocity.form { PAIRED } else { 0.0 };
+        let paired = if alike(of_theta.variant(), of_velocity.variant()) { PAIRED } else { 0.0 };
         let waiting = of_velocity.form.waiting(of_velocity.terms());
         let cost = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost() + waiting;
         Some(cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel]) - paired)
@@ -62,6 +62,11 @@ impl Candidate<'_> {
             Some((variant, part.filter(|part| part.taken <= super::comfortable(scene, self.reduction))?))
         })
     }
+}
+
+/// Whether two polynomials are evaluated alike: with poles under them or without, what is evaluated is the same.
+fn alike(a: Variant, b: Variant) -> bool {
+    a.form == b.form && (a.poles == Poles::Beside) == (b.poles == Poles::Beside)
 }
 
 pub(super) fn polynomial(part: &Part) -> Option<&Polynomial> {
