@@ -164,8 +164,15 @@ impl Polynomial {
         Variant { form: self.form, poles }
     }
 
+    /// Terms, of a quotient those of the numerator.
     pub(crate) fn terms(&self) -> usize {
-        self.blocks.terms()
+        let rest = if let Divided::Rest(_, rest) = &self.divided { rest.len() } else { 0 };
+        self.blocks.terms() + rest
+    }
+
+    /// What waiting for its dependent operations costs.
+    pub(crate) fn waiting(&self) -> f64 {
+        self.form.waiting(self.blocks.terms())
     }
 
     pub(crate) fn negate(&mut self) {
@@ -177,7 +184,7 @@ impl Polynomial {
 
     /// For the reader.
     pub(crate) fn describe(&self) -> String {
-        let terms = self.terms();
+        let terms = self.blocks.terms();
         let over = match self.divided {
             Divided::Nothing => String::new(),
             Divided::Whole(pole) => format!(" over one of {}", pole.terms()),

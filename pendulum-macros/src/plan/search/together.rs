@@ -45,7 +45,7 @@ impl Candidate<'_> {
     fn cost_beside(&self, theta: &Part, velocity: &Part) -> Option<f64> {
         let (of_theta, of_velocity) = (polynomial(theta)?, polynomial(velocity)?);
         let paired = if alike(of_theta.variant(), of_velocity.variant()) { PAIRED } else { 0.0 };
-        let waiting = of_velocity.form.waiting(of_velocity.terms());
+        let waiting = of_velocity.waiting();
         let cost = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost() + waiting;
         Some(cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel]) - paired)
     }

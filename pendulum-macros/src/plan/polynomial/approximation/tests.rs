@@ -425,7 +425,7 @@ fn values_beside_poles() {
                 let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
                 let over = approximation.in_powers(terms, form, &reduction, true);
                 let mut beside = approximation.beside_poles(terms, form, &reduction, true).unwrap();
-                assert_eq!(beside.terms() + 2, terms);
+                assert_eq!((beside.terms(), beside.blocks.terms() + 2), (terms, terms));
                 let what = format!("{text} {index} {form:?} {unit}");
                 let times = beside.truncation / over.truncation;
                 assert!((1.0 - 1e-6..1.0 + 1e-6).contains(&times), "{what}: {:e} {times}", over.truncation);
