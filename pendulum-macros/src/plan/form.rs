@@ -205,3 +205,21 @@ impl Form {
 /// form, on x86-64.
 const WAITING: f64 = 0.5;
 const HIDDEN: usize = 20;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two terms of the numerator are over the poles, and there is a polynomial beside them; of powers only, of which
+    /// `f32` holds sixteen.
+    #[test]
+    fn poles_beside_enough_terms() {
+        for form in Form::ALL {
+            let suits = |&terms: &usize| Variant { form, poles: Poles::Beside }.suits(terms, Float::F32);
+            let suited: Vec<usize> = (1..30).filter(suits).collect();
+            let powers = matches!(form, Form::Powers { .. } | Form::Careful { .. });
+            let expected: Vec<usize> = if powers { (4..=18).collect() } else { Vec::new() };
+            assert_eq!(suited, expected, "{form:?}");
+        }
+    }
+}
