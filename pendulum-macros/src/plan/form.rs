@@ -53,24 +53,24 @@ impl Variant {
         format!("a polynomial in {}{poles}{}", self.form.variable(parity), self.form.scheme())
     }
 
+    /// Of so many terms those that aren't over poles beside them.
+    fn left(self, terms: usize) -> usize {
+        if self.poles == Poles::Beside { terms.saturating_sub(2) } else { terms }
+    }
+
     /// Whether it is one for so many terms.
     pub(crate) fn suits(self, terms: usize, float: Float) -> bool {
-        match self.poles {
-            // Adapted coefficients are for few operations, and poles may as well be under them.
-            Poles::Beside => {
-                let powers = matches!(self.form, Form::Powers { .. } | Form::Careful { .. });
-                powers && terms > 3 && self.form.suits(terms - 2, float)
-            }
-            Poles::Absent | Poles::Under => self.form.suits(terms, float),
-        }
+        let left = self.left(terms);
+        // Adapted coefficients are for few operations, and poles may as well be under them.
+        let beside = left > 1 && matches!(self.form, Form::Powers { .. } | Form::Careful { .. });
+        (self.poles != Poles::Beside || beside) && self.form.suits(left, float)
     }
 
     /// Estimated cost of a polynomial of that many terms, given the variables: see [`Program::cost`].
     ///
     /// [`Program::cost`]: crate::program::Program::cost
     pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
-        let left = if self.poles == Poles::Beside { terms - 2 } else { terms };
-        self.form.cost(left, division)
+        self.form.cost(self.left(terms), division)
     }
 }
 

@@ -186,7 +186,7 @@ pub(crate) fn magnitude(powers: &[Double], reach: f64) -> f64 {
 }
 
 /// Few powers, which do without w, by Horner's rule.
-fn one_by_one(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
+pub(crate) fn one_by_one(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
     let coefficients: Vec<Id> = coefficients.iter().map(|&c| b.exact(c)).collect();
     let step = |value, c| {
         let product = b.mul(value, y);

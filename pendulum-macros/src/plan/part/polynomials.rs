@@ -33,9 +33,9 @@ impl Approximations {
         Self { plain, divided }
     }
 
-    /// Those of a candidate; where no poles are worth it there is no choice.
+    /// Those of a variant; none over poles where none are worth it.
     pub(in crate::plan) fn choose(&self, poles: Poles) -> &[Approximation] {
-        if poles != Poles::Absent && !self.divided.is_empty() { &self.divided } else { &self.plain }
+        if poles == Poles::Absent { &self.plain } else { &self.divided }
     }
 }
 
@@ -78,13 +78,8 @@ impl Aim {
     pub(in crate::plan) fn variants(&self, all: &Approximations, reduction: &Reduction) -> Vec<(Variant, f64)> {
         // Double poles would leave four terms over them, and of two curves one division serves both.
         let beside = self.power < 2 && self.curves.len() == 1;
-        let poles = |poles: &Poles| match poles {
-            Poles::Absent => true,
-            Poles::Under => !all.divided.is_empty(),
-            Poles::Beside => !all.divided.is_empty() && beside,
-        };
-        let with = |poles: Poles| Form::ALL.map(|form| Variant { form, poles });
-        let variants = Poles::ALL.into_iter().filter(poles).flat_map(with);
+        let poles = Poles::ALL.into_iter().filter(|&poles| beside || poles != Poles::Beside);
+        let variants = poles.flat_map(|poles| Form::ALL.map(|form| Variant { form, poles }));
         let cost = |variant: Variant| Some((variant, self.estimate(all.choose(variant.poles), reduction, variant)?));
         let mut costs: Vec<(Variant, f64)> = variants.filter_map(cost).collect();
         costs.sort_by(|a, b| a.1.total_cmp(&b.1));

@@ -246,7 +246,7 @@ impl Approximation {
             return None;
         }
         let blocks = Blocks::adapted(&coefficients, chunk, variable.reach)?;
-        Some(self.evaluated(form, variable, blocks, reduction, alternates))
+        Some(self.evaluated(coefficients.len(), form, variable, blocks, reduction, alternates))
     }
 
     /// The same by powers of p, with the poles beside them: N/D = Q + R/D. `None` if there are none.
@@ -264,7 +264,7 @@ impl Approximation {
         let mut blocks = Blocks::careful(&polynomial, form.largest_last(), variable.reach);
         // Of the polynomial that was divided.
         blocks.mismatch = blocks.mismatch * pole.most(reduction.half()) + magnitude(&lost, variable.reach);
-        let whole = self.of_terms(terms, form, variable, blocks, reduction, alternates);
+        let whole = self.evaluated(powers.len(), form, variable, blocks, reduction, alternates);
         Some(Polynomial { divided: Divided::Rest(pole, remainder), ..whole })
     }
 
@@ -273,22 +273,11 @@ impl Approximation {
         let variable = self.variable(form, form.shift(), reduction);
         let coefficients = self.powers_of(terms, variable, reduction);
         let blocks = Blocks::careful(&coefficients, form.largest_last(), variable.reach);
-        self.evaluated(form, variable, blocks, reduction, alternates)
+        self.evaluated(coefficients.len(), form, variable, blocks, reduction, alternates)
     }
 
+    /// A polynomial of so many terms, of which the blocks may lack some.
     fn evaluated(
-        &self,
-        form: Form,
-        variable: Variable,
-        blocks: Blocks,
-        reduction: &Reduction,
-        alternates: bool,
-    ) -> Polynomial {
-        self.of_terms(blocks.terms(), form, variable, blocks, reduction, alternates)
-    }
-
-    /// A polynomial of so many terms, though they aren't as many that are evaluated.
-    fn of_terms(
         &self,
         terms: usize,
         form: Form,

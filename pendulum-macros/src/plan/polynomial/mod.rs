@@ -12,7 +12,7 @@ mod tail;
 
 pub(crate) use approximation::Approximation;
 
-use super::blocks::Blocks;
+use super::blocks::{Blocks, one_by_one};
 use super::form::{Form, Poles, Variant};
 use super::moebius::Moebius;
 use super::variables::{Unlimited, Variables};
@@ -141,9 +141,7 @@ impl Polynomial {
     /// What of it is over the poles. It is divided while the rest is evaluated.
     fn fraction(&self, b: &mut Builder, variables: &Variables, y: Id) -> Option<Id> {
         let Divided::Rest(pole, remainder) = self.divided else { return None };
-        let [constant, slope] = remainder.map(|c| b.exact(c));
-        let product = b.mul(slope, y);
-        let remainder = b.add(product, constant);
+        let remainder = one_by_one(b, y, &remainder);
         let fraction = pole.divide(b, remainder, variables);
         b.name(fraction, "fraction");
         Some(fraction)

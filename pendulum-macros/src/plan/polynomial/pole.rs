@@ -87,27 +87,29 @@ impl Pole {
         b.div(value, divisor)
     }
 
-    /// Divides a polynomial, given in powers of y = p + `shift`, by it if it is single: −(y² + linear·y + constant).
+    /// Divides a polynomial, given in powers of y = p + `shift`, by it if it is single.
     pub(super) fn division(self, powers: &[Double], shift: Double) -> Quotient {
         let place = self.place + shift;
-        let [constant, linear] = [place * place + self.height_squared, place * -2.0];
-        let mut quotient: Vec<Double> = powers.iter().map(|c| -*c).collect();
-        for index in (2..powers.len()).rev() {
-            let c = quotient[index];
-            quotient[index - 1] = quotient[index - 1] - linear * c;
-            quotient[index - 2] = quotient[index - 2] - constant * c;
+        let divisor = [-(place * place + self.height_squared), place * 2.0, -Double::ONE];
+        let mut left = powers.to_vec();
+        let mut polynomial = vec![Double::ZERO; powers.len() - 2];
+        for (index, c) in polynomial.iter_mut().enumerate().rev() {
+            *c = -left[index + 2];
+            left[index + 1] = left[index + 1] - *c * divisor[1];
+            left[index] = left[index] - *c * divisor[0];
         }
-        let remainder = [0, 1].map(|index| -quotient[index]);
-        quotient.drain(..2);
-        let of = |index: usize, back: usize| index.checked_sub(back).and_then(|index| quotient.get(index));
-        let difference = |(index, c): (usize, &Double)| {
-            let factors = [constant, linear, Double::ONE];
-            let terms = (0..3).filter_map(|back| Some(factors[back] * *of(index, back)?));
-            let product = terms.fold(Double::ZERO, |sum, term| sum + term);
-            *c + product - remainder.get(index).copied().unwrap_or(Double::ZERO)
-        };
-        let lost = powers.iter().enumerate().map(difference).collect();
-        Quotient { polynomial: quotient, remainder, lost }
+        let remainder = [left[0], left[1]];
+        let mut product = vec![Double::ZERO; powers.len()];
+        for (index, &c) in polynomial.iter().enumerate().rev() {
+            for (sum, factor) in product[index..].iter_mut().zip(divisor) {
+                *sum = *sum + c * factor;
+            }
+        }
+        let mut lost: Vec<Double> = powers.iter().zip(product).map(|(c, product)| *c - product).collect();
+        for (left, c) in lost.iter_mut().zip(remainder) {
+            *left = *left - c;
+        }
+        Quotient { polynomial, remainder, lost }
     }
 
     /// Whether s over it has a smaller magnitude at 2·`half` than at `half`, and falls from there on: with D = (p − a)² + h²

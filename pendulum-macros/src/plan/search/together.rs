@@ -14,7 +14,7 @@ const SHARED: f64 = 3.0;
 /// What a call of the velocity alone counts beside one of both, which who lists both will want more often.
 const ALONE: f64 = 0.75;
 
-/// Operations that it saves if both polynomials are of one form: in scalar calls at 7π/8 a tenth of the time to 1e-9, a
+/// Operations that it saves if both polynomials are evaluated alike: in scalar calls at 7π/8 a tenth of the time to 1e-9, a
 /// quarter to 1e-12; in loops over arrays nothing.
 const PAIRED: f64 = 3.0;
 

@@ -4,6 +4,7 @@ use super::*;
 use crate::chebyshev::value;
 use crate::parse::Float;
 use crate::plan::aim::Task;
+use crate::plan::form::{Poles, Variant};
 use crate::plan::reduction::Phase;
 use crate::plan::tests::scene;
 use crate::plan::variables::{Source, Variables};
@@ -419,8 +420,8 @@ fn values_beside_poles() {
         let curve = &curves[index].0;
         let approximation = Approximation::new(curve, Some(Pole::new(curve.strip(), 1)), 1e-18).unwrap();
         let terms = approximation.terms() - 3;
-        let by_powers = |form: &Form| matches!(form, Form::Powers { .. } | Form::Careful { .. });
-        for form in Form::ALL.into_iter().filter(by_powers) {
+        let suits = |&form: &Form| Variant { form, poles: Poles::Beside }.suits(terms, Float::F64);
+        for form in Form::ALL.into_iter().filter(suits) {
             for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
                 let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
                 let over = approximation.in_powers(terms, form, &reduction, true);
