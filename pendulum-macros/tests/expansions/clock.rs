@@ -15,10 +15,10 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.743e-10 rad (6.3e-10 of truncation, 4.7e-11 of phase, 2.9e-14 of rounding); 29 operations
-/// * velocity: polynomial of 8 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 3.953e-10 rad·ω (3.7e-10 of truncation, 2.4e-11 of phase, 3.7e-15 of rounding); 26 operations
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.1e-14 of rounding); 29 operations
+/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.293e-10 rad·ω (4.1e-10 of truncation, 2.4e-11 of phase, 3.0e-15 of rounding); 23 operations
 /// * not a polynomial in s² over poles, adapted in blocks of 16 for `theta`: it costs about 0.5 operations more
-/// * not a polynomial in s² over poles, adapted in blocks of 8 for `velocity`: beside `theta` it costs about 0.5 operations more
+/// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
 /// * not pieces, phase by one product with the rate: it costs about 88 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 58 operations
@@ -65,9 +65,9 @@ impl Clock {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 29;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.743497908505441e-10;
+    pub const MAX_ERROR: f64 = 6.219316172367521e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 3.9525663087288603e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.292755949327516e-10;
     /// θ(t), rad; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]
@@ -84,12 +84,12 @@ impl Clock {
         let w = y * y;
         let w2 = w * w;
         sign / d
-            * ((-2.954103940390827 + 0.8373570488401288 * y) * (w + 2.2724042455674227)
-                + 6.376550749077674 + 83.28867355374429 * (w2 * w2)
-                + ((-7.316130745540807 - 62.54356825341267 * y)
-                    * (w - 0.0878098025082964) + 7.340001934601612) * w2)
+            * ((-2.9541040010692745 + 0.8373567016445581 * y) * (w + 2.27240519049656)
+                + 6.376553678365396 + 83.29963463217591 * (w2 * w2)
+                + ((-7.313147708307213 - 62.55276437369798 * y)
+                    * (w - 0.08778952917722718) + 7.340443960480892) * w2)
     }
-    /// θ̇(t), rad per unit of t; NaN if t is not finite. 26 operations.
+    /// θ̇(t), rad per unit of t; NaN if t is not finite. 23 operations.
     #[inline(always)]
     #[must_use]
     pub const fn velocity(t: f64) -> f64 {
@@ -100,17 +100,15 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let signed = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
-        let v_2 = v - 0.1819869726896286;
-        let d = -0.06803102046251297 - v_2 * v_2;
+        let v_2 = v - 0.18198639154434204;
+        let d = -0.06804324686527252 - v_2 * v_2;
         let w = y * y;
-        let w2 = w * w;
         signed / d
-            * ((-4.3479376675759465 + 1.8048243479001937 * y) * (w + 0.8580701370810065)
-                + 4.470236901607331
-                + ((3.6973742062408896 + 1.3482512120238663 * y)
-                    * (w - 6.637146510248437) + 29.7118629515765) * w2)
+            * (((6.124467045511238 - 9.21111275994427 * y + 4.809998015125404 * w)
+                * (w - 0.5192764700599335) - 2.3417654646378345)
+                * (w + 0.3238838467127561) + 2.527994356454545)
     }
-    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 47 operations.
+    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 45 operations.
     #[inline(always)]
     #[must_use]
     pub const fn state(t: f64) -> (f64, f64) {
@@ -126,18 +124,17 @@ impl Clock {
         let w = y * y;
         let w2 = w * w;
         let first_result = sign / d
-            * ((-2.954103940390827 + 0.8373570488401288 * y) * (w + 2.2724042455674227)
-                + 6.376550749077674 + 83.28867355374429 * (w2 * w2)
-                + ((-7.316130745540807 - 62.54356825341267 * y)
-                    * (w - 0.0878098025082964) + 7.340001934601612) * w2);
+            * ((-2.9541040010692745 + 0.8373567016445581 * y) * (w + 2.27240519049656)
+                + 6.376553678365396 + 83.29963463217591 * (w2 * w2)
+                + ((-7.313147708307213 - 62.55276437369798 * y)
+                    * (w - 0.08778952917722718) + 7.340443960480892) * w2);
         let signed = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
-        let v_3 = v - 0.1819869726896286;
-        let d_2 = -0.06803102046251297 - v_3 * v_3;
+        let v_3 = v - 0.18198639154434204;
+        let d_2 = -0.06804324686527252 - v_3 * v_3;
         let second_result = signed / d_2
-            * ((-4.3479376675759465 + 1.8048243479001937 * y) * (w + 0.8580701370810065)
-                + 4.470236901607331
-                + ((3.6973742062408896 + 1.3482512120238663 * y)
-                    * (w - 6.637146510248437) + 29.7118629515765) * w2);
+            * (((6.124467045511238 - 9.21111275994427 * y + 4.809998015125404 * w)
+                * (w - 0.5192764700599335) - 2.3417654646378345)
+                * (w + 0.3238838467127561) + 2.527994356454545);
         (first_result, second_result)
     }
 }

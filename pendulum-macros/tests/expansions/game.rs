@@ -12,8 +12,8 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
 /// * phase: one product with the rate, wrong by at most 8.2e-6 anchors
-/// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 7.258e-5 rad (9.3e-6 of truncation, 5.8e-5 of phase, 5.7e-6 of rounding); 17 operations
-/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.732e-5 lengths (1.8e-5 of truncation, 5.8e-5 of phase, 2.1e-6 of rounding); 29 operations
+/// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 7.256e-5 rad (9.3e-6 of truncation, 5.8e-5 of phase, 5.7e-6 of rounding); 17 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.702e-5 lengths (1.7e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 29 operations
 /// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
 /// * not a polynomial in s², adapted in blocks of 8 for `position`: it costs about 1.5 operations more
 /// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 263 operations
@@ -62,9 +62,9 @@ impl Lamp {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 17;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f32 = 7.257964e-5;
+    pub const MAX_ERROR: f32 = 7.256412e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
-    pub const MAX_POSITION_ERROR: f32 = 7.7317665e-5;
+    pub const MAX_POSITION_ERROR: f32 = 7.7024815e-5;
     /// θ(t), rad; NaN if t is not finite. 17 operations.
     #[inline(always)]
     #[must_use]
@@ -96,9 +96,9 @@ impl Lamp {
         let v_3 = 1.0 / d;
         let w = y * y;
         let half_sine = v_3
-            * ((0.12554972 + 0.47950035 * y) * (w + 1.0668863) - 0.27717844);
+            * ((0.12556459 + 0.47948632 * y) * (w + 1.0669101) - 0.2771971);
         let half_cosine = v_3
-            * ((0.42925617 - 0.3557273 * y) * (w + 1.3305721) - 0.66312236);
+            * ((0.42917255 - 0.35542947 * y) * (w + 1.3316723) - 0.66348326);
         let v_4 = half_sine * half_cosine;
         let x_2 = v_4 + v_4;
         let y_2 = half_sine * half_sine - half_cosine * half_cosine;

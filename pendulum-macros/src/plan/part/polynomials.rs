@@ -20,7 +20,7 @@ pub(in crate::plan) struct Approximations {
 }
 
 impl Approximations {
-    pub(in crate::plan) fn new(aim: &Aim) -> Self {
+    pub(in crate::plan) fn new(aim: &Aim, reductions: &[Reduction]) -> Self {
         // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
         // Over an arc, that may be any number of digits; but there it costs nothing.
         let negligible = |curve: &Curve| match curve.largest_met() {
@@ -29,7 +29,7 @@ impl Approximations {
         };
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
         let plain: Vec<Approximation> = over(None);
-        let divided = aim.poles(&plain).map_or_else(Vec::new, |pole| over(Some(pole)));
+        let divided = aim.poles(&plain, aim.left_by(reductions)).map_or_else(Vec::new, |pole| over(Some(pole)));
         Self { plain, divided }
     }
 
@@ -48,10 +48,10 @@ const WORTH: usize = 3;
 impl Aim {
     /// The poles to be divided out, if any: the nearest, or near them those that save more terms. θ has logarithms
     /// there, but poles serve it as they serve other curves.
-    fn poles(&self, plain: &[Approximation]) -> Option<Pole> {
+    fn poles(&self, plain: &[Approximation], left: f64) -> Option<Pole> {
         let curve = self.curves.first().filter(|curve| !curve.is_arc())?;
         let nearest = Pole::new(curve.strip(), self.power.max(1));
-        let limit = self.share(self.limit);
+        let limit = self.share(left);
         let best = || pade::best(plain, nearest, limit);
         match self.power {
             0 => {
@@ -62,6 +62,12 @@ impl Aim {
             1 => Some(best().map_or(nearest, |(pole, _)| pole)),
             _ => Some(nearest),
         }
+    }
+
+    /// What the first reduction, which is the cheapest, leaves of the limit, if it leaves anything; or else the next.
+    fn left_by(&self, reductions: &[Reduction]) -> f64 {
+        let left = reductions.iter().map(|reduction| self.limit - self.size.phase_error(reduction));
+        left.into_iter().find(|&left| left > 0.0).unwrap_or(self.limit)
     }
 
     /// The truncation allowed to each of the curves.

@@ -4,10 +4,11 @@
 //! The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays within the
 //! strip |Im s| ≤ sinh(½ ln ρ)/2, where the Fourier series bounds the curve by B; the interpolant's error is at most
 //! 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation Practice*, theorem 8.2). Dropping its
-//! coefficients beyond the degree d adds at most the sum of their magnitudes, and less where they cancel: the supremum
-//! of their sum is bounded in `tail.rs`. M is chosen so that the former is negligible; the latter, explicitly known, is
-//! the truncation error.
+//! coefficients beyond the degree d adds at most the sum of their magnitudes, and less where they cancel, or where the
+//! others make up for it (`nearest.rs`): the supremum of what is left out is bounded in `tail.rs`. M is chosen so that
+//! the former is negligible; the latter, explicitly known, is the truncation error.
 
+use super::nearest::Corrections;
 use super::pole::{Pole, Quotient};
 use super::tail;
 use super::{Divided, Polynomial};
@@ -24,6 +25,7 @@ use pendulum_runtime::double::Double;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::rc::Rc;
 
 /// More points than this take too long.
 const MOST_POINTS: usize = 240;
@@ -45,8 +47,19 @@ pub(crate) struct Approximation {
     growth: Growth,
     /// What dropping all but so many terms changes of phases up to that of so many bits, once it is known.
     dropped: RefCell<BTreeMap<(usize, u64), f64>>,
-    /// The shifts found, by terms and chunk.
-    choices: RefCell<BTreeMap<(usize, usize), Option<Choices>>>,
+    /// The series of so many terms, and whether they make up for the others.
+    shortened: RefCell<BTreeMap<(usize, bool), Rc<Shortened>>>,
+    /// The shifts found, by that and chunk.
+    choices: RefCell<BTreeMap<(usize, bool, usize), Option<Choices>>>,
+}
+
+/// A series of so many terms that stands for a longer one.
+#[derive(Debug)]
+struct Shortened {
+    series: Vec<Double>,
+    /// What the longer one is more, from this order on.
+    left: Vec<f64>,
+    first: usize,
 }
 
 /// How the error of a whole series grows on ellipses about its interval.
@@ -114,6 +127,7 @@ impl Approximation {
             remainder,
             growth: Growth::Points { points, log_rho: libm::log(rho) },
             dropped: RefCell::default(),
+            shortened: RefCell::default(),
             choices: RefCell::default(),
         }
     }
@@ -129,26 +143,52 @@ impl Approximation {
             remainder,
             growth: Growth::Power(growth),
             dropped: RefCell::default(),
+            shortened: RefCell::default(),
             choices: RefCell::default(),
         }
     }
 
-    /// The error of the polynomial with the first `terms` coefficients, on the interval widened by `overshoot` (in s).
+    /// The error of the polynomial with `terms` coefficients, on the interval widened by `overshoot` (in s).
+    ///
+    /// Beyond the end u = cosh η, η up to that of [`ellipse_of`], and Tⱼ = cosh jη is between 1 + (jη)²/2 and that and
+    /// (jη)⁴/24·cosh jη: what is left out changes by η²/2 times its derivative there, and little more.
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
-        let dropped = terms.min(self.series.len())..self.series.len();
-        let beyond = self.sum(dropped.clone(), |j| libm::cosh(j * ellipse_of(overshoot)) - 1.0);
-        let whole = self.without(dropped, overshoot);
+        let shortened = self.shortened(terms, overshoot);
+        let left = || shortened.left.iter().zip(shortened.first..).map(|(c, j)| (c, j as f64));
+        let ellipse = ellipse_of(overshoot);
+        let derivative: f64 = left().map(|(c, j)| c * j * j).sum();
+        let higher = left().map(|(c, j)| (c.abs(), j * ellipse)).map(|(c, x)| c * x.powi(4) / 24.0 * libm::cosh(x));
+        let beyond = 0.5 * ellipse * ellipse * derivative.abs() + higher.sum::<f64>();
+        let whole: f64 = left().map(|(c, j)| c.abs() * libm::cosh(j * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
-        let known = (terms, reach.to_bits());
-        let within = *self.dropped.borrow_mut().entry(known).or_insert_with(|| self.supremum(terms, reach));
-        let sharp = within * self.gain(overshoot) + beyond * self.weight(overshoot);
-        whole.min(sharp) + self.least_truncation(overshoot)
+        let supremum = || tail::supremum(&shortened.left, shortened.first, self.pole, self.parity, reach);
+        let within = *self.dropped.borrow_mut().entry((terms, reach.to_bits())).or_insert_with(supremum);
+        let weight = self.weight(overshoot);
+        (whole * weight).min(within * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
     }
 
-    /// What dropping all coefficients but so many changes of phases up to `reach`.
-    fn supremum(&self, terms: usize, reach: f64) -> f64 {
-        let dropped: Vec<f64> = self.series.iter().skip(terms).map(|c| c.hi).collect();
-        tail::supremum(&dropped, terms, self.pole, self.parity, reach)
+    /// The series of so many terms. Where it is met as a whole, they make up for the others as well as they can; without
+    /// poles those of an even curve hardly can.
+    fn shortened(&self, terms: usize, overshoot: f64) -> Rc<Shortened> {
+        let terms = terms.min(self.series.len());
+        let weighted = self.pole.is_some() || self.parity == Parity::Odd;
+        let makes_up = overshoot >= 0.0 && weighted;
+        let shorten = || Rc::new(self.without_last(terms, makes_up));
+        self.shortened.borrow_mut().entry((terms, makes_up)).or_insert_with(shorten).clone()
+    }
+
+    fn without_last(&self, terms: usize, makes_up: bool) -> Shortened {
+        let (kept, dropped) = self.series.split_at(terms);
+        let dropped: Vec<f64> = dropped.iter().map(|c| c.hi).collect();
+        if !makes_up || dropped.is_empty() {
+            return Shortened { series: kept.to_vec(), left: dropped, first: terms };
+        }
+        let odd = self.parity == Parity::Odd;
+        let corrections = Corrections::new(&dropped, terms, self.pole, odd).of_terms;
+        // What the sums are rounded by counts with the conversion to powers.
+        let series = kept.iter().zip(&corrections).map(|(c, correction)| *c + Double::new(*correction)).collect();
+        let left = corrections.iter().map(|correction| -correction).chain(dropped).collect();
+        Shortened { series, left, first: 0 }
     }
 
     /// What dropping these terms changes at most, whatever their signs.
@@ -193,10 +233,10 @@ impl Approximation {
             enough = Some(terms);
             truncation += self.without(terms - 1..terms, overshoot);
         }
-        // The magnitudes add up to more than what is left out, by little unless a part of the interval is.
+        // The magnitudes add up to more than what is left out, by little unless a part of the interval is, or others
+        // make up for them.
         let fewer = |&terms: &usize| (terms > 2 && self.truncation(terms - 1, overshoot) <= limit).then(|| terms - 1);
-        let most = if overshoot < 0.0 { usize::MAX } else { 2 };
-        std::iter::successors(enough, fewer).take(most).last()
+        std::iter::successors(enough, fewer).last()
     }
 
     pub(crate) fn terms(&self) -> usize {
@@ -239,7 +279,9 @@ impl Approximation {
         let Form::Adapted { chunk } = form else {
             return Some(self.in_powers(terms, form, reduction, alternates));
         };
-        let choice = self.choices(terms, chunk)?.within(limit / (reduction.float.unit() * self.weight(0.0)))?;
+        let choice = self
+            .choices(terms, chunk, reduction.overshoot)?
+            .within(limit / (reduction.float.unit() * self.weight(0.0)))?;
         let variable = self.variable(form, choice.shift, reduction);
         let coefficients = self.powers_of(terms, variable, reduction);
         if !is_moderate(&coefficients, self.quarter(reduction), reduction.float) {
@@ -292,9 +334,9 @@ impl Approximation {
         // Farther from 1 the second word of a pole's unit would lose bits.
         let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
         let lost = if bounded { lost * self.weight(reduction.overshoot) * poles / unit } else { f64::INFINITY };
-        let kept = &self.series[..terms.min(self.series.len())];
+        let shortened = self.shortened(terms, reduction.overshoot);
         let eighth = 8.0 * area.hi;
-        let converted = rounding_of_powers(kept, eighth * reach + (1.0 + eighth * shift.hi).abs());
+        let converted = rounding_of_powers(&shortened.series, eighth * reach + (1.0 + eighth * shift.hi).abs());
         let truncation =
             self.truncation(terms, reduction.overshoot) + converted * self.weight(reduction.overshoot) + lost;
         let whole = |pole: Pole| Divided::Whole(pole.scaled(self.area(reduction)));
@@ -330,21 +372,22 @@ impl Approximation {
     fn powers_of(&self, terms: usize, Variable { shift: c, area, .. }: Variable, reduction: &Reduction) -> Vec<Double> {
         let odd = if self.parity == Parity::Odd { reduction.unit } else { Double::ONE };
         let factor = odd / self.pole.map_or(Double::ONE, |pole| pole.unit(self.area(reduction)));
-        self.shifted(terms, c, area).into_iter().map(|c| c * factor).collect()
-    }
-
-    /// In powers of p/`area` + `c`.
-    fn shifted(&self, terms: usize, c: Double, area: Double) -> Vec<Double> {
-        let eighth = area * 8.0;
-        let powers = to_powers(&self.series[..terms.min(self.series.len())]);
-        scale(shift(&powers, -Double::ONE - eighth * c), eighth)
+        let series = &self.shortened(terms, reduction.overshoot).series;
+        shifted(series, c, area).into_iter().map(|c| c * factor).collect()
     }
 
     /// The shifts, looked for once.
-    fn choices(&self, terms: usize, chunk: usize) -> Option<Choices> {
-        let look = || Choices::new(&self.shifted(terms, Double::ZERO, Double::ONE), chunk);
-        *self.choices.borrow_mut().entry((terms, chunk)).or_insert_with(look)
+    fn choices(&self, terms: usize, chunk: usize, overshoot: f64) -> Option<Choices> {
+        let look =
+            || Choices::new(&shifted(&self.shortened(terms, overshoot).series, Double::ZERO, Double::ONE), chunk);
+        *self.choices.borrow_mut().entry((terms, overshoot >= 0.0, chunk)).or_insert_with(look)
     }
+}
+
+/// A series in powers of p/`area` + `c`.
+fn shifted(series: &[Double], c: Double, area: Double) -> Vec<Double> {
+    let eighth = area * 8.0;
+    scale(shift(&to_powers(series), -Double::ONE - eighth * c), eighth)
 }
 
 /// The variable of a polynomial: p/`area` + `shift`, and its largest magnitude.

@@ -6,6 +6,7 @@
 //! polynomial about the lowest point.
 
 mod approximation;
+mod nearest;
 pub(crate) mod pade;
 mod pole;
 mod tail;

@@ -9,6 +9,7 @@
 //! five terms.
 
 use super::Approximation;
+use super::nearest::{Corrections, polished};
 use super::pole::Pole;
 use crate::series::Parity;
 
@@ -22,7 +23,9 @@ pub(crate) fn best(curves: &[Approximation], nearest: Pole, limit: f64) -> Optio
         let found = vanishing(&series, terms).and_then(|pole| Some((pole, total(pole)?)));
         best = found.filter(|found| found.1 < best.1).unwrap_or(best);
     }
-    Some(best)
+    let [single] = &series[..] else { return Some(best) };
+    let fewer = |&(pole, terms): &(Pole, usize)| Some((single.polished(pole, terms - 1, limit)?, terms - 1));
+    std::iter::successors(Some(best), fewer).last()
 }
 
 /// A curve's Chebyshev coefficients, and those of it times p and p².
@@ -42,6 +45,24 @@ impl Series {
     /// The coefficient of the power of p.
     fn at(&self, power: usize, index: usize) -> f64 {
         self.powers[power].get(index).copied().unwrap_or(0.0)
+    }
+
+    /// The poles, from these on, over which so many terms serve.
+    fn polished(&self, pole: Pole, terms: usize, limit: f64) -> Option<Pole> {
+        // Of a curve of about 1, in one word.
+        const FINEST: f64 = 1e-12;
+        // Of what is left there will be a bound, and rounding.
+        let limit = 0.9 * limit;
+        let serves = |&pole: &Pole| {
+            let [constant, linear] = pole.coefficients();
+            let divided = |index| self.at(2, index) + linear * self.at(1, index) + constant * self.at(0, index);
+            let dropped: Vec<f64> = (terms..self.powers[2].len()).map(divided).collect();
+            Corrections::new(&dropped, terms, Some(pole), self.odd).left <= limit
+        };
+        if terms < 2 || limit < FINEST * self.at(0, 0).abs() {
+            return None;
+        }
+        Some(pole).filter(serves).or_else(|| polished(pole, &self.powers[0], terms, self.odd).filter(serves))
     }
 
     /// The fewest terms that leave an error of `limit`; `None` if all do not.

@@ -7,7 +7,7 @@ use crate::supremum::worst;
 use std::f64::consts::PI;
 
 /// Angles at which the sum is evaluated.
-const CELLS: u32 = 128;
+const CELLS: u32 = 192;
 
 /// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, over the poles and times an odd curve's phase, for |u| ≤ 1, where p = (1 + u)/8
 /// is the square of a phase up to `reach`.
@@ -36,7 +36,7 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, pole: Option<Pole>, p
 }
 
 /// Σ cⱼTⱼ(u), j from `first` on, by Clenshaw's recurrence.
-fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
+pub(super) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
     let step = |(next, after): (f64, f64), c: f64| (c + 2.0 * u * next - after, next);
     let high = coefficients.iter().rev().fold((0.0, 0.0), |state, &c| step(state, c));
     // Those before are nought.

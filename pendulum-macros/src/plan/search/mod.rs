@@ -182,8 +182,8 @@ fn candidates<'a>(scene: &Scene, prospects: &'a [Prospect]) -> Vec<Candidate<'a>
 
 impl Prospect {
     fn new(scene: &Scene, task: Task) -> Self {
-        let approximations = task.aims.iter().map(Approximations::new).collect();
         let reductions = task.reductions(scene);
+        let approximations = task.aims.iter().map(|aim| Approximations::new(aim, &reductions)).collect();
         let pieces = InPieces::new(scene, &task, &reductions);
         let reach = task.reach(scene);
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();

@@ -3,7 +3,7 @@
 use super::{Candidate, Prospect};
 use crate::parse::Output;
 use crate::plan::Part;
-use crate::plan::form::{Poles, Variant};
+use crate::plan::form::Variant;
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::polynomial::Polynomial;
 use crate::scene::Scene;
@@ -14,14 +14,9 @@ const SHARED: f64 = 3.0;
 /// What a call of the velocity alone counts beside one of both, which who lists both will want more often.
 const ALONE: f64 = 0.75;
 
-/// Operations that it saves if both polynomials are evaluated alike: in scalar calls at 7π/8 a tenth of the time to 1e-9, a
-/// quarter to 1e-12; in loops over arrays nothing.
-const PAIRED: f64 = 3.0;
-
 impl Candidate<'_> {
     /// The parts, of which the velocity may be another of its variants: one that costs little more by itself and less
-    /// beside θ, with which it may share its variable and the powers of that. Where two polynomials are alike, compilers
-    /// compute them in the lanes of one vector, besides.
+    /// beside θ, with which it may share its variable and the powers of that.
     pub(super) fn together(&self, scene: &Scene, mut parts: Vec<Part>, rejected: &mut Vec<String>) -> Vec<Part> {
         let place = |output| parts.iter().position(|part| part.output == output);
         let (Some(theta), Some(velocity)) = (place(Output::Theta), place(Output::Velocity)) else { return parts };
@@ -43,11 +38,10 @@ impl Candidate<'_> {
 
     /// What both cost in one function, and the velocity in one of its own, if both are polynomials.
     fn cost_beside(&self, theta: &Part, velocity: &Part) -> Option<f64> {
-        let (of_theta, of_velocity) = (polynomial(theta)?, polynomial(velocity)?);
-        let paired = if alike(of_theta.variant(), of_velocity.variant()) { PAIRED } else { 0.0 };
-        let waiting = of_velocity.waiting();
+        polynomial(theta)?;
+        let waiting = polynomial(velocity)?.waiting();
         let cost = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost() + waiting;
-        Some(cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel]) - paired)
+        Some(cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel]))
     }
 
     /// The output's variants that by themselves are little dearer than this one and keep the promise comfortably.
@@ -62,11 +56,6 @@ impl Candidate<'_> {
             Some((variant, part.filter(|part| part.taken <= super::comfortable(scene, self.reduction))?))
         })
     }
-}
-
-/// Whether two polynomials are evaluated alike: with poles under them or without, what is evaluated is the same.
-fn alike(a: Variant, b: Variant) -> bool {
-    a.form == b.form && (a.poles == Poles::Beside) == (b.poles == Poles::Beside)
 }
 
 pub(super) fn polynomial(part: &Part) -> Option<&Polynomial> {
