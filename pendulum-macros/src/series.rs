@@ -257,6 +257,17 @@ impl Wave {
         sum
     }
 
+    /// The derivative likewise.
+    pub(crate) fn slope_roughly(&self, s: f64) -> f64 {
+        let pi = std::f64::consts::PI;
+        let slope = |&(m, amplitude): &(u32, Double)| {
+            let (sine, cosine) = libm::sincos(pi * f64::from(m) * s);
+            let wave = if self.parity == Parity::Even { -sine } else { cosine };
+            amplitude.hi * pi * f64::from(m) * wave
+        };
+        self.linear.hi + self.terms.iter().map(slope).sum::<f64>()
+    }
+
     /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 4; infinite beyond the strip of convergence.
     pub(crate) fn bound(&self, height: f64) -> f64 {
         let growth = std::f64::consts::PI * height;

@@ -16,6 +16,8 @@ pub(crate) struct Curve {
     arc: Arc,
     /// Set where the sign changes from anchor to anchor.
     pub(crate) alternates: bool,
+    /// Whether it is known to be the steeper the farther the phase is from an anchor.
+    pub(crate) rises: bool,
     pub(crate) size: Size,
 }
 
@@ -66,7 +68,12 @@ impl Curve {
 
     /// What of it is met in the arc, for a phase that is never reduced.
     pub(crate) fn over(self, arc: Arc) -> Self {
-        Self { arc, alternates: false, ..self }
+        Self { arc, alternates: false, rises: false, ..self }
+    }
+
+    /// Bounds |derivative| at the phase s, in one word.
+    pub(crate) fn steepness(&self, s: f64) -> f64 {
+        self.wave.slope_roughly(s).abs() + 1e-9 * self.size.slope + self.omitted_slope()
     }
 
     /// Whether it is met in part.
@@ -121,7 +128,7 @@ impl Curve {
     pub(crate) fn sine() -> Self {
         let steepest = std::f64::consts::PI;
         let size = Size { largest: 1.0, slope: steepest, moment: steepest, unit: 1.0 };
-        Self { wave: Wave::sine(), arc: Arc::WHOLE, alternates: true, size }
+        Self { wave: Wave::sine(), arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
 
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
@@ -129,7 +136,7 @@ impl Curve {
         let largest = amplitude.to_f64();
         let slope = largest * std::f64::consts::PI;
         let size = Size { largest, slope, moment: slope / 2.0, unit: 1.0 };
-        Self { wave: Wave::cosine(amplitude.to_double()), arc: Arc::WHOLE, alternates: true, size }
+        Self { wave: Wave::cosine(amplitude.to_double()), arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
 }
 
@@ -175,7 +182,7 @@ impl<'a> SwingCurves<'a> {
     fn wave(&self, order: i32, scale: Double, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let wave = Wave::swing(self.swing, order, scale);
         let size = Size { largest, slope: slope * (1.0 + 1e-12), moment, unit };
-        Curve { wave, arc: Arc::WHOLE, alternates: true, size }
+        Curve { wave, arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
 
     fn moments(&self) -> &Moments {
@@ -185,10 +192,10 @@ impl<'a> SwingCurves<'a> {
 }
 
 impl Curves for SwingCurves<'_> {
-    /// |θ̇| ≤ 2kω.
+    /// |θ̇| ≤ 2kω, which it reaches at the lowest point, faster and faster from the turning point on.
     fn angle(&self) -> Curve {
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().angle];
-        self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slopes, 1.0)
+        Curve { rises: true, ..self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slopes, 1.0) }
     }
 
     fn velocity(&self) -> Curve {
@@ -238,7 +245,7 @@ impl<'a> RotationCurves<'a> {
     fn wave(&self, wave: Wave, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let slope = slope / self.rate().hi * (1.0 + 1e-12);
         let size = Size { largest, slope, moment, unit };
-        Curve { wave, arc: Arc::WHOLE, alternates: false, size }
+        Curve { wave, arc: Arc::WHOLE, alternates: false, rises: false, size }
     }
 
     fn moments(&self) -> &Moments {

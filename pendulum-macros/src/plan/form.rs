@@ -66,11 +66,17 @@ impl Variant {
         (self.poles != Poles::Beside || beside) && self.form.suits(left, float)
     }
 
+    /// Operations that make the variables of so many terms.
+    pub(crate) fn variables(self, terms: usize) -> f64 {
+        self.form.variables(self.left(terms))
+    }
+
     /// Estimated cost of a polynomial of that many terms, given the variables: see [`Program::cost`].
     ///
     /// [`Program::cost`]: crate::program::Program::cost
-    pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
-        self.form.cost(self.left(terms), division)
+    pub(crate) fn cost(self, terms: usize, division: Division, float: Float) -> f64 {
+        let apart = if division == Division::OfRemainder && float == Float::F64 { APART } else { 0.0 };
+        self.form.cost(self.left(terms), division) + apart
     }
 }
 
@@ -97,13 +103,13 @@ impl Division {
             Self::OfPhase => QUOTIENT + 3.0,
             Self::Inverse => QUOTIENT + 4.0,
             Self::Shared => 0.5 * (QUOTIENT + 3.0) + 1.0,
-            Self::OfRemainder => QUOTIENT + 6.0 + APART,
+            Self::OfRemainder => QUOTIENT + 6.0,
         }
     }
 }
 
-/// What poles beside a polynomial had better save, in operations: compilers don't compute it in one vector with a
-/// velocity over poles. To 1e-6 at 7π/8 scalar calls of both take a seventh more time.
+/// What poles beside a polynomial had better save in `f64`, in operations: compilers don't compute it in one vector with
+/// a velocity over poles. To 1e-6 at 7π/8 scalar calls of both take a seventh more time.
 const APART: f64 = 2.0;
 
 /// What stands for the square of the phase, for the reader.
@@ -145,21 +151,24 @@ impl Form {
         }
     }
 
-    /// Operations that make the variables of p: y, of which small blocks mostly do without a shift, and its square.
-    pub(crate) fn variables(self) -> f64 {
-        match self {
-            Self::Powers { shift: 0.0 } | Self::Adapted { chunk: ..=4 } => 1.0,
-            Self::Powers { .. } | Self::Careful { .. } | Self::Adapted { .. } => 2.0,
-            Self::Normalised => 3.0,
-        }
+    /// Operations that make the variables of p: y, of which small blocks mostly do without a shift, and its square, which
+    /// few terms do without.
+    pub(crate) fn variables(self, terms: usize) -> f64 {
+        let squares = if terms < blocks::LEAST { 0.0 } else { 1.0 };
+        squares
+            + match self {
+                Self::Powers { shift: 0.0 } | Self::Adapted { chunk: ..=4 } => 0.0,
+                Self::Powers { .. } | Self::Careful { .. } | Self::Adapted { .. } => 1.0,
+                Self::Normalised => 2.0,
+            }
     }
 
     /// Estimated cost of a polynomial of that many terms, given the variables.
     pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
         let operations = match self {
-            // The first block isn't adapted.
+            // The first block isn't adapted, which of fewer terms wouldn't be, either.
             Self::Powers { .. } | Self::Careful { .. } | Self::Normalised => {
-                blocks::operations(terms, blocks::LEAST) + 1
+                blocks::operations(terms, blocks::LEAST) + usize::from(terms >= blocks::LEAST)
             }
             Self::Adapted { chunk } => blocks::operations(terms, chunk),
         };

@@ -12,9 +12,9 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
 /// * phase: one product with the rate, wrong by at most 8.2e-6 anchors
-/// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 7.256e-5 rad (9.3e-6 of truncation, 5.8e-5 of phase, 5.7e-6 of rounding); 17 operations
+/// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 6.917e-5 rad (6.8e-6 of truncation, 5.8e-5 of phase, 4.8e-6 of rounding); 17 operations
 /// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.702e-5 lengths (1.7e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 29 operations
-/// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
+/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it costs about 0.5 operations more
 /// * not a polynomial in s², adapted in blocks of 8 for `position`: it costs about 1.5 operations more
 /// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 263 operations
 /// * not `harmonic`: it is wrong by about 1e-1
@@ -62,7 +62,7 @@ impl Lamp {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 17;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f32 = 7.256412e-5;
+    pub const MAX_ERROR: f32 = 6.916848e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
     pub const MAX_POSITION_ERROR: f32 = 7.7024815e-5;
     /// θ(t), rad; NaN if t is not finite. 17 operations.
@@ -77,8 +77,8 @@ impl Lamp {
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
         let y = p - 0.40625;
         let w = y * y;
-        let result = ((-87.40962 - 53.390053 * y) * (w + 0.5024183) + 61.660236)
-            * (w + 0.2029289) - 4.547996;
+        let result = ((-84.6799 - 51.405857 * y) * (w + 0.48984522) + 60.010612)
+            * (w + 0.214246) - 4.9149246;
         f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
     }
     /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 29 operations.

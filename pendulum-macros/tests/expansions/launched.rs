@@ -14,7 +14,7 @@
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
 /// * theta: polynomial of 6 terms in s², coefficients adapted; proven error ≤ 3.730e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 5.2e-15 of rounding); 52 operations
 /// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.705e-7 rad·ω² (4.7e-7 of truncation, 6.6e-15 of phase, 5.4e-16 of rounding); 55 operations
-/// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
+/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it costs about 0.5 operations more
 /// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
 /// * not pieces, phase by exact products with the rate in 3 words: it costs about 150 operations
 /// * not `harmonic`: it is wrong by about 1e-2

@@ -209,7 +209,7 @@ impl Whole {
         let approximation = self.approximation.as_ref()?;
         let terms = approximation.terms_for(truncation, reduction.overshoot)?;
         let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms, reduction.float)).collect();
-        let cost = |form: &Form| form.cost(terms, Division::None) + form.variables();
+        let cost = |form: &Form| form.cost(terms, Division::None) + form.variables(terms);
         forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
         forms.into_iter().find_map(|form| {
             let mut polynomial = approximation.polynomial(terms, form, reduction, true, left)?;

@@ -6,18 +6,26 @@ use crate::plan::aim::{Aim, Task};
 use crate::plan::curve::Curve;
 use crate::plan::form::{Division, Form, Poles, Variant};
 use crate::plan::kernel::Kernel;
-use crate::plan::polynomial::{Approximation, Pole, Polynomial, pade};
+use crate::plan::polynomial::{Approximation, Leeway, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::program::cost::CLAMP;
 use crate::scene::Scene;
 use crate::series::Parity;
 use crate::supremum::norm;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// An output's approximations, without and with its poles divided out.
 pub(in crate::plan) struct Approximations {
-    plain: Vec<Approximation>,
-    divided: Vec<Approximation>,
+    plain: Rc<[Approximation]>,
+    divided: Rc<[Approximation]>,
+    lenient: RefCell<BTreeMap<Lenient, Rc<[Approximation]>>>,
 }
+
+/// What tells approximations with a leeway from others: the error of the phase and its share, and whether they are
+/// divided.
+type Lenient = ([u64; 2], bool);
 
 impl Approximations {
     pub(in crate::plan) fn new(aim: &Aim, reductions: &[Reduction]) -> Self {
@@ -28,14 +36,27 @@ impl Approximations {
             None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
         };
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
-        let plain: Vec<Approximation> = over(None);
-        let divided = aim.poles(&plain, aim.left_by(reductions)).map_or_else(Vec::new, |pole| over(Some(pole)));
-        Self { plain, divided }
+        let plain: Rc<[Approximation]> = over(None);
+        let without_poles = Self { plain, divided: Rc::new([]), lenient: RefCell::default() };
+        // The first reduction is the cheapest, if it leaves anything of the limit.
+        let served = reductions.iter().find(|reduction| aim.left(reduction) > 0.0);
+        let lenient = served.map(|reduction| without_poles.choose(aim, Poles::Absent, reduction));
+        let lenient = lenient.unwrap_or_else(|| without_poles.plain.clone());
+        let divided = aim.poles(&lenient, served.map_or(aim.limit, |reduction| aim.left(reduction))).map(Some);
+        Self { divided: divided.map_or_else(|| Rc::new([]) as Rc<[_]>, over), ..without_poles }
     }
 
-    /// Those of a variant; none over poles where none are worth it.
-    pub(in crate::plan) fn choose(&self, poles: Poles) -> &[Approximation] {
-        if poles == Poles::Absent { &self.plain } else { &self.divided }
+    /// Those of a variant, with the leeway that the reduction leaves; none over poles where none are worth it.
+    pub(in crate::plan) fn choose(&self, aim: &Aim, poles: Poles, reduction: &Reduction) -> Rc<[Approximation]> {
+        let divided = poles != Poles::Absent;
+        let strict = if divided { &self.divided } else { &self.plain };
+        let Some((curve, ratio)) = aim.leeway(reduction) else { return strict.clone() };
+        let lenient = || {
+            let leeway = Leeway::new(curve, reduction.error, ratio);
+            strict.iter().map(|approximation| approximation.with(leeway.clone())).collect()
+        };
+        let key = [reduction.error, ratio].map(f64::to_bits);
+        self.lenient.borrow_mut().entry((key, divided)).or_insert_with(lenient).clone()
     }
 }
 
@@ -64,10 +85,20 @@ impl Aim {
         }
     }
 
-    /// What the first reduction, which is the cheapest, leaves of the limit, if it leaves anything; or else the next.
-    fn left_by(&self, reductions: &[Reduction]) -> f64 {
-        let left = reductions.iter().map(|reduction| self.limit - self.size.phase_error(reduction));
-        left.into_iter().find(|&left| left > 0.0).unwrap_or(self.limit)
+    /// What a reduction leaves of the limit.
+    fn left(&self, reduction: &Reduction) -> f64 {
+        self.limit - self.size.phase_error(reduction)
+    }
+
+    /// A single curve that rises, and what the phase's error takes where it is steepest over what is left, if it takes so
+    /// much that it matters where.
+    fn leeway(&self, reduction: &Reduction) -> Option<(&Curve, f64)> {
+        const LEAST: f64 = 0.5;
+        let [curve] = &self.curves[..] else { return None };
+        let ratio = curve.size.slope * reduction.error / self.left(reduction);
+        // The power of two below is as good, and the same for most of a scene's reductions and roundings.
+        let power = libm::exp2(libm::log2(ratio).floor());
+        (curve.rises && (LEAST..1e3).contains(&ratio)).then_some((curve, power))
     }
 
     /// The truncation allowed to each of the curves.
@@ -86,7 +117,9 @@ impl Aim {
         let beside = self.power < 2 && self.curves.len() == 1;
         let poles = Poles::ALL.into_iter().filter(|&poles| beside || poles != Poles::Beside);
         let variants = poles.flat_map(|poles| Form::ALL.map(|form| Variant { form, poles }));
-        let cost = |variant: Variant| Some((variant, self.estimate(all.choose(variant.poles), reduction, variant)?));
+        let cost = |variant: Variant| {
+            Some((variant, self.estimate(&all.choose(self, variant.poles, reduction), reduction, variant)?))
+        };
         let mut costs: Vec<(Variant, f64)> = variants.filter_map(cost).collect();
         costs.sort_by(|a, b| a.1.total_cmp(&b.1));
         costs
@@ -97,7 +130,7 @@ impl Aim {
         if self.curves.is_empty() || approximations.len() < self.curves.len() {
             return None;
         }
-        let left = self.share(self.limit - self.size.phase_error(reduction));
+        let left = self.share(self.left(reduction));
         let one = |(curve, approximation): (&Curve, &Approximation)| {
             let terms = approximation
                 .terms_for(left, reduction.overshoot)
@@ -114,10 +147,12 @@ impl Aim {
             let unlimited = division == Division::OfPhase && approximation.falls();
             let clamp = if reduction.leaps() && !unlimited { CLAMP } else { 0.0 };
             let phase = if odd { 1.0 + clamp } else { 0.0 };
-            Some(variant.cost(terms, division) + phase + signs)
+            Some((variant.cost(terms, division, reduction.float) + phase + signs, variant.variables(terms)))
         };
-        let kernels: Option<f64> = self.curves.iter().zip(approximations).map(one).sum();
-        Some(kernels? + variant.form.variables() + if self.curves.len() > 1 { SQUARING } else { 0.0 })
+        let kernels: Option<Vec<(f64, f64)>> = self.curves.iter().zip(approximations).map(one).collect();
+        let (kernels, variables): (Vec<f64>, Vec<f64>) = kernels?.into_iter().unzip();
+        let squaring = if self.curves.len() > 1 { SQUARING } else { 0.0 };
+        Some(kernels.iter().sum::<f64>() + variables.into_iter().fold(0.0, f64::max) + squaring)
     }
 
     /// The fewest terms that keep the promise, or what was reached.
@@ -133,7 +168,7 @@ impl Aim {
         self.first_kept(scene, reduction, phase, |rounding| {
             let left = self.share(self.limit - phase - rounding);
             let mut polynomials = Vec::new();
-            for (curve, approximation) in self.curves.iter().zip(all.choose(variant.poles)) {
+            for (curve, approximation) in self.curves.iter().zip(&*all.choose(self, variant.poles, reduction)) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
                     return Err((phase + rounding + least) / self.size.unit);

@@ -8,10 +8,11 @@
 //! others make up for it (`nearest.rs`): the supremum of what is left out is bounded in `tail.rs`. M is chosen so that
 //! the former is negligible; the latter, explicitly known, is the truncation error.
 
+use super::leeway::Leeway;
 use super::nearest::Corrections;
 use super::pole::{Pole, Quotient};
 use super::tail;
-use super::{Divided, Polynomial};
+use super::{Divided, Polynomial, Remainder};
 use crate::chebyshev::{CosineTable, Interpolation, rounding_of_powers, scale, shift, to_powers};
 use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices, magnitude};
@@ -45,6 +46,8 @@ pub(crate) struct Approximation {
     /// Error of the whole series on the interval, and what is known of it outside.
     remainder: f64,
     growth: Growth,
+    /// Where the phase is so wrong that this matters.
+    leeway: Option<Leeway>,
     /// What dropping all but so many terms changes of phases up to that of so many bits, once it is known.
     dropped: RefCell<BTreeMap<(usize, u64), f64>>,
     /// The series of so many terms, and whether they make up for the others.
@@ -126,9 +129,21 @@ impl Approximation {
             series,
             remainder,
             growth: Growth::Points { points, log_rho: libm::log(rho) },
+            leeway: None,
             dropped: RefCell::default(),
             shortened: RefCell::default(),
             choices: RefCell::default(),
+        }
+    }
+
+    /// The same of a phase that leaves a leeway.
+    pub(crate) fn with(&self, leeway: Leeway) -> Self {
+        Self {
+            leeway: Some(leeway),
+            dropped: RefCell::default(),
+            shortened: RefCell::default(),
+            choices: RefCell::default(),
+            ..self.clone()
         }
     }
 
@@ -142,13 +157,15 @@ impl Approximation {
             series,
             remainder,
             growth: Growth::Power(growth),
+            leeway: None,
             dropped: RefCell::default(),
             shortened: RefCell::default(),
             choices: RefCell::default(),
         }
     }
 
-    /// The error of the polynomial with `terms` coefficients, on the interval widened by `overshoot` (in s).
+    /// The error of the polynomial with `terms` coefficients, on the interval widened by `overshoot` (in s); of a phase
+    /// that leaves a leeway, beyond what its error takes.
     ///
     /// Beyond the end u = cosh η, η up to that of [`ellipse_of`], and Tⱼ = cosh jη is between 1 + (jη)²/2 and that and
     /// (jη)⁴/24·cosh jη: what is left out changes by η²/2 times its derivative there, and little more.
@@ -161,17 +178,19 @@ impl Approximation {
         let beyond = 0.5 * ellipse * ellipse * derivative.abs() + higher.sum::<f64>();
         let whole: f64 = left().map(|(c, j)| c.abs() * libm::cosh(j * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
-        let supremum = || tail::supremum(&shortened.left, shortened.first, self.pole, self.parity, reach);
+        let Shortened { left: coefficients, first, .. } = &*shortened;
+        let supremum = || tail::supremum(coefficients, *first, self.pole, self.parity, reach, self.leeway.as_ref());
         let within = *self.dropped.borrow_mut().entry((terms, reach.to_bits())).or_insert_with(supremum);
         let weight = self.weight(overshoot);
-        (whole * weight).min(within * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
+        let at_end = within + self.leeway.as_ref().map_or(0.0, |leeway| leeway.spared(0));
+        (whole * weight).min(at_end * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
     }
 
     /// The series of so many terms. Where it is met as a whole, they make up for the others as well as they can; without
     /// poles those of an even curve hardly can.
     fn shortened(&self, terms: usize, overshoot: f64) -> Rc<Shortened> {
         let terms = terms.min(self.series.len());
-        let weighted = self.pole.is_some() || self.parity == Parity::Odd;
+        let weighted = self.pole.is_some() || self.parity == Parity::Odd || self.leeway.is_some();
         let makes_up = overshoot >= 0.0 && weighted;
         let shorten = || Rc::new(self.without_last(terms, makes_up));
         self.shortened.borrow_mut().entry((terms, makes_up)).or_insert_with(shorten).clone()
@@ -184,7 +203,7 @@ impl Approximation {
             return Shortened { series: kept.to_vec(), left: dropped, first: terms };
         }
         let odd = self.parity == Parity::Odd;
-        let corrections = Corrections::new(&dropped, terms, self.pole, odd).of_terms;
+        let corrections = Corrections::new(&dropped, terms, self.pole, odd, self.leeway.as_ref()).of_terms;
         // What the sums are rounded by counts with the conversion to powers.
         let series = kept.iter().zip(&corrections).map(|(c, correction)| *c + Double::new(*correction)).collect();
         let left = corrections.iter().map(|correction| -correction).chain(dropped).collect();
@@ -248,6 +267,10 @@ impl Approximation {
         &self.series
     }
 
+    pub(super) fn leeway(&self) -> Option<&Leeway> {
+        self.leeway.as_ref()
+    }
+
     /// Whether a phase that leaps to a whole anchor may be divided by its poles as it comes.
     pub(in crate::plan) fn falls(&self) -> bool {
         self.pole.is_some_and(|pole| pole.falls(0.5))
@@ -303,11 +326,16 @@ impl Approximation {
         let variable = self.variable(form, form.shift(), reduction);
         let powers = self.powers_of(terms, variable, reduction);
         let Quotient { polynomial, remainder, lost } = pole.division(&powers, variable.shift);
+        let at =
+            |powers: &[Double], p: f64| powers.iter().rev().fold(0.0, |sum, c| sum * (p + variable.shift.hi) + c.hi);
+        // The first value is the largest of an even curve that alternates, the only one that this is for.
+        let largest = at(&powers, 0.0) / pole.least_between(0.0, 0.0);
+        let dispensable = at(&polynomial, self.quarter(reduction)).abs() < 0.99 * largest.abs();
         let mut blocks = Blocks::careful(&polynomial, form.largest_last(), variable.reach);
         // Of the polynomial that was divided.
         blocks.mismatch = blocks.mismatch * pole.most(reduction.half()) + magnitude(&lost, variable.reach);
         let whole = self.evaluated(powers.len(), form, variable, blocks, reduction, alternates);
-        Some(Polynomial { divided: Divided::Rest(pole, remainder), ..whole })
+        Some(Polynomial { divided: Divided::Rest(pole, Remainder { powers: remainder, dispensable }), ..whole })
     }
 
     /// The same by powers, which always are: of p if no other form is asked for.

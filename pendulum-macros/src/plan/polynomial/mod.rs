@@ -6,12 +6,14 @@
 //! polynomial about the lowest point.
 
 mod approximation;
+mod leeway;
 mod nearest;
 pub(crate) mod pade;
 mod pole;
 mod tail;
 
 pub(crate) use approximation::Approximation;
+pub(crate) use leeway::Leeway;
 
 use super::blocks::{Blocks, one_by_one};
 use super::form::{Form, Poles, Variant};
@@ -44,8 +46,17 @@ enum Divided {
     Nothing,
     /// The polynomial.
     Whole(Pole),
-    /// What is added to it, in powers of the form's variable.
-    Rest(Pole, [Double; 2]),
+    /// What is added to it.
+    Rest(Pole, Remainder),
+}
+
+/// What is over poles beside a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Remainder {
+    /// In powers of the form's variable.
+    powers: [Double; 2],
+    /// Whether the polynomial without it is within the range of values where the interval ends.
+    dispensable: bool,
 }
 
 impl Divided {
@@ -107,12 +118,16 @@ impl Polynomial {
 
     /// The phase without limits, if what is divided may be of that. The polynomial's variable is kept within limits beyond
     /// the horizon; but of a curve on both sides of 0 there may be less, where the divisor grows, or a phase leaps to where
-    /// it is less over that.
+    /// it is less over that. What is beside poles goes from the whole to what it is without them.
     ///
     /// Two terms and 8p − 1 use the limited variable once. LLVM makes a choice of results of such a limit, if what is
     /// limited has other uses: four operations in place of one.
     fn unlimited(&self, variables: &Variables) -> Option<Unlimited> {
-        let pole = self.divided.under()?;
+        let (pole, dispensable) = match self.divided {
+            Divided::Nothing => return None,
+            Divided::Whole(pole) => (pole, true),
+            Divided::Rest(pole, Remainder { dispensable, .. }) => (pole, dispensable),
+        };
         let used_once = self.terms() < 3 || self.form == Form::Normalised;
         variables.unlimited.filter(|&Unlimited { half, leaps, .. }| {
             let less = if self.parity == Parity::Odd {
@@ -120,7 +135,7 @@ impl Polynomial {
             } else {
                 self.alternates && pole.grows(half)
             };
-            less && !used_once
+            less && dispensable && !used_once
         })
     }
 
@@ -133,17 +148,17 @@ impl Polynomial {
             Some(unlimited) if self.shift != Double::ZERO && variables.alone => unlimited.shifted(b, self.shift),
             _ => variables.shifted(b, self.shift),
         };
-        let fraction = self.fraction(b, variables, y);
+        let fraction = self.fraction(b, unlimited.map_or(*variables, |unlimited| variables.without(unlimited)), y);
         let value = self.blocks.lower(b, y);
         let value = fraction.map_or(value, |fraction| b.add(value, fraction));
         factor.map_or(value, |factor| b.mul(factor, value))
     }
 
     /// What of it is over the poles. It is divided while the rest is evaluated.
-    fn fraction(&self, b: &mut Builder, variables: &Variables, y: Id) -> Option<Id> {
-        let Divided::Rest(pole, remainder) = self.divided else { return None };
-        let remainder = one_by_one(b, y, &remainder);
-        let fraction = pole.divide(b, remainder, variables);
+    fn fraction(&self, b: &mut Builder, variables: Variables, y: Id) -> Option<Id> {
+        let Divided::Rest(pole, Remainder { powers, .. }) = self.divided else { return None };
+        let remainder = one_by_one(b, y, &powers);
+        let fraction = pole.divide(b, remainder, &variables);
         b.name(fraction, "fraction");
         Some(fraction)
     }
@@ -165,7 +180,7 @@ impl Polynomial {
 
     /// Terms, of a quotient those of the numerator.
     pub(crate) fn terms(&self) -> usize {
-        let rest = if let Divided::Rest(_, rest) = &self.divided { rest.len() } else { 0 };
+        let rest = if let Divided::Rest(_, rest) = &self.divided { rest.powers.len() } else { 0 };
         self.blocks.terms() + rest
     }
 
@@ -176,8 +191,8 @@ impl Polynomial {
 
     pub(crate) fn negate(&mut self) {
         self.blocks.negate();
-        if let Divided::Rest(_, remainder) = &mut self.divided {
-            *remainder = remainder.map(|c| -c);
+        if let Divided::Rest(_, Remainder { powers, .. }) = &mut self.divided {
+            *powers = powers.map(|c| -c);
         }
     }
 
@@ -187,7 +202,7 @@ impl Polynomial {
         let over = match self.divided {
             Divided::Nothing => String::new(),
             Divided::Whole(pole) => format!(" over one of {}", pole.terms()),
-            Divided::Rest(pole, rest) => format!(" plus one of {} over one of {}", rest.len(), pole.terms()),
+            Divided::Rest(pole, rest) => format!(" plus one of {} over one of {}", rest.powers.len(), pole.terms()),
         };
         let adapted = matches!(self.form, Form::Adapted { .. });
         let shift = if adapted && self.shift != Double::ZERO { " + c" } else { "" };

@@ -7,6 +7,7 @@
 //! 5): it halves the error of a velocity, and near the top makes a third of it. It needn't be exact, since whatever it
 //! gives is bounded as any other series is.
 
+use super::leeway::Leeway;
 use super::pole::Pole;
 use super::tail::sum;
 use std::f64::consts::PI;
@@ -28,8 +29,8 @@ pub(super) struct Corrections {
 impl Corrections {
     /// Of the first `terms` coefficients of a Chebyshev series of which the others, `dropped`, are left out, over `pole`
     /// and times the phase of an `odd` curve.
-    pub(super) fn new(dropped: &[f64], terms: usize, pole: Option<Pole>, odd: bool) -> Self {
-        let mut points = Points::new(terms + 1, odd);
+    pub(super) fn new(dropped: &[f64], terms: usize, pole: Option<Pole>, odd: bool, leeway: Option<&Leeway>) -> Self {
+        let mut points = Points::new(terms + 1, odd, leeway);
         if let Some(pole) = pole {
             points
                 .weights
@@ -65,9 +66,9 @@ impl Corrections {
 /// The poles over which so many terms come nearest to a curve, given by its series, or by that of an odd one over its
 /// phase; looked for from `pole` on. Of a single pair the equations are linear but for the product of the error, which
 /// is small, with its coefficients.
-pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, odd: bool) -> Option<Pole> {
+pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, odd: bool, leeway: Option<&Leeway>) -> Option<Pole> {
     let count = terms + 3;
-    let points = Points::new(count, odd);
+    let points = Points::new(count, odd, leeway);
     let values: Vec<f64> = points.cosines.iter().map(|&u| sum(series, 0, u)).collect();
     let mut divisor = pole.coefficients();
     let mut best = None;
@@ -120,10 +121,11 @@ struct Points {
 
 impl Points {
     /// Enough for so many extrema.
-    fn new(extrema: usize, odd: bool) -> Self {
+    fn new(extrema: usize, odd: bool, leeway: Option<&Leeway>) -> Self {
         let cells = CELLS * extrema;
         let cosines: Vec<f64> = (0..=cells).map(|cell| libm::cos(PI * cell as f64 / cells as f64)).collect();
-        let weights = cosines.iter().map(|&u| if odd { p(u).sqrt() } else { 1.0 }).collect();
+        let weight = |&u: &f64| if odd { p(u).sqrt() } else { 1.0 } / leeway.map_or(1.0, |leeway| leeway.at(u));
+        let weights = cosines.iter().map(weight).collect();
         Self { cosines, weights }
     }
 
@@ -226,7 +228,7 @@ mod tests {
         let pole = Pole::of(0.03, -0.3);
         let dropped = [1.0, -0.2, 0.05];
         for (pole, odd, gain) in [(None, false, 1.1), (pole, false, 1.3), (None, true, 1.7), (pole, true, 1.9)] {
-            let found = Corrections::new(&dropped, 5, pole, odd);
+            let found = Corrections::new(&dropped, 5, pole, odd, None);
             let weight =
                 |u: f64| if odd { p(u).sqrt() } else { 1.0 } / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)));
             let weighted = |of_terms: &[f64]| {
@@ -248,15 +250,15 @@ mod tests {
             table.coefficients(&table.points().map(value).collect::<Vec<_>>()).iter().map(|c| c.hi).collect()
         };
         let near = Pole::of(0.12, -0.58).unwrap();
-        let found = polished(near, &points(&|p| (1.0 + p) / ((p - 0.3).powi(2) + 0.02)), 3, false).unwrap();
+        let found = polished(near, &points(&|p| (1.0 + p) / ((p - 0.3).powi(2) + 0.02)), 3, false, None).unwrap();
         let [constant, linear] = found.coefficients();
         assert!((constant - 0.11).abs() < 1e-6 && (linear + 0.6).abs() < 1e-6, "{found:?}");
         for odd in [false, true] {
             let series = points(&|p| ((p - 0.27).powi(2) + 0.03).ln());
-            let pole = polished(near, &series, 4, odd).unwrap();
+            let pole = polished(near, &series, 4, odd, None).unwrap();
             let [constant, linear] = pole.coefficients();
             let divided = points(&|p| ((p - 0.27).powi(2) + 0.03).ln() * (constant + p * (linear + p)));
-            let found = Corrections::new(&divided[4..], 4, Some(pole), odd);
+            let found = Corrections::new(&divided[4..], 4, Some(pole), odd, None);
             let error = |i: u32| {
                 let (u, weight) = (at(i), if odd { p(at(i)).sqrt() } else { 1.0 });
                 (sum(&divided[4..], 4, u) - sum(&found.of_terms, 0, u)) * weight / (constant + p(u) * (linear + p(u)))

@@ -9,6 +9,7 @@
 //! five terms.
 
 use super::Approximation;
+use super::leeway::Leeway;
 use super::nearest::{Corrections, polished};
 use super::pole::Pole;
 use crate::series::Parity;
@@ -31,6 +32,7 @@ pub(crate) fn best(curves: &[Approximation], nearest: Pole, limit: f64) -> Optio
 /// A curve's Chebyshev coefficients, and those of it times p and p².
 struct Series {
     odd: bool,
+    leeway: Option<Leeway>,
     powers: [Vec<f64>; 3],
 }
 
@@ -39,7 +41,7 @@ impl Series {
         let plain: Vec<f64> = curve.series().iter().map(|c| c.hi).collect();
         let once = times_p(&plain);
         let twice = times_p(&once);
-        Self { odd: curve.parity() == Parity::Odd, powers: [plain, once, twice] }
+        Self { odd: curve.parity() == Parity::Odd, leeway: curve.leeway().cloned(), powers: [plain, once, twice] }
     }
 
     /// The coefficient of the power of p.
@@ -57,12 +59,14 @@ impl Series {
             let [constant, linear] = pole.coefficients();
             let divided = |index| self.at(2, index) + linear * self.at(1, index) + constant * self.at(0, index);
             let dropped: Vec<f64> = (terms..self.powers[2].len()).map(divided).collect();
-            Corrections::new(&dropped, terms, Some(pole), self.odd).left <= limit
+            Corrections::new(&dropped, terms, Some(pole), self.odd, self.leeway.as_ref()).left <= limit
         };
         if terms < 2 || limit < FINEST * self.at(0, 0).abs() {
             return None;
         }
-        Some(pole).filter(serves).or_else(|| polished(pole, &self.powers[0], terms, self.odd).filter(serves))
+        Some(pole)
+            .filter(serves)
+            .or_else(|| polished(pole, &self.powers[0], terms, self.odd, self.leeway.as_ref()).filter(serves))
     }
 
     /// The fewest terms that leave an error of `limit`; `None` if all do not.

@@ -1,26 +1,34 @@
 //! The supremum of what dropping coefficients leaves out. Their magnitudes add up to half as much again, where poles have
 //! made those vanish that were by far the largest.
 
+use super::leeway::Leeway;
 use super::pole::Pole;
 use crate::series::Parity;
 use crate::supremum::worst;
 use std::f64::consts::PI;
 
 /// Angles at which the sum is evaluated.
-const CELLS: u32 = 192;
+pub(super) const CELLS: u32 = 192;
 
 /// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, over the poles and times an odd curve's phase, for |u| ≤ 1, where p = (1 + u)/8
-/// is the square of a phase up to `reach`.
+/// is the square of a phase up to `reach`; less what a `leeway` spares there, if there is one.
 ///
 /// With u = cos φ the sum is one of cos jφ: between two angles it exceeds the larger of its values by at most h²/8 times
 /// its largest second derivative, h being their distance.
-pub(super) fn supremum(coefficients: &[f64], first: usize, pole: Option<Pole>, parity: Parity, reach: f64) -> f64 {
-    let h = PI / f64::from(CELLS);
+pub(super) fn supremum(
+    coefficients: &[f64],
+    first: usize,
+    pole: Option<Pole>,
+    parity: Parity,
+    reach: f64,
+    leeway: Option<&Leeway>,
+) -> f64 {
+    let h = angle(1);
     let orders = (first..).map(|j| j as f64);
     let second: f64 = coefficients.iter().zip(orders).map(|(c, j)| j * j * c.abs()).sum();
     let between = h * h / 8.0 * second;
     let at = |cell: u32| {
-        let u = libm::cos(h * f64::from(cell));
+        let u = libm::cos(angle(cell));
         (((1.0 + u) / 8.0).max(0.0), sum(coefficients, first, u).abs())
     };
     let weight = |low: f64, high: f64| {
@@ -28,11 +36,18 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, pole: Option<Pole>, p
         phase / pole.map_or(1.0, |pole| pole.least_between(low, high))
     };
     let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
-    let is_met = |pair: &&[(f64, f64)]| pair[1].0 <= reach * reach;
-    let cell = |pair: &[(f64, f64)]| (worst([pair[0].1, pair[1].1]) + between) * weight(pair[1].0, pair[0].0);
-    let cells = points.windows(2).filter(is_met).map(cell);
-    // The rounding of the above.
-    worst(cells) * (1.0 + 1e-9)
+    let is_met = |(_, pair): &(usize, &[(f64, f64)])| pair[1].0 <= reach * reach;
+    let cell = |(index, pair): (usize, &[(f64, f64)])| {
+        let error = (worst([pair[0].1, pair[1].1]) + between) * weight(pair[1].0, pair[0].0);
+        // The rounding of the above.
+        error * (1.0 + 1e-9) - leeway.map_or(0.0, |leeway| leeway.spared(index))
+    };
+    worst(points.windows(2).enumerate().filter(is_met).map(cell))
+}
+
+/// Where a cell begins.
+pub(super) fn angle(cell: u32) -> f64 {
+    PI / f64::from(CELLS) * f64::from(cell)
 }
 
 /// Σ cⱼTⱼ(u), j from `first` on, by Clenshaw's recurrence.
@@ -74,7 +89,7 @@ mod tests {
                     (sum(&coefficients, first, u) * phase / over).abs()
                 };
                 let seen = (0..=100_000).map(at).fold(0.0, f64::max);
-                let bound = supremum(&coefficients, first, pole, parity, 0.5);
+                let bound = supremum(&coefficients, first, pole, parity, 0.5, None);
                 assert!(seen <= bound && bound < 1.12 * seen, "{pole:?} {first}: {bound} for {seen}");
             }
         }

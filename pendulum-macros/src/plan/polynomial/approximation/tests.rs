@@ -283,6 +283,32 @@ fn what_is_left_out_beyond_the_end() {
     }
 }
 
+/// Of a wrong phase the truncation and what the error makes where the curve is steepest are together never below what is
+/// found, and hardly above; and they take less than the parts would.
+#[test]
+fn errors_with_a_leeway() {
+    const ERROR: f64 = 5e-6;
+    let (curves, reduction) = curves("theta0 = 7π/8");
+    let curve = &curves[0].0;
+    for (place, terms) in [(None, 7), (Some((0.1772, 0.1319)), 4)] {
+        let pole = place.and_then(|(place, height)| Pole::of(place * place + height, -2.0 * place));
+        let strict = Approximation::new(curve, pole, 1e-12).unwrap();
+        let lenient = strict.with(Leeway::new(curve, ERROR, 2.0));
+        let polynomial = lenient.in_powers(terms, PLAIN, &reduction, false);
+        let phase = ERROR * curve.size.slope;
+        let error = |i: u32| {
+            let s = Double::new(0.25 - 0.25 * (f64::from(i) * std::f64::consts::PI / 2000.0).cos());
+            let apart = |error: f64| (polynomial.at(s) - curve.at(s + Double::new(error))).hi.abs();
+            apart(ERROR).max(apart(-ERROR))
+        };
+        let seen = (0..=2000).map(error).fold(0.0, f64::max);
+        let bound = polynomial.truncation + phase;
+        assert!(seen <= bound && bound < 1.05 * seen, "{place:?} {terms}: {seen:e} of {bound:e}");
+        let (least, most) = (polynomial.truncation, strict.truncation(terms, 0.0));
+        assert!(least < 0.85 * most, "{place:?} {terms}: {least:e} {most:e}");
+    }
+}
+
 /// A known error grows by a power of the ellipse's parameter.
 #[test]
 fn growth_of_known_errors() {
