@@ -36,14 +36,15 @@ impl Approximations {
             None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
         };
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
-        let plain: Rc<[Approximation]> = over(None);
-        let without_poles = Self { plain, divided: Rc::new([]), lenient: RefCell::default() };
-        // The first reduction is the cheapest, if it leaves anything of the limit.
-        let served = reductions.iter().find(|reduction| aim.left(reduction) > 0.0);
-        let lenient = served.map(|reduction| without_poles.choose(aim, Poles::Absent, reduction));
-        let lenient = lenient.unwrap_or_else(|| without_poles.plain.clone());
-        let divided = aim.poles(&lenient, served.map_or(aim.limit, |reduction| aim.left(reduction))).map(Some);
-        Self { divided: divided.map_or_else(|| Rc::new([]) as Rc<[_]>, over), ..without_poles }
+        let without_poles = Self { plain: over(None), divided: Rc::new([]), lenient: RefCell::default() };
+        // The first is the cheapest.
+        let reduction = reductions.iter().find(|reduction| aim.left(reduction) > 0.0);
+        let poles = reduction
+            .and_then(|reduction| aim.poles(&without_poles.choose(aim, Poles::Absent, reduction), aim.left(reduction)));
+        match poles {
+            Some(_) => Self { divided: over(poles), ..without_poles },
+            None => without_poles,
+        }
     }
 
     /// Those of a variant, with the leeway that the reduction leaves; none over poles where none are worth it.

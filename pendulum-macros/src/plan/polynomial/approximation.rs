@@ -212,12 +212,8 @@ impl Approximation {
 
     /// What dropping these terms changes at most, whatever their signs.
     fn without(&self, dropped: Range<usize>, overshoot: f64) -> f64 {
-        self.sum(dropped, |j| libm::cosh(j * ellipse_of(overshoot))) * self.weight(overshoot)
-    }
-
-    /// The magnitudes of these coefficients, each weighted.
-    fn sum(&self, of: Range<usize>, weight: impl Fn(f64) -> f64) -> f64 {
-        of.map(|j| self.series[j].hi.abs() * weight(j as f64)).sum()
+        let term = |j: usize| self.series[j].hi.abs() * libm::cosh(j as f64 * ellipse_of(overshoot));
+        dropped.map(term).sum::<f64>() * self.weight(overshoot)
     }
 
     /// The error of the whole series.
