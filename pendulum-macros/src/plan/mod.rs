@@ -71,7 +71,7 @@ pub(crate) struct Part {
 /// A proven bound of the error over the horizon, in the output's unit, and what it is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bound {
-    /// The approximation's distance from the curve.
+    /// The approximation's distance from the curve; with a leeway what it and the phase make together beyond `phase`.
     pub(crate) truncation: f64,
     /// What the error of the phase makes of it.
     pub(crate) phase: f64,

@@ -36,7 +36,7 @@ pub(crate) struct Polynomial {
     pub(crate) alternates: bool,
     /// The coefficients of the form's variable, as they are evaluated.
     blocks: Blocks,
-    /// sup |approximation − curve|.
+    /// sup |approximation − curve|, less what a leeway spares.
     pub(crate) truncation: f64,
 }
 
