@@ -30,36 +30,24 @@ impl Corrections {
     /// Of the first `terms` coefficients of a Chebyshev series of which the others, `dropped`, are left out, over `pole`
     /// and times the phase of an `odd` curve.
     pub(super) fn new(dropped: &[f64], terms: usize, pole: Option<Pole>, odd: bool, leeway: Option<&Leeway>) -> Self {
-        let mut points = Points::new(terms + 1, odd, leeway);
-        if let Some(pole) = pole {
-            points
-                .weights
-                .iter_mut()
-                .zip(&points.cosines)
-                .for_each(|(weight, &u)| *weight /= pole.least_between(p(u), p(u)));
-        }
+        let points = Points::new(terms + 1, |u| {
+            weight(u, odd, leeway) / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)))
+        });
         let left: Vec<f64> = points.cosines.iter().map(|&u| sum(dropped, terms, u)).collect();
-        let mut best = Self { of_terms: vec![0.0; terms], left: points.largest(&left) };
-        let mut reference = points.extrema(terms + 1, odd);
-        for _ in 0..ROUNDS {
+        let levelled = |reference: &[usize]| {
             let row = |(index, &point): (usize, &usize)| {
                 let level = sign(index) / points.weights[point];
                 chebyshev(terms, points.cosines[point]).into_iter().chain([level, left[point]]).collect()
             };
-            let Some(mut of_terms) = solved(reference.iter().enumerate().map(row).collect()) else { break };
+            let mut of_terms = solved(reference.iter().enumerate().map(row).collect())?;
             of_terms.truncate(terms);
             let error = |(left, &u): (&f64, &f64)| left - sum(&of_terms, 0, u);
-            let errors: Vec<f64> = left.iter().zip(&points.cosines).map(error).collect();
-            let largest = points.largest(&errors);
-            if largest < best.left {
-                best = Self { of_terms, left: largest };
-            }
-            match points.exchanged(&reference, &errors) {
-                Some(next) => reference = next,
-                None => break,
-            }
-        }
-        best
+            let errors = left.iter().zip(&points.cosines).map(error).collect();
+            Some((of_terms, errors))
+        };
+        let none = (vec![0.0; terms], points.largest(&left));
+        let (of_terms, left) = points.exchange(terms + 1, odd, levelled).filter(|best| best.1 < none.1).unwrap_or(none);
+        Self { of_terms, left }
     }
 }
 
@@ -68,12 +56,10 @@ impl Corrections {
 /// is small, with its coefficients.
 pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, odd: bool, leeway: Option<&Leeway>) -> Option<Pole> {
     let count = terms + 3;
-    let points = Points::new(count, odd, leeway);
+    let points = Points::new(count, |u| weight(u, odd, leeway));
     let values: Vec<f64> = points.cosines.iter().map(|&u| sum(series, 0, u)).collect();
     let mut divisor = pole.coefficients();
-    let mut best = None;
-    let mut reference = points.extrema(count, odd);
-    for _ in 0..ROUNDS {
+    let levelled = |reference: &[usize]| {
         let at = |[constant, linear]: [f64; 2], u: f64| constant + p(u) * (linear + p(u));
         let row = |(index, &point): (usize, &usize)| {
             let (u, value) = (points.cosines[point], values[point]);
@@ -85,17 +71,16 @@ pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, odd: bool, leew
         divisor = [free[0], free[1]];
         let found = Pole::of(free[0], free[1])?;
         let error = |(value, &u): (&f64, &f64)| sum(&numerator, 0, u) / at(divisor, u) - value;
-        let errors: Vec<f64> = values.iter().zip(&points.cosines).map(error).collect();
-        let largest = points.largest(&errors);
-        if best.is_none_or(|(least, _)| largest < least) {
-            best = Some((largest, found));
-        }
-        match points.exchanged(&reference, &errors) {
-            Some(next) => reference = next,
-            None => break,
-        }
-    }
-    best.map(|(_, pole)| pole)
+        let errors = values.iter().zip(&points.cosines).map(error).collect();
+        Some((found, errors))
+    };
+    points.exchange(count, odd, levelled).map(|(pole, _)| pole)
+}
+
+/// What an error counts at u.
+fn weight(u: f64, odd: bool, leeway: Option<&Leeway>) -> f64 {
+    let phase = if odd { p(u).sqrt() } else { 1.0 };
+    phase / leeway.map_or(1.0, |leeway| leeway.at(u))
 }
 
 /// p where 8p − 1 = u.
@@ -121,12 +106,32 @@ struct Points {
 
 impl Points {
     /// Enough for so many extrema.
-    fn new(extrema: usize, odd: bool, leeway: Option<&Leeway>) -> Self {
+    fn new(extrema: usize, weight: impl Fn(f64) -> f64) -> Self {
         let cells = CELLS * extrema;
         let cosines: Vec<f64> = (0..=cells).map(|cell| libm::cos(PI * cell as f64 / cells as f64)).collect();
-        let weight = |&u: &f64| if odd { p(u).sqrt() } else { 1.0 } / leeway.map_or(1.0, |leeway| leeway.at(u));
-        let weights = cosines.iter().map(weight).collect();
+        let weights = cosines.iter().map(|&u| weight(u)).collect();
         Self { cosines, weights }
+    }
+
+    /// The best of what `levelled` makes, with the errors that it leaves, at so many points, and the largest of these.
+    fn exchange<T>(
+        &self,
+        count: usize,
+        odd: bool,
+        mut levelled: impl FnMut(&[usize]) -> Option<(T, Vec<f64>)>,
+    ) -> Option<(T, f64)> {
+        let mut best: Option<(T, f64)> = None;
+        let mut reference = self.extrema(count, odd);
+        for _ in 0..ROUNDS {
+            let Some((found, errors)) = levelled(&reference) else { break };
+            let largest = self.largest(&errors);
+            if best.as_ref().is_none_or(|(_, least)| largest < *least) {
+                best = Some((found, largest));
+            }
+            let Some(next) = self.exchanged(&reference, &errors) else { break };
+            reference = next;
+        }
+        best
     }
 
     /// About those of Tₙ, or those on one side of the odd T₂ₙ₊₁ of the phase.
