@@ -48,12 +48,8 @@ pub(crate) struct Approximation {
     growth: Growth,
     /// Where the phase is so wrong that this matters.
     leeway: Option<Leeway>,
-    /// What dropping all but so many terms changes of phases up to that of so many bits, once it is known.
-    dropped: RefCell<BTreeMap<(usize, u64), f64>>,
     /// The series of so many terms, and whether they make up for the others.
     shortened: RefCell<BTreeMap<(usize, bool), Rc<Shortened>>>,
-    /// The shifts found, by that and chunk.
-    choices: RefCell<BTreeMap<(usize, bool, usize), Option<Choices>>>,
 }
 
 /// A series of so many terms that stands for a longer one.
@@ -63,6 +59,22 @@ struct Shortened {
     /// What the longer one is more, from this order on.
     left: Vec<f64>,
     first: usize,
+    /// What that changes of phases up to that of so many bits, once it is known.
+    suprema: RefCell<BTreeMap<u64, f64>>,
+    /// The shifts found, by chunk.
+    choices: RefCell<BTreeMap<usize, Option<Choices>>>,
+}
+
+impl Shortened {
+    fn new(series: Vec<Double>, left: Vec<f64>, first: usize) -> Self {
+        Self { series, left, first, suprema: RefCell::default(), choices: RefCell::default() }
+    }
+
+    /// The shifts, looked for once.
+    fn choices(&self, chunk: usize) -> Option<Choices> {
+        let look = || Choices::new(&shifted(&self.series, Double::ZERO, Double::ONE), chunk);
+        *self.choices.borrow_mut().entry(chunk).or_insert_with(look)
+    }
 }
 
 /// How the error of a whole series grows on ellipses about its interval.
@@ -130,21 +142,13 @@ impl Approximation {
             remainder,
             growth: Growth::Points { points, log_rho: libm::log(rho) },
             leeway: None,
-            dropped: RefCell::default(),
             shortened: RefCell::default(),
-            choices: RefCell::default(),
         }
     }
 
     /// The same of a phase that leaves a leeway.
     pub(crate) fn with(&self, leeway: Leeway) -> Self {
-        Self {
-            leeway: Some(leeway),
-            dropped: RefCell::default(),
-            shortened: RefCell::default(),
-            choices: RefCell::default(),
-            ..self.clone()
-        }
+        Self { leeway: Some(leeway), shortened: RefCell::default(), ..self.clone() }
     }
 
     /// An even function of which the series and its error are known, and by which power of an ellipse's parameter that
@@ -158,9 +162,7 @@ impl Approximation {
             remainder,
             growth: Growth::Power(growth),
             leeway: None,
-            dropped: RefCell::default(),
             shortened: RefCell::default(),
-            choices: RefCell::default(),
         }
     }
 
@@ -178,9 +180,9 @@ impl Approximation {
         let beyond = 0.5 * ellipse * ellipse * derivative.abs() + higher.sum::<f64>();
         let whole: f64 = left().map(|(c, j)| c.abs() * libm::cosh(j * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
-        let Shortened { left: coefficients, first, .. } = &*shortened;
+        let Shortened { left: coefficients, first, suprema, .. } = &*shortened;
         let supremum = || tail::supremum(coefficients, *first, self.pole, self.parity, reach, self.leeway.as_ref());
-        let within = *self.dropped.borrow_mut().entry((terms, reach.to_bits())).or_insert_with(supremum);
+        let within = *suprema.borrow_mut().entry(reach.to_bits()).or_insert_with(supremum);
         let weight = self.weight(overshoot);
         let at_end = within + self.leeway.as_ref().map_or(0.0, |leeway| leeway.spared(0));
         (whole * weight).min(at_end * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
@@ -200,14 +202,14 @@ impl Approximation {
         let (kept, dropped) = self.series.split_at(terms);
         let dropped: Vec<f64> = dropped.iter().map(|c| c.hi).collect();
         if !makes_up || dropped.is_empty() {
-            return Shortened { series: kept.to_vec(), left: dropped, first: terms };
+            return Shortened::new(kept.to_vec(), dropped, terms);
         }
         let odd = self.parity == Parity::Odd;
         let corrections = Corrections::new(&dropped, terms, self.pole, odd, self.leeway.as_ref()).of_terms;
         // What the sums are rounded by counts with the conversion to powers.
         let series = kept.iter().zip(&corrections).map(|(c, correction)| *c + Double::new(*correction)).collect();
         let left = corrections.iter().map(|correction| -correction).chain(dropped).collect();
-        Shortened { series, left, first: 0 }
+        Shortened::new(series, left, 0)
     }
 
     /// What dropping these terms changes at most, whatever their signs.
@@ -299,7 +301,8 @@ impl Approximation {
             return Some(self.in_powers(terms, form, reduction, alternates));
         };
         let choice = self
-            .choices(terms, chunk, reduction.overshoot)?
+            .shortened(terms, reduction.overshoot)
+            .choices(chunk)?
             .within(limit / (reduction.float.unit() * self.weight(0.0)))?;
         let variable = self.variable(form, choice.shift, reduction);
         let coefficients = self.powers_of(terms, variable, reduction);
@@ -398,13 +401,6 @@ impl Approximation {
         let factor = odd / self.pole.map_or(Double::ONE, |pole| pole.unit(self.area(reduction)));
         let series = &self.shortened(terms, reduction.overshoot).series;
         shifted(series, c, area).into_iter().map(|c| c * factor).collect()
-    }
-
-    /// The shifts, looked for once.
-    fn choices(&self, terms: usize, chunk: usize, overshoot: f64) -> Option<Choices> {
-        let look =
-            || Choices::new(&shifted(&self.shortened(terms, overshoot).series, Double::ZERO, Double::ONE), chunk);
-        *self.choices.borrow_mut().entry((terms, overshoot >= 0.0, chunk)).or_insert_with(look)
     }
 }
 
