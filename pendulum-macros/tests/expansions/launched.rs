@@ -62,9 +62,9 @@ impl Pushed {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 52;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 3.729664894978859e-7;
+    pub const MAX_ERROR: f64 = 3.7296648750620346e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.705310011265693e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 4.705309999143943e-7;
     /// θ(t), rad; NaN if t is not finite. 52 operations.
     #[inline(always)]
     #[must_use]

@@ -169,15 +169,15 @@ impl Approximation {
     /// The error of the polynomial with `terms` coefficients, on the interval widened by `overshoot` (in s); of a phase
     /// that leaves a leeway, beyond what its error takes.
     ///
-    /// Beyond the end u = cosh η, η up to that of [`ellipse_of`], and Tⱼ = cosh jη is between 1 + (jη)²/2 and that and
-    /// (jη)⁴/24·cosh jη: what is left out changes by η²/2 times its derivative there, and little more.
+    /// Beyond the end u = cosh η, η up to that of [`ellipse_of`], and Tⱼ = cosh jη is between 1 + (jη)²/2 + (jη)⁴/24 and
+    /// that and (jη)⁶/720·cosh jη: of the first two powers the sums count with their signs, which cancel next to poles.
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
         let shortened = self.shortened(terms, overshoot);
         let left = || shortened.left.iter().zip(shortened.first..).map(|(c, j)| (c, j as f64));
         let ellipse = ellipse_of(overshoot);
-        let derivative: f64 = left().map(|(c, j)| c * j * j).sum();
-        let higher = left().map(|(c, j)| (c.abs(), j * ellipse)).map(|(c, x)| c * x.powi(4) / 24.0 * libm::cosh(x));
-        let beyond = 0.5 * ellipse * ellipse * derivative.abs() + higher.sum::<f64>();
+        let [second, fourth] = [2, 4].map(|n| left().map(|(c, j)| c * j.powi(n)).sum::<f64>().abs());
+        let higher = left().map(|(c, j)| (c.abs(), j * ellipse)).map(|(c, x)| c * x.powi(6) / 720.0 * libm::cosh(x));
+        let beyond = ellipse.powi(2) / 2.0 * second + ellipse.powi(4) / 24.0 * fourth + higher.sum::<f64>();
         let whole: f64 = left().map(|(c, j)| c.abs() * libm::cosh(j * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
         let Shortened { left: coefficients, first, suprema, .. } = &*shortened;
