@@ -465,3 +465,5 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod value_tests;

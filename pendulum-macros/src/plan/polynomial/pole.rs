@@ -144,6 +144,36 @@ pub(super) struct Quotient {
 mod tests {
     use super::*;
 
+    /// The least and the largest magnitude, and where it vanishes.
+    #[test]
+    fn poles() {
+        for (strip, power) in [(0.1, 1), (0.4, 2), (0.6, 1), (0.9, 2)] {
+            let pole = Pole::new(strip, power);
+            let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+            for i in 0..=1000 {
+                let value = pole.at(Double::new(f64::from(i) / 500.0 - 1.0)).hi * (-1.0f64).powi(power);
+                (least, most) = (least.min(value), most.max(value));
+            }
+            let bound = pole.least(0.5);
+            assert!(bound <= least * (1.0 + 1e-12) && least < 1.001 * bound, "{strip}: {least} {pole:?}");
+            // On the circle |s| = radius the magnitude is largest where p is real and negative, or positive.
+            for radius in [0.5, 0.8] {
+                let magnitude = |angle: f64| {
+                    let p = radius * radius;
+                    let (re, im) = (p * angle.cos() - pole.place.hi, p * angle.sin());
+                    let (re, im) = (re * re - im * im + pole.height_squared.hi, 2.0 * re * im);
+                    re.hypot(im).powi(power)
+                };
+                let seen = (0..=720).map(|i| magnitude(f64::from(i).to_radians() / 2.0)).fold(0.0, f64::max);
+                let most = pole.most(radius);
+                assert!(seen <= most * (1.0 + 1e-12) && most <= 1.001 * seen, "{strip} {radius}: {most} for {seen}");
+            }
+            // It vanishes at s = ½ ± i·strip.
+            let (re, im) = (0.25 - strip * strip - pole.place.hi, strip);
+            assert!((re * re - im * im + pole.height_squared.hi).hypot(2.0 * re * im) < 1e-7, "{pole:?}");
+        }
+    }
+
     /// From a half on, wherever it is said to grow.
     #[test]
     fn divisors_that_grow() {

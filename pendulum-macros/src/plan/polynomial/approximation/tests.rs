@@ -4,13 +4,9 @@ use super::*;
 use crate::chebyshev::value;
 use crate::parse::Float;
 use crate::plan::aim::Task;
-use crate::plan::form::{Poles, Variant};
-use crate::plan::reduction::Phase;
 use crate::plan::tests::scene;
-use crate::plan::variables::{Source, Variables};
-use crate::program::Builder;
 
-const PLAIN: Form = Form::Powers { shift: 0.0 };
+pub(super) const PLAIN: Form = Form::Powers { shift: 0.0 };
 
 impl Polynomial {
     /// At the phase s from an anchor, in anchors.
@@ -24,7 +20,7 @@ impl Polynomial {
 }
 
 /// The nearest poles of that power, if it is one.
-fn nearest(curve: &Curve, power: i32) -> Option<Pole> {
+pub(super) fn nearest(curve: &Curve, power: i32) -> Option<Pole> {
     (power > 0).then(|| Pole::new(curve.strip(), power))
 }
 
@@ -41,7 +37,7 @@ fn sampled(polynomial: &Polynomial, curve: &Curve, overshoot: f64) -> f64 {
 }
 
 /// All curves of a motion, and the power of their poles.
-fn curves(text: &str) -> (Vec<(Curve, i32)>, Reduction) {
+pub(super) fn curves(text: &str) -> (Vec<(Curve, i32)>, Reduction) {
     let scene = scene(&format!("struct Motion; {text}, outputs = [theta, velocity, acceleration, position]"));
     let task = Task::new(&scene);
     let unlike = |reduction: &Reduction| (reduction.unit.hi - 1.0).abs();
@@ -102,35 +98,6 @@ fn interpolation_errors() {
                 );
             }
         }
-    }
-}
-
-#[test]
-fn poles() {
-    for (strip, power) in [(0.1, 1), (0.4, 2), (0.6, 1), (0.9, 2)] {
-        let pole = Pole::new(strip, power);
-        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
-        for i in 0..=1000 {
-            let value = pole.at(Double::new(f64::from(i) / 500.0 - 1.0)).hi * (-1.0f64).powi(power);
-            (least, most) = (least.min(value), most.max(value));
-        }
-        let bound = pole.least(0.5);
-        assert!(bound <= least * (1.0 + 1e-12) && least < 1.001 * bound, "{strip}: {least} {pole:?}");
-        // On the circle |s| = radius the magnitude is largest where p is real and negative, or positive.
-        for radius in [0.5, 0.8] {
-            let magnitude = |angle: f64| {
-                let p = radius * radius;
-                let (re, im) = (p * angle.cos() - pole.place.hi, p * angle.sin());
-                let (re, im) = (re * re - im * im + pole.height_squared.hi, 2.0 * re * im);
-                re.hypot(im).powi(power)
-            };
-            let seen = (0..=720).map(|i| magnitude(f64::from(i).to_radians() / 2.0)).fold(0.0, f64::max);
-            let most = pole.most(radius);
-            assert!(seen <= most * (1.0 + 1e-12) && most <= 1.001 * seen, "{strip} {radius}: {most} for {seen}");
-        }
-        // It vanishes at s = ½ ± i·strip.
-        let (re, im) = (0.25 - strip * strip - pole.place.hi, strip);
-        assert!((re * re - im * im + pole.height_squared.hi).hypot(2.0 * re * im) < 1e-7, "{pole:?}");
     }
 }
 
@@ -404,99 +371,6 @@ fn adapted_polynomials() {
                 let times = added / (approximation.weight(0.0) * (found * odd * poles + converted));
                 assert!((0.99..1.01).contains(&times), "{text} {index}: {times}");
             }
-        }
-    }
-}
-
-/// The value of a polynomial at the phase s from an anchor, in anchors.
-fn evaluated(polynomial: &Polynomial, unit: Double, s: f64) -> f64 {
-    let mut b = Builder::new(Float::F64);
-    let input = b.input();
-    let square = b.mul(input, input);
-    let phase = Phase { remainder: input, magic: input, count: input };
-    let variables = Variables::of_one_kernel([input, square], unit, Source::Square, phase);
-    let result = polynomial.magnitude(&mut b, &variables);
-    b.finish(vec![result]).run(s / unit.hi)[0]
-}
-
-/// With another unit of the phase, and in any form, polynomials over poles have the same values.
-#[test]
-fn values_in_other_units() {
-    for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 7π/8", 2), ("velocity0 = 2.1", 1)] {
-        let (curves, reduction) = curves(text);
-        let approximation =
-            Approximation::new(&curves[index].0, nearest(&curves[index].0, curves[index].1), 1e-18).unwrap();
-        for form in Form::ALL {
-            for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
-                let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-                let polynomial = approximation.polynomial(approximation.terms(), form, &reduction, false, 1.0);
-                let Some(polynomial) = polynomial else {
-                    assert!(matches!(form, Form::Adapted { .. }), "{text} {index} {form:?}");
-                    continue;
-                };
-                // Plain powers are ill-conditioned, adapted ones more so.
-                let most = if matches!(form, Form::Adapted { .. } | PLAIN) { 1e-11 } else { 1e-14 };
-                let exact = curves[index].0.at(Double::new(s)).hi;
-                let error = (evaluated(&polynomial, reduction.unit, s) - exact).abs();
-                assert!(error <= most, "{text} {index} {form:?} {unit} {s}: {error:e}");
-            }
-        }
-    }
-}
-
-/// With the poles beside it a polynomial has the values and the bound that it has over them, in two terms less; and so
-/// it has negated.
-#[test]
-fn values_beside_poles() {
-    for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 0.3", 1), ("velocity0 = 2.1", 1)] {
-        let (curves, reduction) = curves(text);
-        let curve = &curves[index].0;
-        let approximation = Approximation::new(curve, Some(Pole::new(curve.strip(), 1)), 1e-18).unwrap();
-        let terms = approximation.terms() - 3;
-        let suits = |&form: &Form| Variant { form, poles: Poles::Beside }.suits(terms, Float::F64);
-        for form in Form::ALL.into_iter().filter(suits) {
-            for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
-                let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-                let over = approximation.in_powers(terms, form, &reduction, true);
-                let mut beside = approximation.beside_poles(terms, form, &reduction, true).unwrap();
-                assert_eq!((beside.terms(), beside.blocks.terms() + 2), (terms, terms));
-                let what = format!("{text} {index} {form:?} {unit}");
-                let times = beside.truncation / over.truncation;
-                assert!((1.0 - 1e-6..1.0 + 1e-6).contains(&times), "{what}: {:e} {times}", over.truncation);
-                let expected = evaluated(&over, reduction.unit, s);
-                let most = if form == PLAIN { 1e-12 } else { 1e-14 };
-                let found = evaluated(&beside, reduction.unit, s);
-                assert!((found - expected).abs() <= most, "{what} {s}: {found} {expected}");
-                beside.negate();
-                assert_eq!(evaluated(&beside, reduction.unit, s), -found, "{what} {s}");
-            }
-        }
-    }
-}
-
-/// Without poles there is nothing to put beside.
-#[test]
-fn nothing_beside() {
-    let (curves, reduction) = curves("theta0 = 1");
-    let approximation = Approximation::new(&curves[0].0, None, 1e-18).unwrap();
-    assert_eq!(approximation.beside_poles(9, PLAIN, &reduction, true), None);
-}
-
-/// Of the image of p, whatever the unit and the form: 1 + T₁ + … of what goes from −1 to 1 with it.
-#[test]
-fn values_of_the_image() {
-    let (_, reduction) = curves("theta0 = 1");
-    let map = Moebius { place: 0.5 };
-    let approximation = Approximation::known(Some(map), vec![Double::ONE; 6], 0.0, 0.0);
-    for form in Form::ALL {
-        for (unit, s) in [(1.0, 0.3), (0.25, 0.4), (8.0, 0.45), (1.0, 0.0)] {
-            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            let Some(polynomial) = approximation.polynomial(6, form, &reduction, false, 1.0) else { continue };
-            let image = s * s * 0.75 / (s * s + 0.5);
-            let angle = (8.0 * image - 1.0_f64).acos();
-            let expected: f64 = (0..6).map(|j| (f64::from(j) * angle).cos()).sum();
-            let found = evaluated(&polynomial, reduction.unit, s);
-            assert!((found - expected).abs() < 1e-12, "{form:?} {unit} {s}: {found} {expected}");
         }
     }
 }
