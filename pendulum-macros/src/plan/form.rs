@@ -154,13 +154,12 @@ impl Form {
     /// Operations that make the variables of p: y, of which small blocks mostly do without a shift, and its square, which
     /// few terms do without.
     pub(crate) fn variables(self, terms: usize) -> f64 {
-        let squares = if terms < blocks::LEAST { 0.0 } else { 1.0 };
-        squares
-            + match self {
-                Self::Powers { shift: 0.0 } | Self::Adapted { chunk: ..=4 } => 0.0,
-                Self::Powers { .. } | Self::Careful { .. } | Self::Adapted { .. } => 1.0,
-                Self::Normalised => 2.0,
-            }
+        let variable = match self {
+            Self::Powers { shift: 0.0 } | Self::Adapted { chunk: ..=4 } => 0.0,
+            Self::Powers { .. } | Self::Careful { .. } | Self::Adapted { .. } => 1.0,
+            Self::Normalised => 2.0,
+        };
+        variable + if terms < blocks::LEAST { 0.0 } else { 1.0 }
     }
 
     /// Estimated cost of a polynomial of that many terms, given the variables.

@@ -9,7 +9,7 @@
 
 use super::leeway::Leeway;
 use super::pole::Pole;
-use super::tail::sum;
+use super::tail::{p, sum};
 use std::f64::consts::PI;
 
 /// Points looked at between two extrema.
@@ -81,11 +81,6 @@ pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, odd: bool, leew
 fn weight(u: f64, odd: bool, leeway: Option<&Leeway>) -> f64 {
     let phase = if odd { p(u).sqrt() } else { 1.0 };
     phase / leeway.map_or(1.0, |leeway| leeway.at(u))
-}
-
-/// p where 8p − 1 = u.
-fn p(u: f64) -> f64 {
-    ((1.0 + u) / 8.0).max(0.0)
 }
 
 fn sign(index: usize) -> f64 {

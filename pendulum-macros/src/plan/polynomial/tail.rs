@@ -29,7 +29,7 @@ pub(super) fn supremum(
     let between = h * h / 8.0 * second;
     let at = |cell: u32| {
         let u = libm::cos(angle(cell));
-        (((1.0 + u) / 8.0).max(0.0), sum(coefficients, first, u).abs())
+        (p(u), sum(coefficients, first, u).abs())
     };
     let weight = |low: f64, high: f64| {
         let phase = if parity == Parity::Odd { high.sqrt() } else { 1.0 };
@@ -43,6 +43,11 @@ pub(super) fn supremum(
         error * (1.0 + 1e-9) - leeway.map_or(0.0, |leeway| leeway.spared(index))
     };
     worst(points.windows(2).enumerate().filter(is_met).map(cell))
+}
+
+/// p where 8p − 1 = u.
+pub(super) fn p(u: f64) -> f64 {
+    ((1.0 + u) / 8.0).max(0.0)
 }
 
 /// Where a cell begins.
