@@ -12,7 +12,7 @@ use crate::parse::Output;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{by_slices, norm};
+use crate::supremum::{Halving, norm};
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -149,18 +149,22 @@ fn rounding_of_polynomials(program: &Program, reduction: &Reduction, cap: f64) -
     from_lowest(reduction, cap, |low, high| rounding_given(program, &[(phase, Known::between(low, high))]))
 }
 
-/// The largest of the bounds on slices of the range of phases, or some number above `cap`. The motion is fastest, and
-/// the rounding mostly worst, at the lowest point.
+/// The largest of the bounds on parts of the range of phases, or some number above `cap`. The motion is fastest, and the
+/// rounding mostly worst, at the lowest point: near the top so near to it that uniform slices bound it by several times
+/// what it is.
 pub(super) fn from_lowest(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
     let [low, high] = reduction.range();
-    let slice = (high - low) / f64::from(CELLS * CELLS);
+    let slice = (high - low) / f64::from(CELLS.pow(4));
     let [from, to] = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };
     let there = bound(from, to);
-    if there > cap { there } else { by_slices([low, high], CELLS, cap, bound) }
+    let halving = Halving { cells: CELLS, slices: CELLS * CELLS, most: MOST_HALVED, cap };
+    if there > cap { there } else { halving.largest([low, high], bound) }
 }
 
-/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately.
+/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately, at least
+/// where it is worst, and those are halved as often as that gains something.
 pub(super) const CELLS: u32 = 8;
+const MOST_HALVED: usize = 48;
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
 fn circle(b: &mut Builder, variables: &Variables, [sine, cosine]: &[Polynomial; 2]) -> Vec<Id> {

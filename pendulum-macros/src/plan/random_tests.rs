@@ -270,6 +270,10 @@ fn bounds_are_close_to_errors() {
         ("theta0 = π - 1.108e-3, tol = 1.839e-2, t_max = 2.3818e5, float = f32", 3.0),
         ("theta0 = 3.0007, tol = 3.682e-3, t_max = 1.6141e5, float = f32, outputs = [position]", 3.0),
         ("theta0 = 2.9516, tol = 2.243e-3, t_max = 1.5874e5, float = f32, outputs = [acceleration]", 4.0),
+        // Near the top the lowest point is passed within a small part of the phases.
+        ("theta0 = π - 1.289e-8, tol = 2.3e-5, t_max = 342.9, float = f32, outputs = [position]", 4.0),
+        ("theta0 = π - 5.264e-5, tol = 2e-12, t_max = 4.1e4, outputs = [velocity]", 1.5),
+        ("theta0 = π - 2.755e-7, tol = 5.7e-5, t_max = 38, float = f32, outputs = [acceleration]", 3.0),
         // So are the phases that a short horizon meets.
         ("theta0 = π - 1e-5, velocity0 = -1e-7, t_max = 8, tol = 1e-6", 1.7),
         ("theta0 = π - 1e-5, velocity0 = -1e-7, t_max = 8, tol = 1e-6, outputs = [velocity]", 1.7),

@@ -60,7 +60,7 @@ impl Forever {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 58;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.9014807722632405e-15;
+    pub const MAX_ERROR: f64 = 1.901436447675137e-15;
     /// θ(t), rad; NaN if t is not finite. 58 operations.
     #[inline(always)]
     #[must_use]

@@ -65,9 +65,9 @@ impl Clock {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 29;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219316172367521e-10;
+    pub const MAX_ERROR: f64 = 6.219315467137286e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.292755949327516e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.2927555488413173e-10;
     /// θ(t), rad; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]

@@ -13,7 +13,7 @@
 ///
 /// * phase: one product with the rate, wrong by at most 8.2e-6 anchors
 /// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 6.917e-5 rad (6.8e-6 of truncation, 5.8e-5 of phase, 4.8e-6 of rounding); 17 operations
-/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.702e-5 lengths (1.7e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 29 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.700e-5 lengths (1.7e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 29 operations
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it costs about 0.5 operations more
 /// * not a polynomial in s², adapted in blocks of 8 for `position`: it costs about 1.5 operations more
 /// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 263 operations
@@ -62,9 +62,9 @@ impl Lamp {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 17;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f32 = 6.916848e-5;
+    pub const MAX_ERROR: f32 = 6.9166614e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
-    pub const MAX_POSITION_ERROR: f32 = 7.7024815e-5;
+    pub const MAX_POSITION_ERROR: f32 = 7.699699e-5;
     /// θ(t), rad; NaN if t is not finite. 17 operations.
     #[inline(always)]
     #[must_use]

@@ -14,7 +14,9 @@ pub(super) const CELLS: u32 = 192;
 /// is the square of a phase up to `reach`; less what a `leeway` spares there, if there is one.
 ///
 /// With u = cos φ the sum is one of cos jφ: between two angles it exceeds the larger of its values by at most h²/8 times
-/// its largest second derivative, h being their distance.
+/// its largest second derivative there, h being their distance. That is at most Σ j²|cⱼ|, which will do unless the sum is
+/// small where this cell is, and large elsewhere, as over poles near one end; and exceeds the larger of its values at
+/// those angles by h²/8·Σ j⁴|cⱼ| at most.
 pub(super) fn supremum(
     coefficients: &[f64],
     first: usize,
@@ -23,27 +25,39 @@ pub(super) fn supremum(
     reach: f64,
     leeway: Option<&Leeway>,
 ) -> f64 {
-    let h = angle(1);
-    let orders = (first..).map(|j| j as f64);
-    let second: f64 = coefficients.iter().zip(orders).map(|(c, j)| j * j * c.abs()).sum();
-    let between = h * h / 8.0 * second;
+    let eighth = angle(1).powi(2) / 8.0;
+    let curved: Vec<f64> = coefficients.iter().zip(first..).map(|(c, j)| (j * j) as f64 * c).collect();
+    let [second, fourth] =
+        [0, 2].map(|power| -> f64 { curved.iter().zip(first..).map(|(c, j)| (j as f64).powi(power) * c.abs()).sum() });
     let at = |cell: u32| {
         let u = libm::cos(angle(cell));
         (p(u), sum(coefficients, first, u).abs())
     };
+    let bent = |cell: usize| sum(&curved, first, libm::cos(angle(cell as u32))).abs();
     let weight = |low: f64, high: f64| {
         let phase = if parity == Parity::Odd { high.sqrt() } else { 1.0 };
         phase / pole.map_or(1.0, |pole| pole.least_between(low, high))
     };
     let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
     let is_met = |(_, pair): &(usize, &[(f64, f64)])| pair[1].0 <= reach * reach;
-    let cell = |(index, pair): (usize, &[(f64, f64)])| {
-        let error = (worst([pair[0].1, pair[1].1]) + between) * weight(pair[1].0, pair[0].0);
-        // The rounding of the above.
-        error * (1.0 + 1e-9) - leeway.map_or(0.0, |leeway| leeway.spared(index))
+    // Of a cell where the second derivative is at most so much.
+    let error = |(index, pair): (usize, &[(f64, f64)]), second: f64| {
+        let sum = worst([pair[0].1, pair[1].1]) + eighth * second;
+        // With the rounding of all this.
+        sum * weight(pair[1].0, pair[0].0) * (1.0 + 1e-9) - leeway.map_or(0.0, |leeway| leeway.spared(index))
     };
-    worst(points.windows(2).enumerate().filter(is_met).map(cell))
+    let cells = || points.windows(2).enumerate().filter(is_met);
+    let close = CLOSE * worst(cells().map(|cell| error(cell, 0.0)));
+    let bounds = cells().map(|cell| {
+        let bound = error(cell, second);
+        let bent = || worst([cell.0, cell.0 + 1].map(bent)) + eighth * fourth;
+        if bound <= close { bound } else { error(cell, second.min(bent())) }
+    });
+    worst(bounds)
 }
+
+/// Bounds of so many times what the sum is at the angles need be no nearer.
+const CLOSE: f64 = 1.01;
 
 /// p where 8p − 1 = u.
 pub(super) fn p(u: f64) -> f64 {
