@@ -81,6 +81,7 @@ pub(super) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plan::polynomial::nearest::Corrections;
     use pendulum_runtime::double::Double;
 
     #[test]
@@ -111,6 +112,24 @@ mod tests {
                 let bound = supremum(&coefficients, first, pole, parity, 0.5, None);
                 assert!(seen <= bound && bound < 1.12 * seen, "{pole:?} {first}: {bound} for {seen}");
             }
+        }
+    }
+
+    /// Where a sum is level over poles next to one end, it is many times as large at the other.
+    #[test]
+    fn suprema_over_near_poles() {
+        let (pole, dropped, terms) = (Some(Pole::new(0.04, 1)), [1.0, -0.3], 20);
+        for parity in [Parity::Even, Parity::Odd] {
+            let corrections = Corrections::new(&dropped, terms, pole, parity == Parity::Odd, None).of_terms;
+            let left: Vec<f64> = corrections.iter().map(|correction| -correction).chain(dropped).collect();
+            let at = |i: u32| {
+                let u = (f64::from(i) * PI / 1e5).cos();
+                let phase = if parity == Parity::Odd { p(u).sqrt() } else { 1.0 };
+                (sum(&left, 0, u) * phase / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)))).abs()
+            };
+            let seen = (0..=100_000).map(at).fold(0.0, f64::max);
+            let bound = supremum(&left, 0, pole, parity, 0.5, None);
+            assert!(seen <= bound && bound < 1.25 * seen, "{parity:?}: {bound} for {seen}");
         }
     }
 }
