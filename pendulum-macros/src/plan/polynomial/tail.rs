@@ -115,6 +115,20 @@ mod tests {
         }
     }
 
+    /// T₁₉₅ − T₁₈₉ = −2 sin 192φ·sin 3φ vanishes at all angles that are looked at.
+    #[test]
+    fn what_lies_between_angles() {
+        let mut coefficients = vec![0.0; 7];
+        (coefficients[0], coefficients[6]) = (-1.0, 1.0);
+        for reach in [0.5, 0.3] {
+            let at = |i: u32| (f64::from(i) * PI / 1e5).cos();
+            let met = (0..=100_000).map(at).filter(|&u| p(u) <= reach * reach);
+            let seen = met.map(|u| sum(&coefficients, 189, u).abs()).fold(0.0, f64::max);
+            let bound = supremum(&coefficients, 189, None, Parity::Even, reach, None);
+            assert!(seen > 1.9 && seen <= bound && bound < 1.6 * seen, "{reach}: {bound} for {seen}");
+        }
+    }
+
     /// Where a sum is level over poles next to one end, it is many times as large at the other.
     #[test]
     fn suprema_over_near_poles() {
