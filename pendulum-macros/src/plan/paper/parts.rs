@@ -33,7 +33,7 @@ struct Whole {
     /// For one polynomial, and for many; `None` where that takes too many terms.
     approximation: Option<Approximation>,
     pieces: Option<Piecewise>,
-    allowed: [f64; 2],
+    allowed: Vec<f64>,
 }
 
 /// A kernel for that function, and how wrong it is.
@@ -76,8 +76,8 @@ impl Sum {
     fn whole(&self, scene: &Scene, swing: &Swing, bias: f64) -> Option<Whole> {
         let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
         let allowed = match scene.goal {
-            Goal::Tolerance(tol) => [tol - bias; 2],
-            _ => [8.0, 11.0].map(units),
+            Goal::Tolerance(tol) => vec![tol - bias],
+            _ => [8.0, 11.0].map(units).into(),
         };
         if self.coefficients.is_empty() {
             return None;
@@ -144,7 +144,7 @@ impl Sum {
         let size = self.size();
         let precision = size * scene.float.unit() / 2.0;
         let approximation = Approximation::new(&Curve::harmonics(&self.weights), None, precision / 16.0)?;
-        let terms = approximation.terms_for(precision, reduction.overshoot)?;
+        let terms = approximation.terms_for(precision, reduction.overshoot).filter(|&terms| terms <= MOST_FOLDED)?;
         Form::ALL.into_iter().find_map(|form| {
             // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
             let most = if let Form::Adapted { .. } = form { 6.0 } else { 12.0 };
@@ -171,6 +171,9 @@ impl Sum {
         self.weights.iter().map(|w| w.hi.abs()).sum::<f64>().min(1.0)
     }
 }
+
+/// Of more terms than this no powers come near the recurrence; of more than 42 none are known to.
+const MOST_FOLDED: usize = 64;
 
 fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
     kernel::function(reduction, &[kernel]).cost_of_calls_too()
