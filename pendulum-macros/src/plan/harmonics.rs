@@ -2,20 +2,22 @@
 //! the series of θ (Eq. 17 being its shape with one term).
 //!
 //! With X = 2 cos 2φ and uₙ = wₙ + X·uₙ₊₁ − uₙ₊₂, Σ wₙ cos((2n−1)φ) = cos φ·(u₁ − u₂) and
-//! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). The recurrence is linear in the weights, so that a rounding error made in uₙ is
-//! an error of wₙ, which the sum passes on at most undiminished: the errors add, they don't multiply.
+//! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). Errors of the recurrence add, they don't multiply (`recurrence.rs`).
+
+mod recurrence;
 
 use super::arcsine::Arcsine;
 use super::cosines::Cosines;
-use super::kernel::{CELLS, Kernel, RESULT, from_lowest, rounding_given};
+use super::kernel::{CELLS, Kernel, RESULT, after_named, from_lowest, rounding_given};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
-use crate::program::rounding::{Known, half_ulp};
+use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
 use crate::supremum::by_halves;
 use pendulum_runtime::double::Double;
+use recurrence::Recurrence;
 
 /// How one output is a sum of harmonics.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,20 +134,21 @@ impl Harmonics {
     /// The rounding over the whole range of the phase; some number above `cap` as soon as it is known to be, but for a
     /// derivative of an arcsine.
     pub(super) fn rounding(&self, program: &Program, reduction: &Reduction, cap: f64) -> f64 {
-        let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
         let of_polynomial =
             |polynomial: &Polynomial| Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
         let sums = self.sums(reduction, self.errors(of_polynomial));
-        let given = |sums: &[Sum], low: f64, high: f64| {
-            let mut known = vec![(phase, Known::between(low, high))];
-            let known_sum = |sum: &Sum| Some((program.named(sum.name)?, sum.known(reduction, low, high)));
-            known.extend(sums.iter().filter_map(known_sum));
+        let phase = reduction.origin.phase();
+        let names: Vec<&str> = sums.iter().map(|sum| sum.name).chain([phase]).collect();
+        let [closed, by_steps] = [&names[..], &[phase]].map(|names| after_named(program, names));
+        let given = |program: &Program, sums: &[Sum], low: f64, high: f64| {
+            let known_sums = sums.iter().map(|sum| (sum.name, sum.known(reduction, low, high)));
+            let known: Vec<(&str, Known)> = known_sums.chain([(phase, Known::between(low, high))]).collect();
             rounding_given(program, &known)
         };
         // A sum of few terms that is the result itself is analysed better step by step.
         let between = |low: f64, high: f64| {
-            let closed = given(&sums, low, high);
-            if self.arcsine.is_none() { closed.min(given(&[], low, high)) } else { closed }
+            let closed = given(&closed, &sums, low, high);
+            if self.arcsine.is_none() { closed.min(given(&by_steps, &[], low, high)) } else { closed }
         };
         if self.peaks() {
             return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
@@ -162,22 +165,18 @@ impl Harmonics {
 
     /// The sums that the program computes, given the errors of the cosine and the sine.
     fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
-        let float = reduction.float;
-        let sum = |name, curve, order, weights: &[Double], factor: f64| {
+        let sum = |name, curve, order, weights: &[Double], sine: Option<f64>| {
             let name = if self.arcsine.is_some() { name } else { RESULT };
-            // The factor before u₁ ∓ u₂, which are at most these.
-            let both = total(weights, 0) + total(weights, 1);
-            let recurrence = || recurrence_error(weights, cosine, float.unit()) + factor * both;
-            // The product may underflow, too.
-            let error = if self.folded.is_some() { cosine } else { recurrence() + half_ulp(0.0, float) };
+            let recurrence = || Error::Recurrence(Recurrence::new(weights, cosine, sine, reduction.float));
+            let error = if self.folded.is_some() { Error::Everywhere(cosine) } else { recurrence() };
             Sum { name, curve, order, error }
         };
         let mut all = vec![];
         if !self.cosines.is_empty() {
-            all.push(sum(ARGUMENT, Cosines::odd(&self.cosines), 0, &self.cosines, cosine));
+            all.push(sum(ARGUMENT, Cosines::odd(&self.cosines), 0, &self.cosines, None));
         }
         if !self.sines.is_empty() {
-            all.push(sum(SLOPE, Cosines::integral_of_sines(&self.sines), 1, &self.sines, sine));
+            all.push(sum(SLOPE, Cosines::integral_of_sines(&self.sines), 1, &self.sines, Some(sine)));
         }
         all
     }
@@ -189,7 +188,22 @@ struct Sum {
     /// It is the derivative of this order.
     curve: Cosines,
     order: usize,
-    error: f64,
+    error: Error,
+}
+
+/// How wrong a sum is computed.
+enum Error {
+    Everywhere(f64),
+    Recurrence(Recurrence),
+}
+
+impl Error {
+    fn between(&self, low: f64, high: f64) -> f64 {
+        match self {
+            Self::Everywhere(error) => *error,
+            Self::Recurrence(recurrence) => recurrence.error(low, high),
+        }
+    }
 }
 
 impl Sum {
@@ -199,8 +213,10 @@ impl Sum {
             let phase = phase * reduction.unit.hi;
             if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase }
         };
-        let (low, high) = self.curve.over(from_anchor(low), from_anchor(high)).range(self.order);
-        Known::within(low - self.error, high + self.error, self.error)
+        let (low, high) = (from_anchor(low), from_anchor(high));
+        let error = self.error.between(low, high);
+        let (low, high) = self.curve.over(low, high).range(self.order);
+        Known::within(low - error, high + error, error)
     }
 }
 
@@ -221,27 +237,6 @@ fn clenshaw(b: &mut Builder, cosine: Id, weights: &[Double]) -> (Id, Option<Id>)
         (before, here) = (Some(here), next);
     }
     (here, before)
-}
-
-/// Σ_{m ≥ n} |wₘ|(m − n + 1), a bound of |uₙ| (n from 0).
-fn total(weights: &[Double], n: usize) -> f64 {
-    weights.iter().skip(n).enumerate().map(|(i, w)| w.hi.abs() * (i + 1) as f64).sum()
-}
-
-/// What the recurrence's roundings and the cosine's error `cosine` add, relative to the final product's factor.
-///
-/// They are relative to the uₙ as computed, which exceed their bounds by at most a part η: each of the roundings is at
-/// most a part c of these, and is passed on as often as weights follow.
-fn recurrence_error(weights: &[Double], cosine: f64, unit: f64) -> f64 {
-    let x_error = 8.0 * cosine + 6.0 * unit;
-    let local = |n: usize| {
-        let (here, next) = (total(weights, n), total(weights, n + 1));
-        unit * (2.0 * next + (weights[n].hi.abs() + 2.0 * next) + here + weights[n].hi.abs()) + x_error * next
-    };
-    let steps: f64 = (0..weights.len()).map(local).sum();
-    let last_sum_and_product = 2.0 * unit * (total(weights, 0) + total(weights, 1));
-    let eta = (7.0 * unit + x_error) * 0.5 * (weights.len() * (weights.len() + 1)) as f64;
-    if eta < 1.0 { (steps + last_sum_and_product) / (1.0 - eta) } else { f64::INFINITY }
 }
 
 #[cfg(test)]

@@ -138,14 +138,23 @@ impl Kernel {
     }
 }
 
-/// The norm of the rounding of a program's results, given what is known of some nodes.
-pub(super) fn rounding_given(program: &Program, given: &[(Id, Known)]) -> f64 {
-    norm(program.rounding(given).iter().map(|known| known.error))
+/// What is left of a program where the nodes of these names, if it has them, are given.
+pub(super) fn after_named(program: &Program, names: &[&str]) -> Program {
+    let given: Vec<Id> = names.iter().filter_map(|name| program.named(name)).collect();
+    program.after(&given)
+}
+
+/// The norm of the rounding of a program's results, given what is known of the nodes of these names, if it has them.
+pub(super) fn rounding_given(program: &Program, given: &[(&str, Known)]) -> f64 {
+    let given: Vec<(Id, Known)> =
+        given.iter().filter_map(|&(name, known)| Some((program.named(name)?, known))).collect();
+    norm(program.rounding(&given).iter().map(|known| known.error))
 }
 
 /// The same over the whole range of the phase, of which nothing else is known.
 fn rounding_of_polynomials(program: &Program, reduction: &Reduction, cap: f64) -> f64 {
-    let Some(phase) = program.named(reduction.origin.phase()) else { return f64::INFINITY };
+    let phase = reduction.origin.phase();
+    let program = &after_named(program, &[phase]);
     from_lowest(reduction, cap, |low, high| rounding_given(program, &[(phase, Known::between(low, high))]))
 }
 

@@ -140,6 +140,15 @@ impl Op {
 }
 
 impl Program {
+    /// What is left of it where these nodes are given.
+    pub(crate) fn after(&self, given: &[Id]) -> Self {
+        let mut program = self.clone();
+        for &id in given {
+            program.nodes[id].op = Op::Input;
+        }
+        program.pruned()
+    }
+
     fn pruned(self) -> Self {
         let mut needed = vec![false; self.nodes.len()];
         for &result in &self.results {

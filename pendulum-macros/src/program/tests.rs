@@ -211,6 +211,26 @@ fn operands() {
     }
 }
 
+/// What comes before given nodes goes, and what is known of these tells the same of the results.
+#[test]
+fn after_given_nodes() {
+    let mut b = Builder::new(Float::F64);
+    let t = b.input();
+    let (third, seventh) = (b.constant(1.0 / 3.0), b.constant(1.0 / 7.0));
+    let x = b.mul(t, third);
+    let x = b.add(x, seventh);
+    b.name(x, "x");
+    let square = b.mul(x, x);
+    let result = b.add(square, third);
+    let program = b.finish(vec![result]);
+    let rest = program.after(&[program.named("x").unwrap()]);
+    let given = |program: &Program| program.rounding(&[(program.named("x").unwrap(), Known::between(0.5, 0.75))]);
+    assert_eq!(given(&rest), given(&program));
+    let ops: Vec<Op> = rest.nodes.iter().map(|node| node.op).collect();
+    assert_eq!(ops, [program.nodes[third].op, Op::Input, Op::Mul(1, 1), Op::Add(2, 0)]);
+    assert_eq!(program.after(&program.results).nodes.len(), 1);
+}
+
 /// A sum of two products costs 3, in `f32` where it is wide twice that; constants and the input nothing.
 #[test]
 fn costs() {

@@ -8,29 +8,6 @@ use crate::plan::plan;
 use crate::plan::tests::scene;
 use std::f64::consts::PI;
 
-/// Operation by operation, for two weights: u₂ = b, X = 4c² − 2, Xu₂, u₁ = a + Xu₂, u₁ − u₂, c(u₁ − u₂).
-#[test]
-fn errors_of_the_recurrence() {
-    let (a, b, unit, cosine) = (0.75, 0.125, 1e-3, 1e-5);
-    let weights = [a, b].map(Double::new);
-    assert_eq!([0, 1, 2].map(|n| total(&weights, n)), [a + 2.0 * b, b, 0.0]);
-    let found = recurrence_error(&weights, cosine, unit);
-    // |u₁| ≤ a + 2b. A constant, a product below 2b, their sum; and u₂'s constant, which counts as three roundings too.
-    let (first, second) = (a + (2.0 * b + 2.0 * b) + (a + 2.0 * b) + a, 3.0 * b);
-    // X is off by 8|c| errors of the cosine and by the roundings of 4c² ≤ 4 and of itself.
-    let x = (8.0 * cosine + 6.0 * unit) * b;
-    // The difference and the product.
-    let last = 2.0 * (a + 3.0 * b);
-    let first_order = unit * (first + second + last) + x;
-    // All this of somewhat more than the uₙ.
-    let more = |passed_on: f64| 1.0 / (1.0 - passed_on * (7.0 * unit + 8.0 * cosine + 6.0 * unit));
-    let expected = first_order * more(3.0);
-    assert!((found / expected - 1.0).abs() < 1e-12, "{found} for {expected}");
-    let single = recurrence_error(&[Double::new(a)], cosine, unit);
-    assert!((single / (5.0 * a * unit * more(1.0)) - 1.0).abs() < 1e-12, "{single}");
-    assert_eq!(recurrence_error(&[Double::new(a); 20], 0.0, unit), f64::INFINITY);
-}
-
 /// Clenshaw's recurrence of cosines and sines, with each number of weights.
 #[test]
 fn the_recurrence() {
@@ -82,6 +59,7 @@ fn intervals_of_sums() {
 
 fn intervals_hold(harmonics: &Harmonics, reduction: &Reduction, errors: [f64; 2], [low, high]: [f64; 2]) {
     let unit = reduction.unit.hi;
+    let from_anchor = |phase: f64| if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase };
     let known = harmonics.sums(reduction, errors);
     let known: Vec<_> = known.iter().map(|sum| (sum.name, sum.known(reduction, low / unit, high / unit))).collect();
     let sums = [&harmonics.cosines, &harmonics.sines];
@@ -91,19 +69,17 @@ fn intervals_hold(harmonics: &Harmonics, reduction: &Reduction, errors: [f64; 2]
         let (weights, wave, error): (_, fn(f64) -> f64, _) =
             if of_sines { (sums[1], f64::sin, errors[1]) } else { (sums[0], f64::cos, errors[0]) };
         let at = |part: f64| {
-            let phase = low + (high - low) * part;
-            let s = if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase };
+            let s = from_anchor(low + (high - low) * part);
             weights.iter().enumerate().map(|(n, w)| w.hi * wave((2 * n + 1) as f64 * PI * s)).sum::<f64>()
         };
         let values: Vec<f64> = (0..=20).map(|i| at(f64::from(i) / 20.0)).collect();
         let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
         assert!(known.low <= least - known.error && known.high >= most + known.error, "{name} {low}: {known:?}");
-        let unit = reduction.float.unit();
-        let both: f64 = weights.iter().enumerate().map(|(n, w)| w.hi.abs() * (2 * n + 1) as f64).sum();
         let sum = if harmonics.folded.is_some() {
             error
         } else {
-            recurrence_error(weights, errors[0], unit) + error * both + half_ulp(0.0, reduction.float)
+            let sine = of_sines.then_some(errors[1]);
+            Recurrence::new(weights, errors[0], sine, reduction.float).error(from_anchor(low), from_anchor(high))
         };
         assert!((known.error / sum - 1.0).abs() < 1e-12 || sum == 0.0, "{name}: {:e} {sum:e}", known.error);
         // What Taylor's theorem leaves is little beside what the sum does in the interval.

@@ -25,7 +25,7 @@ mod outputs;
 mod quotient;
 
 use super::fit::{Domain, Fit};
-use super::kernel::rounding_given;
+use super::kernel::{after_named, rounding_given};
 use super::variables::Variables;
 use crate::parse::{Float, Output};
 use crate::program::rounding::Known;
@@ -178,6 +178,7 @@ impl Passage {
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
     pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
+        let program = &after_named(program, &[FRACTION, POWER, IMAGE_POWER]);
         let rate = self.orbit.rate.hi;
         let (nearest, furthest) = (rate * self.met.0 * (1.0 - 1e-6), rate * self.met.1 * (1.0 + 1e-6));
         let binades = furthest.ceil() as i32;
@@ -209,11 +210,7 @@ impl Passage {
                 ((power(-j), power(-j)), (image(j), image(j)))
             };
             let known = [(FRACTION, (low, high)), (POWER, powers), (IMAGE_POWER, images)];
-            let given: Vec<(Id, Known)> = known
-                .into_iter()
-                .filter_map(|(name, (low, high))| Some((program.named(name)?, Known::between(low, high))))
-                .collect();
-            rounding_given(program, &given)
+            rounding_given(program, &known.map(|(name, (low, high))| (name, Known::between(low, high))))
         };
         largest((0..=most).flat_map(slices).filter(is_met).map(bound), cap)
     }

@@ -1,0 +1,207 @@
+//! What Clenshaw's recurrence is rounded by, interval by interval.
+//!
+//! With X = 2 cos 2φ, uₙ = wₙ + X·uₙ₊₁ − uₙ₊₂ and V = u₁ ∓ u₂ the sum is cos φ or sin φ times V. The recurrence is
+//! linear in the weights, so that a rounding error made in uₙ is an error of wₙ, which the sum passes on at most
+//! undiminished; all of them see the same X, an error of which changes V by V′(X) times as much. Anywhere
+//! |uₙ| ≤ Σ|wₘ|(m − n + 1), but about a turning point, where the weights alternate and an arcsine blows errors up, uₙ
+//! and V′ are much less: so they are evaluated in the middle of the interval, and their own slopes bounded, by those of
+//! Chebyshev's polynomials Uⱼ at 1, j(j + 1)(j + 2)/3 and (j − 1)j(j + 1)(j + 2)(j + 3)/15 (V. A. Markov).
+
+use crate::parse::Float;
+use crate::program::rounding::half_ulp;
+use pendulum_runtime::double::Double;
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// A sum of cosines or sines, and what is known of its errors everywhere.
+pub(super) struct Recurrence {
+    weights: Vec<f64>,
+    of_sines: bool,
+    /// Bounds of |uₙ| and of its derivative by X.
+    sizes: Vec<[f64; 2]>,
+    /// The same of V′ and V″.
+    bends: [f64; 2],
+    /// The errors of cos φ, and of that or sin φ before V.
+    cosine: f64,
+    factor: f64,
+    unit: f64,
+    least: f64,
+}
+
+impl Recurrence {
+    /// With a cosine wrong by `cosine`; `sine` is the error of the sine of a sum of sines.
+    pub(super) fn new(weights: &[Double], cosine: f64, sine: Option<f64>, float: Float) -> Self {
+        let weights: Vec<f64> = weights.iter().map(|w| w.hi).collect();
+        let total = |from: usize, of: fn(f64) -> f64| -> f64 {
+            weights.iter().skip(from).enumerate().map(|(j, w)| w.abs() * of(j as f64)).sum()
+        };
+        let sizes = (0..weights.len() + 2).map(|n| [total(n, |j| j + 1.0), total(n, slope)]).collect();
+        // Of Uⱼ and Uⱼ₋₁.
+        let bends = [total(0, |j| slope(j) + slope(j - 1.0)), total(0, |j| bend(j) + bend(j - 1.0))];
+        let (of_sines, factor) = (sine.is_some(), sine.unwrap_or(cosine));
+        Self { of_sines, sizes, bends, cosine, factor, unit: float.unit(), least: half_ulp(0.0, float), weights }
+    }
+
+    /// What X is wrong by: 8|c| errors of the cosine, and the roundings of 4c² and of itself.
+    fn error_of_x(&self) -> f64 {
+        8.0 * self.cosine + 6.0 * self.unit
+    }
+
+    /// By which part of its bound uₙ may be wrong: each rounding is at most a part of that bound, and is passed on as
+    /// often as weights follow.
+    fn excess(&self) -> f64 {
+        let each = 7.0 * self.unit + self.error_of_x();
+        each * 0.5 * (self.weights.len() * (self.weights.len() + 1)) as f64
+    }
+
+    /// How wrong the sum is for φ/π between these.
+    pub(super) fn error(&self, low: f64, high: f64) -> f64 {
+        let excess = self.excess();
+        if excess >= 1.0 {
+            return f64::INFINITY;
+        }
+        let (middle, half) = (0.5 * PI * (low + high), 0.5 * PI * (high - low).abs());
+        let x = 2.0 * libm::cos(2.0 * middle);
+        // How far X is from that; and what the bounds grow by beyond 2.
+        let apart = 4.0 * half * steepest(middle, half) + self.error_of_x();
+        let beyond = 1.0 + 4.0 * excess;
+        let sign = if self.of_sines { 1.0 } else { -1.0 };
+        let mut values = vec![[0.0; 2]; self.weights.len() + 2];
+        for n in (0..self.weights.len()).rev() {
+            let ([u, slope], [next, next_slope]) = (values[n + 1], values[n + 2]);
+            values[n] = [self.weights[n] + x * u - next, u + x * slope - next_slope];
+        }
+        // As computed, by the program and here.
+        let lost = 2.0 * excess / (1.0 - excess);
+        let size = |n: usize| {
+            let [size, slope] = self.sizes[n];
+            size.min(values[n][0].abs() + apart * slope * beyond) + lost * size
+        };
+        let [v, v_slope] = std::array::from_fn(|order| (values[0][order] + sign * values[1][order]).abs());
+        let [slope, bend] = self.bends;
+        let v_slope = (slope * beyond).min(v_slope + apart * bend * beyond) + lost * slope;
+        let v = (size(0) + size(1)).min(v + apart * v_slope + 2.0 * lost * self.sizes[0][0]);
+        let most = (x.abs() + apart).min(2.0 * beyond);
+        let count = self.weights.len();
+        let step = |n: usize| {
+            let (w, product) = (self.weights[n].abs(), most * size(n + 1));
+            let sum = (w + product).min(size(n) + size(n + 2));
+            // The constant, the product, its sum with the constant, and the difference.
+            w + if n + 1 < count { product + sum } else { 0.0 } + if n + 2 < count { size(n) } else { 0.0 }
+        };
+        // |cos (2n + 1)φ|, |sin (2n + 1)φ| at most, n from 0.
+        let farthest = middle.abs() + half;
+        let wave = |n: usize| if self.of_sines { (farthest * (2 * n + 1) as f64).min(1.0) } else { 1.0 };
+        let steps: f64 = (0..count).map(|n| step(n) * wave(n)).sum();
+        // The last sum and its product with the factor, which may underflow.
+        let passed_on = (2.0 * self.unit * v + self.error_of_x() * v_slope) * wave(0);
+        (self.unit * steps + passed_on + self.factor * v) * beyond + self.least
+    }
+}
+
+/// |Uⱼ′(X/2)| at most, by X.
+fn slope(j: f64) -> f64 {
+    j * (j + 1.0) * (j + 2.0) / 6.0
+}
+
+/// |Uⱼ″(X/2)| at most, by X.
+fn bend(j: f64) -> f64 {
+    ((j - 1.0) * j * (j + 1.0) * (j + 2.0) * (j + 3.0) / 60.0).max(0.0)
+}
+
+/// |sin 2φ| at most.
+fn steepest(middle: f64, half: f64) -> f64 {
+    let to_summit = ((2.0 * middle / PI).rem_euclid(1.0) * 2.0 - 1.0).abs() * FRAC_PI_4;
+    libm::cos(2.0 * (to_summit - half).max(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::random::Random;
+    use crate::plan::harmonics::clenshaw;
+    use crate::program::Builder;
+
+    /// Operation by operation, for two weights that cancel: u₂ = b, X = 4c² − 2, Xu₂, u₁ = a + Xu₂, u₁ − u₂, c(u₁ − u₂).
+    #[test]
+    fn errors_of_two_weights() {
+        let (a, b, unit, cosine) = (0.75, -0.125_f64, Float::F64.unit(), 1e-12);
+        let weights = [a, b].map(Double::new);
+        let recurrence = Recurrence::new(&weights, cosine, None, Float::F64);
+        for (s, x, v) in [(0.0, 2.0, a + b), (0.5, -2.0, a - 3.0 * b)] {
+            // Both constants, the product, u₁, the difference, and the last product.
+            let roundings = unit * (a + b.abs() + 2.0 * b.abs() + (a + x * b) + 2.0 * v);
+            let expected = roundings + (8.0 * cosine + 6.0 * unit) * b.abs() + cosine * v;
+            let found = recurrence.error(s, s);
+            assert!((found / expected - 1.0).abs() < 1e-9, "{s}: {found:e} for {expected:e}");
+        }
+        let single = Recurrence::new(&weights[..1], 0.0, None, Float::F64).error(0.2, 0.2);
+        assert!((single / (3.0 * a * unit) - 1.0).abs() < 1e-9, "{single}");
+        assert_eq!(Recurrence::new(&vec![weights[0]; 2500], 0.0, None, Float::F32).error(0.1, 0.2), f64::INFINITY);
+    }
+
+    /// The derivatives of Uⱼ by X, where they are largest.
+    #[test]
+    fn slopes_of_chebyshev_polynomials() {
+        // U and its derivatives at X = 2.
+        let (mut before, mut here) = ([0.0; 3], [1.0, 0.0, 0.0]);
+        for j in 0..20 {
+            assert_eq!([slope(f64::from(j)), bend(f64::from(j))], [here[1], here[2]], "{j}");
+            let [u, first, second] = here;
+            let next = [2.0 * u, u + 2.0 * first, 2.0 * (first + second)];
+            (before, here) = (here, std::array::from_fn(|order| next[order] - before[order]));
+        }
+        for (low, high) in [(0.0, 0.1), (0.1, 0.2), (0.2, 0.3), (0.26, 0.5), (0.0, 0.5), (0.4, 0.55)] {
+            let (middle, half) = (0.5 * PI * (low + high), 0.5 * PI * (high - low));
+            let at = |i: u32| (2.0 * PI * (low + (high - low) * f64::from(i) / 1000.0)).sin().abs();
+            let seen = (0..=1000).map(at).fold(0.0, f64::max);
+            let found = steepest(middle, half);
+            assert!(found >= seen - 1e-15 && found <= seen + 1e-5, "{low} to {high}: {found} for {seen}");
+        }
+    }
+
+    /// In single precision, sums of random weights: no error is above its bound, and next to a turning point the
+    /// largest is no small part of it.
+    #[test]
+    fn errors_that_occur() {
+        let mut random = Random::new(7);
+        for (count, decay, of_sines) in [(6, 0.3, false), (20, 0.7, false), (20, 0.7, true), (12, -0.6, false)] {
+            let rounded = |x: f64| f64::from(x as f32);
+            let mut weight = |n: i32| Double::new(rounded((0.5 + random.unit()) * f64::powi(-decay, n)));
+            let weights: Vec<Double> = (0..count).map(&mut weight).collect();
+            let wrong = 1e-7;
+            let recurrence = Recurrence::new(&weights, wrong, of_sines.then_some(wrong), Float::F32);
+            let mut b = Builder::new(Float::F32);
+            let cosine = b.input();
+            let (first, second) = clenshaw(&mut b, cosine, &weights);
+            let program = b.finish(vec![first, second.unwrap()]);
+            for slice in 0..32 {
+                // Next to a turning point, and narrow elsewhere.
+                let low = f64::from(slice) / 64.0;
+                let high = low + if slice == 0 { 1.0 / 64.0 } else { 1e-3 };
+                let bound = recurrence.error(low, high);
+                let mut largest = 0.0_f64;
+                for _ in 0..2000 {
+                    let s = low + (high - low) * random.unit();
+                    let at = |phase: f64| (phase * PI).sin_cos();
+                    let mut off = || wrong * (2.0 * random.unit() - 1.0);
+                    let (sine, cosine) = at(s);
+                    let given = cosine + off();
+                    let given = rounded(given).clamp(cosine - wrong, cosine + wrong);
+                    let factor = if of_sines { sine + off() } else { given };
+                    if rounded(given) != given {
+                        continue;
+                    }
+                    let found = program.run(given);
+                    let last = if of_sines { found[0] + found[1] } else { found[0] - found[1] };
+                    let found = rounded(factor) as f32 * last as f32;
+                    let wave =
+                        |n: usize| if of_sines { at((2 * n + 1) as f64 * s).0 } else { at((2 * n + 1) as f64 * s).1 };
+                    let exact: f64 = weights.iter().enumerate().map(|(n, w)| w.hi * wave(n)).sum();
+                    largest = largest.max((f64::from(found) - exact).abs());
+                }
+                let most = if slice == 0 { 8.0 } else { 250.0 };
+                assert!(largest <= bound && bound <= most * largest, "{count} {slice}: {largest:e} of {bound:e}");
+            }
+        }
+    }
+}
