@@ -120,6 +120,7 @@ mod tests {
     use crate::fuzz::random::Random;
     use crate::plan::harmonics::clenshaw;
     use crate::program::Builder;
+    use crate::supremum::worst;
 
     /// Operation by operation, for two weights that cancel: u₂ = b, X = 4c² − 2, Xu₂, u₁ = a + Xu₂, u₁ − u₂, c(u₁ − u₂).
     #[test]
@@ -156,6 +157,26 @@ mod tests {
             let seen = (0..=1000).map(at).fold(0.0, f64::max);
             let found = steepest(middle, half);
             assert!(found >= seen - 1e-15 && found <= seen + 1e-5, "{low} to {high}: {found} for {seen}");
+        }
+    }
+
+    /// What holds for an interval holds at each of its points; and not much more, if it is short.
+    #[test]
+    fn errors_of_intervals() {
+        let mut random = Random::new(11);
+        for _ in 0..2000 {
+            let (count, decay) = (2 + (30.0 * random.unit()) as i32, 1.6 * random.unit() - 0.8);
+            let weights: Vec<Double> = (0..count).map(|n| Double::new(f64::powi(decay, n))).collect();
+            let sine = Some(1e-15).filter(|_| random.unit() < 0.5);
+            let recurrence = Recurrence::new(&weights, 1e-15, sine, Float::F64);
+            let low = 0.5 * random.unit();
+            let high = low + f64::powf(10.0, -6.0 * random.unit()) * (0.5 - low);
+            let bound = recurrence.error(low, high);
+            let at = |part: f64| low + part * (high - low);
+            let points = worst([0.0, 0.1, 0.3, 0.5, 0.8, 1.0].map(at).map(|s| recurrence.error(s, s)));
+            assert!(bound >= points * (1.0 - 1e-9), "{count} {decay} {low} {high}: {bound:e} {points:e}");
+            let short = (high - low) * f64::from(count * count) < 1e-3;
+            assert!(!short || bound <= 1.5 * points, "{count} {decay} {low} {high}: {bound:e} {points:e}");
         }
     }
 
