@@ -49,7 +49,7 @@ fn each_scene_gets_its_way() {
         ("theta0 = pi - 1e-9", "pieces"),
         ("theta0 = pi - 1e-9, outputs = [position]", "passage"),
         ("theta0 = pi - 1e-5, tol = 1e-9, t_max = 1e4, outputs = [velocity, acceleration]", "pieces"),
-        ("velocity0 = -2.01, outputs = [velocity, acceleration]", "pieces"),
+        ("velocity0 = -2.001, outputs = [velocity, acceleration]", "pieces"),
         ("theta0 = pi - 1e-4, tol = 1e-2", "polynomial"),
         ("velocity0 = 2", "passage"),
         ("velocity0 = 3", "polynomial"),

@@ -1,6 +1,7 @@
 //! The cheapest plan: every reduction, with polynomials, in pieces or with the passage through the lowest point, in the
 //! order of their estimated cost, until one keeps the promise.
 
+mod choice;
 mod in_pieces;
 mod together;
 
@@ -16,7 +17,10 @@ use crate::parse::Float;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
+use choice::{Choice, comfortable};
 use in_pieces::InPieces;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 /// A task, and what all ways of doing it share.
 struct Prospect {
@@ -24,7 +28,12 @@ struct Prospect {
     approximations: Vec<Approximations>,
     reductions: Vec<Reduction>,
     pieces: Option<InPieces>,
+    /// What polynomials gave for an output with a reduction: more than one candidate may ask.
+    found: RefCell<BTreeMap<(usize, *const Reduction), Found>>,
 }
+
+/// A part or what was reached, and why others lost.
+type Found = (Result<Part, f64>, Vec<String>);
 
 /// One way of computing all outputs.
 struct Candidate<'a> {
@@ -34,13 +43,6 @@ struct Candidate<'a> {
     /// Estimated, at most by one term too low.
     cost: f64,
 }
-
-/// The part of 2⁻⁴⁹ (2⁻²⁰) that leaves room for what is observed to stay below half of that: of a billion times in
-/// `f64` as of all times in `f32` the worst has been 0.71 of what is proven (docs/ACCURACY.md). Who asks for full
-/// precision wants it, rather than the last twentieth of the cost.
-const COMFORTABLE: f64 = 0.62;
-/// The same where the phase is the time itself: its error is no part of the bound, and 0.9 of that has been observed.
-const COMFORTABLE_FOR_A_MOMENT: f64 = 0.55;
 
 /// How the outputs follow from the phase.
 #[derive(Clone, Copy, PartialEq)]
@@ -79,25 +81,20 @@ fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     let mut closest = f64::INFINITY;
     let mut rejected = Vec::new();
     let candidates = candidates(scene, prospects);
-    let mut best: Option<(f64, usize, Plan)> = None;
+    let mut choice = Choice::new();
     for (index, candidate) in candidates.iter().enumerate() {
+        if choice.is_made(candidate.cost) {
+            break;
+        }
         match candidate.plan(scene) {
-            Ok(plan) => {
-                let taken = plan.taken();
-                if best.as_ref().is_none_or(|(least, ..)| taken < *least) {
-                    best = Some((taken, index, plan));
-                }
-                if taken <= comfortable(scene, candidate.reduction) {
-                    break;
-                }
-            }
+            Ok(plan) => choice.offer(scene, candidate.reduction, candidate.cost, plan.taken(), (index, plan)),
             Err(reached) => {
                 closest = closest.min(reached);
                 rejected.push(format!("{}: it can promise only {reached:.1e}", candidate.describe()));
             }
         }
     }
-    let (_, index, plan) = best.ok_or(Refusal::Unreachable { best: closest })?;
+    let (index, plan) = choice.made().ok_or(Refusal::Unreachable { best: closest })?;
     if let Some(output) = verify::broken(scene, &candidates[index].prospect.task, &plan) {
         return Err(Refusal::Broken { output });
     }
@@ -106,15 +103,6 @@ fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     rejected.extend(alternatives::costs(scene, candidates[index].reduction));
     let rejected = plan.rejected.iter().cloned().chain(rejected).collect();
     Ok(Plan { rejected, ..plan })
-}
-
-/// The part of its limits that a plan had better keep.
-fn comfortable(scene: &Scene, reduction: &Reduction) -> f64 {
-    match scene.goal {
-        Goal::Full if reduction.is_time() => COMFORTABLE_FOR_A_MOMENT,
-        Goal::Full => COMFORTABLE,
-        _ => 1.0,
-    }
 }
 
 /// The least that can be promised of the worst output.
@@ -187,7 +175,7 @@ impl Prospect {
         let pieces = InPieces::new(scene, &task, &reductions);
         let reach = task.reach(scene);
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
-        Self { task, approximations, reductions, pieces }
+        Self { task, approximations, reductions, pieces, found: RefCell::default() }
     }
 
     fn at_full_precision(self, scene: &Scene) -> Self {
@@ -197,7 +185,7 @@ impl Prospect {
     }
 
     fn candidates(&self, scene: &Scene) -> Vec<Candidate<'_>> {
-        let Self { task: Task { aims, passage, .. }, approximations, reductions, pieces } = self;
+        let Self { task: Task { aims, passage, .. }, approximations, reductions, pieces, .. } = self;
         let candidate = |reduction, way, kernels: f64| {
             let cost = skeleton(reduction, aims).cost() + kernels;
             Candidate { prospect: self, reduction, way, cost }
@@ -270,14 +258,20 @@ impl Candidate<'_> {
         }
         let Prospect { task, approximations, .. } = self.prospect;
         let mut rejected = Vec::new();
-        let mut part = |(aim, all): (&Aim, &Approximations)| {
+        let mut part = |(output, (aim, all)): (usize, (&Aim, &Approximations))| {
             let passage = || match &task.passage {
                 Some(passage) if self.reduction.origin == Origin::Lowest && scene.method.is_none() => {
                     aim.passage_part(scene, task, self.reduction, passage)
                 }
                 _ => Err(f64::INFINITY),
             };
-            let mut polynomials = || self.polynomials(scene, aim, all, &mut rejected);
+            let mut polynomials = || {
+                let key = (output, std::ptr::from_ref(self.reduction));
+                let mut found = self.prospect.found.borrow_mut();
+                let (part, others) = found.entry(key).or_insert_with(|| self.polynomials(scene, aim, all));
+                rejected.extend_from_slice(others);
+                part.clone()
+            };
             // What one way can't promise of an output the other may; of all of them it is a candidate of its own.
             let mixed = task.aims.len() > 1;
             match self.way {
@@ -287,7 +281,8 @@ impl Candidate<'_> {
                 _ => polynomials(),
             }
         };
-        let parts = task.aims.iter().zip(approximations).map(&mut part).collect::<Result<Vec<Part>, f64>>()?;
+        let outputs = task.aims.iter().zip(approximations).enumerate();
+        let parts = outputs.map(&mut part).collect::<Result<Vec<Part>, f64>>()?;
         let parts = self.together(scene, parts, &mut rejected);
         Ok(joined(self.reduction, parts, rejected))
     }
@@ -300,45 +295,36 @@ impl Candidate<'_> {
         Ok(joined(self.reduction, parts, Vec::new()))
     }
 
-    /// The output's cheapest variant that keeps the promise; at full precision comfortably, or else with the least
-    /// bound. Those that don't, and the next, are described in `rejected`.
-    fn polynomials(
-        &self,
-        scene: &Scene,
-        aim: &Aim,
-        all: &Approximations,
-        rejected: &mut Vec<String>,
-    ) -> Result<Part, f64> {
-        let mut best: Result<Part, f64> = Err(f64::INFINITY);
-        let variants = aim.variants(all, self.reduction);
-        let word = aim.output.word();
-        let parity = aim.curves.first().map_or(Parity::Even, Curve::parity);
-        for (index, (variant, cost)) in variants.iter().enumerate() {
-            let found = aim.part(scene, &self.prospect.task, all, self.reduction, *variant);
-            let reached = found.as_ref().map_or_else(|&reached| reached, Part::error);
-            if found.as_ref().is_ok_and(|part| part.taken <= comfortable(scene, self.reduction)) {
-                let next = variants.get(index + 1).map(|(next, dearer)| {
-                    format!(
-                        "{} for `{word}`: it costs about {:.1} operations more",
-                        next.describe(parity),
-                        dearer - cost
-                    )
-                });
-                rejected.extend(next);
-                return found;
+    /// The output's variant that is taken of those that keep the promise, or what was reached. Those that lost, and the
+    /// next, are described.
+    fn polynomials(&self, scene: &Scene, aim: &Aim, all: &Approximations) -> Found {
+        let mut choice = Choice::new();
+        let mut tried = Vec::new();
+        for (index, (variant, cost)) in aim.variants(all, self.reduction).into_iter().enumerate() {
+            if choice.is_made(cost) {
+                tried.push((variant, cost, 0.0));
+                break;
             }
-            if reached.is_finite() {
-                let variant = variant.describe(parity);
-                rejected.push(format!("{variant} for `{word}`: it can promise only {reached:.1e}"));
+            let found = aim.part(scene, &self.prospect.task, all, self.reduction, variant);
+            tried.push((variant, cost, found.as_ref().map_or_else(|&reached| reached, Part::error)));
+            if let Ok(part) = found {
+                choice.offer(scene, self.reduction, cost, part.taken, (index, part));
             }
-            best = match (best, found) {
-                (Ok(best), Ok(found)) if found.bound.total() < best.bound.total() => Ok(found),
-                (Ok(best), _) => Ok(best),
-                (Err(_), Ok(found)) => Ok(found),
-                (Err(closest), Err(reached)) => Err(closest.min(reached)),
-            };
         }
-        best
+        let closest = tried.iter().map(|&(.., reached)| reached).fold(f64::INFINITY, f64::min);
+        let (chosen, part) = choice.made().map_or((None, Err(closest)), |(index, part)| (Some(index), Ok(part)));
+        let error = part.as_ref().map_or(0.0, Part::error);
+        let (word, parity) = (aim.output.word(), aim.curves.first().map_or(Parity::Even, Curve::parity));
+        let line = |&(index, &(variant, cost, reached)): &(usize, &(Variant, f64, f64))| {
+            let lost = match chosen.map(|chosen| tried[chosen].1) {
+                Some(least) if reached < error => format!("costs about {:.1} operations more", cost - least),
+                _ => format!("can promise only {reached:.1e}"),
+            };
+            (chosen != Some(index) && reached.is_finite())
+                .then(|| format!("{} for `{word}`: it {lost}", variant.describe(parity)))
+        };
+        let rejected = tried.iter().enumerate().filter_map(|one| line(&one)).collect();
+        (part, rejected)
     }
 }
 

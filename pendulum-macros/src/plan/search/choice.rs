@@ -1,0 +1,106 @@
+//! Which of several ways that keep a promise is taken, at full precision with room.
+
+use crate::plan::reduction::Reduction;
+use crate::scene::{Goal, Scene};
+
+/// The part of 2⁻⁴⁹ (2⁻²⁰) that leaves room for what is observed to stay below half of that: of a billion times in
+/// `f64` as of all times in `f32` the worst has been 0.71 of what is proven (docs/ACCURACY.md). Who asks for full
+/// precision wants it, rather than the last twentieth of the cost.
+pub(super) const COMFORTABLE: f64 = 0.62;
+/// The part that still leaves it, where more room costs more than that twentieth.
+pub(super) const TOLERABLE: f64 = 0.68;
+/// The same of both where the phase is the time itself: its error is no part of the bound, and 0.9 of that has been
+/// observed.
+pub(super) const COMFORTABLE_FOR_A_MOMENT: f64 = 0.55;
+/// How much more what is comfortable may cost than what is tolerable.
+pub(super) const DEARER: f64 = 1.05;
+
+/// What has been found, of ways in the order of their cost.
+pub(super) struct Choice<T> {
+    comfortable: f64,
+    tolerable: f64,
+    best: Option<Found<T>>,
+}
+
+struct Found<T> {
+    /// How much of its limit it takes.
+    taken: f64,
+    cost: f64,
+    way: T,
+}
+
+/// The part of its limits that a plan had better keep.
+pub(super) fn comfortable(scene: &Scene, reduction: &Reduction) -> f64 {
+    limits(scene, reduction)[0]
+}
+
+fn limits(scene: &Scene, reduction: &Reduction) -> [f64; 2] {
+    match scene.goal {
+        Goal::Full if reduction.is_time() => [COMFORTABLE_FOR_A_MOMENT; 2],
+        Goal::Full => [COMFORTABLE, TOLERABLE],
+        _ => [1.0; 2],
+    }
+}
+
+impl<T> Choice<T> {
+    pub(super) fn new() -> Self {
+        Self { comfortable: 1.0, tolerable: 1.0, best: None }
+    }
+
+    /// Whether nothing of that cost or more would be taken.
+    pub(super) fn is_made(&self, cost: f64) -> bool {
+        self.best.as_ref().is_some_and(|best| {
+            best.taken <= self.comfortable || best.taken <= self.tolerable && cost > DEARER * best.cost
+        })
+    }
+
+    /// The first that is comfortable, or else the first that is tolerable, or else that with the most room.
+    pub(super) fn offer(&mut self, scene: &Scene, reduction: &Reduction, cost: f64, taken: f64, way: T) {
+        let [comfortable, tolerable] = limits(scene, reduction);
+        let better = self
+            .best
+            .as_ref()
+            .is_none_or(|best| taken < best.taken && (taken <= comfortable || best.taken > self.tolerable));
+        if better {
+            *self = Self { comfortable, tolerable, best: Some(Found { taken, cost, way }) };
+        }
+    }
+
+    pub(super) fn made(self) -> Option<T> {
+        self.best.map(|best| best.way)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::search::{Prospect, tasks};
+    use crate::plan::tests::scene;
+
+    /// Of ways that cost so much and take so much of their limit, in this order.
+    #[test]
+    fn choices() {
+        let chosen = |goal: &str, found: &[(f64, f64)]| {
+            let scene = scene(&format!("struct Motion; theta0 = 2{goal}"));
+            let prospect = Prospect::new(&scene, tasks(&scene).remove(0));
+            let mut choice = Choice::new();
+            for (index, &(cost, taken)) in found.iter().enumerate() {
+                if choice.is_made(cost) {
+                    break;
+                }
+                choice.offer(&scene, &prospect.reductions[0], cost, taken, index);
+            }
+            choice.made()
+        };
+        let full = |found: &[(f64, f64)]| chosen("", found);
+        assert_eq!(full(&[]), None);
+        assert_eq!(full(&[(10.0, 0.62), (10.0, 0.1)]), Some(0));
+        assert_eq!(full(&[(10.0, 0.9), (11.0, 0.68), (11.5, 0.62), (11.5, 0.1)]), Some(2));
+        assert_eq!(full(&[(10.0, 0.67), (10.5, 0.66), (10.51, 0.1)]), Some(0));
+        assert_eq!(full(&[(10.0, 0.9), (20.0, 0.8), (30.0, 0.85)]), Some(1));
+        assert_eq!(full(&[(10.0, 0.9), (20.0, 0.8), (30.0, 0.68), (40.0, 0.5)]), Some(2));
+        assert_eq!(chosen(", tol = 1e-6", &[(10.0, 1.0), (10.0, 0.1)]), Some(0));
+        // Over so short a horizon the phase is the time.
+        assert_eq!(chosen(", t_max = 0.1", &[(10.0, 0.6), (20.0, 0.5)]), Some(1));
+    }
+}
