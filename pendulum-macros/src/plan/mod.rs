@@ -64,7 +64,7 @@ pub(crate) struct Part {
     /// The largest magnitude of the exact output.
     pub(crate) largest: f64,
     /// How much of its limit the error takes, but for turns that are no part of the promise and for what is hardly ever
-    /// met; 0 where there is no limit.
+    /// met; what is met in full counts more. 0 where there is no limit.
     pub(crate) taken: f64,
 }
 

@@ -187,6 +187,14 @@ impl Reduction {
         subtracts && self.origin == Origin::Anchor
     }
 
+    /// Whether its error grows with time, as that of a rounded rate does: where it ends, all of that is met.
+    pub(crate) fn grows(&self) -> bool {
+        match self.method {
+            Method::OneWord { .. } | Method::Scaled { .. } | Method::CodyWaite { .. } | Method::Wide { .. } => true,
+            Method::AnyTime { .. } | Method::WideAnyTime { .. } | Method::Time { .. } | Method::Linear { .. } => false,
+        }
+    }
+
     /// Whether there is nothing to reduce.
     pub(crate) fn is_time(&self) -> bool {
         matches!(self.method, Method::Time { .. })
