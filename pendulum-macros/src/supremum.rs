@@ -29,6 +29,8 @@ pub(crate) struct Halving {
     pub(crate) slices: u32,
     /// Parts that are halved at most.
     pub(crate) most: usize,
+    /// What is below this is as good as nothing, and bounded no better.
+    pub(crate) least: f64,
     /// What is above this is good for nothing, and bounded no better.
     pub(crate) cap: f64,
 }
@@ -47,7 +49,7 @@ impl Halving {
         let mut settled: f64 = 0.0;
         for _ in 0..self.most {
             let worst = open.peek().map(|worst| worst.map(f64::from_bits));
-            let Some([before, low, high]) = worst.filter(|&[worst, ..]| worst > settled) else { break };
+            let Some([before, low, high]) = worst.filter(|&[worst, ..]| worst > settled.max(self.least)) else { break };
             open.pop();
             let middle = 0.5 * (low + high);
             let halves = [part(low, middle), part(middle, high)];
@@ -67,7 +69,7 @@ impl Halving {
 
 /// The same from so many cells on, halving so many at most.
 pub(crate) fn by_halves(interval: [f64; 2], cells: u32, most: usize, bound: impl Fn(f64, f64) -> f64) -> f64 {
-    Halving { cells, slices: cells, most, cap: f64::INFINITY }.largest(interval, bound)
+    Halving { cells, slices: cells, most, least: 0.0, cap: f64::INFINITY }.largest(interval, bound)
 }
 
 /// √Σx², also where the squares overflow or underflow.
@@ -108,7 +110,7 @@ mod tests {
         };
         let at = |index: u32| f64::from(index) / 64.0;
         let all = worst((0..64).map(|index| bound(at(index), at(index + 1))));
-        let halving = Halving { cells: 8, slices: 64, most: 64, cap: f64::INFINITY };
+        let halving = Halving { cells: 8, slices: 64, most: 64, least: 0.0, cap: f64::INFINITY };
         looked.set(0);
         let found = halving.largest([0.0, 1.0], bound);
         assert!(found <= all && found < 1.04, "{found} {all}");
@@ -116,6 +118,9 @@ mod tests {
         looked.set(0);
         assert!(Halving { cap: 0.5, ..halving }.largest([0.0, 1.0], bound) > 0.5);
         assert!(looked.get() <= 60, "{}", looked.get());
+        looked.set(0);
+        let found = Halving { least: 2.0, ..halving }.largest([0.0, 1.0], bound);
+        assert!(found >= all && looked.get() == 8, "{found} {}", looked.get());
         let nowhere = |_: f64, high: f64| if high == 1.0 { f64::NAN } else { 1.0 };
         assert_eq!(halving.largest([0.0, 1.0], nowhere), f64::INFINITY);
     }

@@ -6,6 +6,11 @@
 //! for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017), with u = 2⁻⁵³. Splitting overflows above
 //! 2⁹⁹⁵, and `two_prod` is inexact where the product's low word underflows; callers stay within that.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a few operations each, which the macro's planner does by the ten thousand in unoptimised builds"
+)]
+
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `hi + lo` with `|lo| ≤ ulp(hi)/2`.
@@ -18,7 +23,7 @@ pub struct Double {
 }
 
 /// `a + b = s + e` exactly.
-#[inline]
+#[inline(always)]
 pub const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let b_seen = s - a;
@@ -26,14 +31,14 @@ pub const fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// `a + b = s + e` exactly, for `|a| ≥ |b|` or `a = 0`.
-#[inline]
+#[inline(always)]
 pub const fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
 }
 
 /// Veltkamp's splitting: `a = hi + lo` exactly, with at most 26 significant bits in each.
-#[inline]
+#[inline(always)]
 pub const fn split(a: f64) -> (f64, f64) {
     let c = 134_217_729.0 * a; // 2²⁷ + 1
     let hi = c - (c - a);
@@ -41,7 +46,7 @@ pub const fn split(a: f64) -> (f64, f64) {
 }
 
 /// `a · b = p + e` exactly.
-#[inline]
+#[inline(always)]
 pub const fn two_prod(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     let (ah, al) = split(a);
@@ -62,47 +67,47 @@ impl Double {
     pub(crate) const INVERSE_TURN: Self = Self { hi: 0.159_154_943_091_895_35, lo: -9.839_338_337_591_243e-18 };
 
     /// An `f64`, exactly.
-    #[inline]
+    #[inline(always)]
     pub const fn new(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
     }
 
     /// Normalises any two words.
-    #[inline]
+    #[inline(always)]
     pub const fn from_sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
 
     /// The exact product of two `f64`.
-    #[inline]
+    #[inline(always)]
     pub const fn from_product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_prod(a, b);
         Self { hi, lo }
     }
 
     /// The nearest `f64`.
-    #[inline]
+    #[inline(always)]
     pub const fn to_f64(self) -> f64 {
         self.hi + self.lo
     }
 
     /// |x|.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn abs(self) -> Self {
         if self.hi < 0.0 { Self { hi: -self.hi, lo: -self.lo } } else { self }
     }
 
     /// x · 2ᵏ for an exact power of two `scale` (no rounding short of overflow and underflow).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn scale(self, scale: f64) -> Self {
         Self { hi: self.hi * scale, lo: self.lo * scale }
     }
 
     /// √x for x ≥ 0, within 4u² (Karp's trick: one Newton step from the `f64` root).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
@@ -117,7 +122,7 @@ impl Double {
 
 impl Neg for Double {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
@@ -126,7 +131,7 @@ impl Neg for Double {
 impl Add for Double {
     type Output = Self;
     /// Relative error ≤ 3u² + 13u³ (algorithm 6 there).
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let (s, e) = two_sum(self.hi, other.hi);
         let (t, f) = two_sum(self.lo, other.lo);
@@ -138,7 +143,7 @@ impl Add for Double {
 
 impl Sub for Double {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -147,7 +152,7 @@ impl Sub for Double {
 impl Mul for Double {
     type Output = Self;
     /// Relative error ≤ 7u² (algorithm 10 there).
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let (p, e) = two_prod(self.hi, other.hi);
         let (hi, lo) = quick_two_sum(p, e + (self.hi * other.lo + self.lo * other.hi));
@@ -157,7 +162,7 @@ impl Mul for Double {
 
 impl Mul<f64> for Double {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: f64) -> Self {
         let (p, e) = two_prod(self.hi, other);
         let (hi, lo) = quick_two_sum(p, e + self.lo * other);
@@ -168,7 +173,7 @@ impl Mul<f64> for Double {
 impl Div for Double {
     type Output = Self;
     /// Relative error ≤ 10u² (long division with two quotient words and a correction).
-    #[inline]
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         let rest = self - other * first;

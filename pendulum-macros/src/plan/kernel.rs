@@ -166,7 +166,8 @@ pub(super) fn from_lowest(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f
     let slice = (high - low) / f64::from(CELLS.pow(4));
     let [from, to] = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };
     let there = bound(from, to);
-    let halving = Halving { cells: CELLS, slices: CELLS * CELLS, most: MOST_HALVED, cap };
+    let least = if cap.is_finite() { cap / NOTHING } else { 0.0 };
+    let halving = Halving { cells: CELLS, slices: CELLS * CELLS, most: MOST_HALVED, least, cap };
     if there > cap { there } else { halving.largest([low, high], bound) }
 }
 
@@ -174,6 +175,8 @@ pub(super) fn from_lowest(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f
 /// where it is worst, and those are halved as often as that gains something.
 pub(super) const CELLS: u32 = 8;
 const MOST_HALVED: usize = 48;
+/// A rounding that many times less than what there is room for needs to be known no better.
+const NOTHING: f64 = 512.0;
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
 fn circle(b: &mut Builder, variables: &Variables, [sine, cosine]: &[Polynomial; 2]) -> Vec<Id> {

@@ -15,8 +15,8 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.1e-14 of rounding); 29 operations
-/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.293e-10 rad·ω (4.1e-10 of truncation, 2.4e-11 of phase, 3.0e-15 of rounding); 23 operations
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.2e-14 of rounding); 29 operations
+/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.293e-10 rad·ω (4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of rounding); 23 operations
 /// * not a polynomial in s² over poles, adapted in blocks of 16 for `theta`: it costs about 0.5 operations more
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
 /// * not pieces, phase by one product with the rate: it costs about 88 operations
@@ -65,9 +65,9 @@ impl Clock {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 29;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219315467137286e-10;
+    pub const MAX_ERROR: f64 = 6.219322595868374e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.2927555488413173e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.2927611346389174e-10;
     /// θ(t), rad; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]

@@ -13,7 +13,7 @@
 ///
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
 /// * theta: polynomial of 6 terms in s², coefficients adapted; proven error ≤ 3.730e-7 rad (3.7e-7 of truncation, 6.6e-15 of phase, 5.2e-15 of rounding); 52 operations
-/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.705e-7 rad·ω² (4.7e-7 of truncation, 6.6e-15 of phase, 5.1e-16 of rounding); 55 operations
+/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.705e-7 rad·ω² (4.7e-7 of truncation, 6.6e-15 of phase, 6.6e-16 of rounding); 55 operations
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it costs about 0.5 operations more
 /// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
 /// * not pieces, phase by exact products with the rate in 3 words: it costs about 150 operations
@@ -62,9 +62,9 @@ impl Pushed {
     /// Operations that one call of the first function executes.
     pub const OPERATIONS: usize = 52;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 3.729664875056447e-7;
+    pub const MAX_ERROR: f64 = 3.7296648750992823e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.705309998899876e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 4.705310000376457e-7;
     /// θ(t), rad; NaN if t is not finite. 52 operations.
     #[inline(always)]
     #[must_use]

@@ -176,9 +176,9 @@ impl Approximation {
         let left = || shortened.left.iter().zip(shortened.first..).map(|(c, j)| (c, j as f64));
         let ellipse = ellipse_of(overshoot);
         let [second, fourth] = [2, 4].map(|n| left().map(|(c, j)| c * j.powi(n)).sum::<f64>().abs());
-        let higher = left().map(|(c, j)| (c.abs(), j * ellipse)).map(|(c, x)| c * x.powi(6) / 720.0 * libm::cosh(x));
+        let higher = left().map(|(c, j)| (c.abs(), j * ellipse)).map(|(c, x)| c * x.powi(6) / 720.0 * at_most_cosh(x));
         let beyond = ellipse.powi(2) / 2.0 * second + ellipse.powi(4) / 24.0 * fourth + higher.sum::<f64>();
-        let whole: f64 = left().map(|(c, j)| c.abs() * libm::cosh(j * ellipse)).sum();
+        let whole: f64 = left().map(|(c, j)| c.abs() * at_most_cosh(j * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
         let Shortened { left: coefficients, first, suprema, .. } = &*shortened;
         let supremum = || tail::supremum(coefficients, *first, self.pole, self.parity, reach, self.leeway.as_ref());
@@ -214,7 +214,7 @@ impl Approximation {
 
     /// What dropping these terms changes at most, whatever their signs.
     fn without(&self, dropped: Range<usize>, overshoot: f64) -> f64 {
-        let term = |j: usize| self.series[j].hi.abs() * libm::cosh(j as f64 * ellipse_of(overshoot));
+        let term = |j: usize| self.series[j].hi.abs() * at_most_cosh(j as f64 * ellipse_of(overshoot));
         dropped.map(term).sum::<f64>() * self.weight(overshoot)
     }
 
@@ -444,6 +444,11 @@ fn is_moderate(coefficients: &[Double], quarter: f64, float: Float) -> bool {
 /// ε)) ≤ cosh(j·√(2ε)).
 fn ellipse_of(overshoot: f64) -> f64 {
     (16.0 * overshoot.max(0.0) * (1.0 + overshoot)).sqrt()
+}
+
+/// cosh x, or hardly more: 1 + x²/2 + x⁴/24·cosh x where x is small, as nearly always.
+fn at_most_cosh(x: f64) -> f64 {
+    if x < 0.1 { 1.0 + 0.5005 * x * x } else { libm::cosh(x) }
 }
 
 /// As many points as make the interpolation error negligible.
