@@ -218,11 +218,6 @@ impl Plan {
         self.parts.iter().map(Part::error).fold(0.0, f64::max)
     }
 
-    /// How much of its limit the worst output takes.
-    fn taken(&self) -> f64 {
-        self.parts.iter().map(|part| part.taken).fold(0.0, f64::max)
-    }
-
     /// Estimated cost of all functions, in loops over arrays, calls and chains of calls.
     fn cost(&self) -> f64 {
         self.functions.iter().map(|function| function.program.cost_of_calls_too()).sum()

@@ -23,24 +23,32 @@ pub(super) const OBSERVED: f64 = 0.71;
 
 impl Aim {
     /// The kernel of the first of three rounds that keeps the promise, or the least bound reached, in units of the
-    /// tolerance. A round is told by how much the kernel of the one before is rounded, and gives a kernel and its
-    /// truncation; or what can be reached at best, which ends the search.
+    /// tolerance. A round is told what the phase and the rounding of the kernel of the one before leave, and gives a
+    /// kernel and its truncation; or what can be reached at best, which ends the search. One that takes more than `most`
+    /// of the limit is of no use: neither is a second round then, nor what it would reach.
     fn first_kept(
         &self,
         scene: &Scene,
         reduction: &Reduction,
         phase: f64,
+        most: f64,
         mut round: impl FnMut(f64) -> Result<(Kernel, f64), f64>,
     ) -> Result<Part, f64> {
+        let room = (most * self.limit - self.beyond_bound(scene, reduction, phase)).min(self.limit);
+        let rounds = if room < self.limit { 1 } else { 3 };
+        if phase > room && rounds == 1 {
+            return Err(phase / self.size.unit);
+        }
         let (mut rounding, mut reached) = (0.0, f64::INFINITY);
-        for _ in 0..3 {
-            let (kernel, truncation) = round(rounding).map_err(|best| best.min(reached))?;
-            let evaluation = kernel.rounding(reduction, self.limit - phase - truncation);
+        for _ in 0..rounds {
+            let (kernel, truncation) = round(self.limit - phase - rounding).map_err(|best| best.min(reached))?;
+            let evaluation = kernel.rounding(reduction, room - phase - truncation);
             let bound = Bound { truncation, phase, evaluation };
             let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
             rounding = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
-                Ok(part) => return Ok(part),
+                Ok(part) if part.taken <= most => return Ok(part),
+                Ok(part) => reached = reached.min(part.error()),
                 Err(total) => reached = reached.min(total),
             }
         }
@@ -63,11 +71,16 @@ impl Aim {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        let usual = judged.total() - self.size.slope * reduction.seldom;
-        let more =
-            if scene.goal == Goal::Full && reduction.grows() { (1.0 / OBSERVED - 1.0) * bound.phase } else { 0.0 };
-        let (description, taken) = (kernel.describe(), (usual + more) / self.limit);
-        Ok(Part { output, description, kernel, bound: whole, unit, largest, taken })
+        let taken = (judged.total() + self.beyond_bound(scene, reduction, bound.phase)) / self.limit;
+        Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest, taken })
+    }
+
+    /// By how much more than its bound an error takes of the limit: less what is hardly ever met of the phase's, and what
+    /// of it is met in full counts more.
+    fn beyond_bound(&self, scene: &Scene, reduction: &Reduction, phase: f64) -> f64 {
+        let in_full = scene.goal == Goal::Full && reduction.grows();
+        let more = if in_full { (1.0 / OBSERVED - 1.0) * phase } else { 0.0 };
+        more - self.size.slope * reduction.seldom
     }
 
     /// Whether what its turns are rounded by doesn't count.

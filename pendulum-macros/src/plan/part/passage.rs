@@ -30,6 +30,7 @@ impl Aim {
         task: &Task,
         reduction: &Reduction,
         passage: &Orbit,
+        most: f64,
     ) -> Result<Part, f64> {
         let phase = self.passage_error(reduction);
         let factor = match self.output {
@@ -40,7 +41,7 @@ impl Aim {
         let scaled = Orbit { rate: passage.rate * reduction.unit, ..passage.clone() };
         let mut limit = self.limit.min(self.truncation) / factor.hi;
         let met = task.met_from_lowest(scene, reduction);
-        self.first_kept(scene, reduction, phase, |_| {
+        self.first_kept(scene, reduction, phase, most, |_| {
             let kernel = Passage::new(self.output, scaled.clone(), met, factor, limit);
             limit *= 0.125;
             let truncation = kernel.truncation * factor.hi;

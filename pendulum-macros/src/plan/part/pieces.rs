@@ -37,11 +37,12 @@ impl Aim {
         task: &Task,
         reduction: &Reduction,
         approximation: &Piecewise,
+        most: f64,
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
-        self.first_kept(scene, reduction, phase, |rounding| {
-            let left = self.truncation.min(self.limit - phase - rounding);
-            let (mut pieces, truncation) = approximation.kernel(reduction, left).ok_or(f64::INFINITY)?;
+        self.first_kept(scene, reduction, phase, most, |left| {
+            let (mut pieces, truncation) =
+                approximation.kernel(reduction, left.min(self.truncation)).ok_or(f64::INFINITY)?;
             if task.direction < 0.0 {
                 pieces.negate();
             }

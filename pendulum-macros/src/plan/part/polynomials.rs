@@ -156,7 +156,7 @@ impl Aim {
         Some(kernels.iter().sum::<f64>() + variables.into_iter().fold(0.0, f64::max) + squaring)
     }
 
-    /// The fewest terms that keep the promise, or what was reached.
+    /// The fewest terms that keep the promise, taking at most a part of the limit of it, or what was reached.
     pub(in crate::plan) fn part(
         &self,
         scene: &Scene,
@@ -164,15 +164,17 @@ impl Aim {
         all: &Approximations,
         reduction: &Reduction,
         variant: Variant,
+        most: f64,
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
-        self.first_kept(scene, reduction, phase, |rounding| {
-            let left = self.share(self.limit - phase - rounding);
+        self.first_kept(scene, reduction, phase, most, |left| {
+            let lost = self.limit - left;
+            let left = self.share(left);
             let mut polynomials = Vec::new();
             for (curve, approximation) in self.curves.iter().zip(&*all.choose(self, variant.poles, reduction)) {
                 let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
                     let least = approximation.truncation(approximation.terms(), reduction.overshoot);
-                    return Err((phase + rounding + least) / self.size.unit);
+                    return Err((lost + least) / self.size.unit);
                 };
                 let Variant { form, poles } = variant;
                 let polynomial = match poles {

@@ -254,7 +254,7 @@ fn passages_in_other_units() {
     let orbit = task.passage.as_ref().unwrap();
     let mut units = 0;
     for reduction in task.reductions(&scene).iter().filter(|reduction| reduction.origin == Origin::Lowest) {
-        let part = task.aims[0].passage_part(&scene, &task, reduction, orbit).unwrap();
+        let part = task.aims[0].passage_part(&scene, &task, reduction, orbit, f64::INFINITY).unwrap();
         let Kernel::Passage(kernel) = part.kernel else { panic!("another kernel") };
         let (rate, half) = (kernel.orbit.rate, kernel.met.1);
         assert!((rate / (orbit.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");

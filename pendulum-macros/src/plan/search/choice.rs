@@ -15,23 +15,42 @@ pub(super) const COMFORTABLE_FOR_A_MOMENT: f64 = 0.55;
 /// How much more what is comfortable may cost than what is tolerable.
 pub(super) const DEARER: f64 = 1.05;
 
-/// What has been found, of ways in the order of their cost.
+/// The best that has been found, of ways in the order of what they are estimated to cost.
 pub(super) struct Choice<T> {
-    comfortable: f64,
-    tolerable: f64,
     best: Option<Found<T>>,
 }
 
 struct Found<T> {
+    room: Room,
     /// How much of its limit it takes.
     taken: f64,
     cost: f64,
     way: T,
 }
 
+/// What is left of a limit.
+#[derive(Clone, Copy, PartialEq)]
+enum Room {
+    Comfortable,
+    Tolerable,
+    Little,
+}
+
+impl Room {
+    /// How much more it may cost.
+    fn worth(self) -> f64 {
+        if self == Self::Comfortable { DEARER } else { 1.0 }
+    }
+}
+
 /// The part of its limits that a plan had better keep.
 pub(super) fn comfortable(scene: &Scene, reduction: &Reduction) -> f64 {
     limits(scene, reduction)[0]
+}
+
+/// The part of its limits that a plan does not exceed if there is another.
+pub(super) fn tolerable(scene: &Scene, reduction: &Reduction) -> f64 {
+    limits(scene, reduction)[1]
 }
 
 fn limits(scene: &Scene, reduction: &Reduction) -> [f64; 2] {
@@ -44,25 +63,45 @@ fn limits(scene: &Scene, reduction: &Reduction) -> [f64; 2] {
 
 impl<T> Choice<T> {
     pub(super) fn new() -> Self {
-        Self { comfortable: 1.0, tolerable: 1.0, best: None }
+        Self { best: None }
     }
 
     /// Whether nothing of that cost or more would be taken.
     pub(super) fn is_made(&self, cost: f64) -> bool {
-        self.best.as_ref().is_some_and(|best| {
-            best.taken <= self.comfortable || best.taken <= self.tolerable && cost > DEARER * best.cost
+        self.best.as_ref().is_some_and(|best| match best.room {
+            Room::Comfortable => cost >= best.cost,
+            Room::Tolerable => cost > DEARER * best.cost,
+            Room::Little => false,
         })
     }
 
-    /// The first that is comfortable, or else the first that is tolerable, or else that with the most room.
-    pub(super) fn offer(&mut self, scene: &Scene, reduction: &Reduction, cost: f64, taken: f64, way: T) {
+    /// How much of its limit one of that cost may take to be taken: with more it may as well not be looked at.
+    pub(super) fn most(&self, scene: &Scene, reduction: &Reduction, cost: f64) -> f64 {
         let [comfortable, tolerable] = limits(scene, reduction);
-        let better = self
-            .best
-            .as_ref()
-            .is_none_or(|best| taken < best.taken && (taken <= comfortable || best.taken > self.tolerable));
+        match &self.best {
+            None => f64::INFINITY,
+            Some(best) if best.room == Room::Little => best.taken,
+            Some(best) if cost * best.room.worth() < best.cost => tolerable,
+            Some(_) => comfortable,
+        }
+    }
+
+    /// The cheapest that is comfortable, unless the cheapest that is tolerable costs less by a twentieth; where none is,
+    /// that with the most room.
+    pub(super) fn offer(&mut self, scene: &Scene, reduction: &Reduction, cost: f64, taken: f64, way: T) {
+        let room = match limits(scene, reduction) {
+            [comfortable, _] if taken <= comfortable => Room::Comfortable,
+            [_, tolerable] if taken <= tolerable => Room::Tolerable,
+            _ => Room::Little,
+        };
+        let better = self.best.as_ref().is_none_or(|best| match (room, best.room) {
+            (Room::Little, Room::Little) => taken < best.taken,
+            (Room::Little, _) => false,
+            (_, Room::Little) => true,
+            _ => cost * best.room.worth() < best.cost * room.worth(),
+        });
         if better {
-            *self = Self { comfortable, tolerable, best: Some(Found { taken, cost, way }) };
+            self.best = Some(Found { room, taken, cost, way });
         }
     }
 
@@ -77,30 +116,41 @@ mod tests {
     use crate::plan::search::{Prospect, tasks};
     use crate::plan::tests::scene;
 
-    /// Of ways that cost so much and take so much of their limit, in this order.
+    /// Of ways that are estimated to cost so much, cost so much, and take so much of their limit, in this order.
     #[test]
     fn choices() {
-        let chosen = |goal: &str, found: &[(f64, f64)]| {
+        let chosen = |goal: &str, found: &[(f64, f64, f64)]| {
             let scene = scene(&format!("struct Motion; theta0 = 2{goal}"));
             let prospect = Prospect::new(&scene, tasks(&scene).remove(0));
+            let reduction = &prospect.reductions[0];
             let mut choice = Choice::new();
-            for (index, &(cost, taken)) in found.iter().enumerate() {
-                if choice.is_made(cost) {
+            for (index, &(estimate, cost, taken)) in found.iter().enumerate() {
+                if choice.is_made(estimate) {
                     break;
                 }
-                choice.offer(&scene, &prospect.reductions[0], cost, taken, index);
+                if taken <= choice.most(&scene, reduction, estimate) {
+                    choice.offer(&scene, reduction, cost, taken, index);
+                }
             }
             choice.made()
         };
-        let full = |found: &[(f64, f64)]| chosen("", found);
+        let as_estimated = |found: &[(f64, f64)]| -> Vec<_> { found.iter().map(|&(c, taken)| (c, c, taken)).collect() };
+        let full = |found: &[(f64, f64)]| chosen("", &as_estimated(found));
         assert_eq!(full(&[]), None);
         assert_eq!(full(&[(10.0, 0.62), (10.0, 0.1)]), Some(0));
         assert_eq!(full(&[(10.0, 0.9), (11.0, 0.68), (11.5, 0.62), (11.5, 0.1)]), Some(2));
         assert_eq!(full(&[(10.0, 0.67), (10.5, 0.66), (10.51, 0.1)]), Some(0));
         assert_eq!(full(&[(10.0, 0.9), (20.0, 0.8), (30.0, 0.85)]), Some(1));
         assert_eq!(full(&[(10.0, 0.9), (20.0, 0.8), (30.0, 0.68), (40.0, 0.5)]), Some(2));
-        assert_eq!(chosen(", tol = 1e-6", &[(10.0, 1.0), (10.0, 0.1)]), Some(0));
+        // What costs more than was estimated may cost more than the next.
+        let dearer = |found: &[(f64, f64, f64)]| chosen("", found);
+        assert_eq!(dearer(&[(10.0, 20.0, 0.6), (15.0, 15.0, 0.62), (15.0, 14.0, 0.1)]), Some(1));
+        assert_eq!(dearer(&[(10.0, 20.0, 0.6), (15.0, 20.0, 0.62), (20.0, 1.0, 0.1)]), Some(0));
+        assert_eq!(dearer(&[(10.0, 20.0, 0.6), (19.0, 19.0, 0.65), (19.1, 19.1, 0.65)]), Some(1));
+        assert_eq!(dearer(&[(10.0, 20.0, 0.6), (19.1, 19.1, 0.65), (19.9, 19.9, 0.62)]), Some(2));
+        assert_eq!(dearer(&[(10.0, 20.0, 0.67), (15.0, 15.0, 0.9), (16.0, 19.0, 0.68)]), Some(2));
+        assert_eq!(chosen(", tol = 1e-6", &[(10.0, 10.0, 1.0), (10.0, 10.0, 0.1)]), Some(0));
         // Over so short a horizon the phase is the time.
-        assert_eq!(chosen(", t_max = 0.1", &[(10.0, 0.6), (20.0, 0.5)]), Some(1));
+        assert_eq!(chosen(", t_max = 0.1", &[(10.0, 10.0, 0.6), (20.0, 20.0, 0.5)]), Some(1));
     }
 }

@@ -8,7 +8,7 @@ mod together;
 use super::aim::{Aim, Task};
 use super::curve::Curve;
 use super::form::Variant;
-use super::part::Approximations;
+use super::part::{Approximations, OBSERVED};
 use super::pieces::Piecewise;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
@@ -17,7 +17,8 @@ use crate::parse::Float;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
-use choice::{Choice, comfortable};
+use crate::supremum::worst;
+use choice::{Choice, comfortable, tolerable};
 use in_pieces::InPieces;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -28,12 +29,20 @@ struct Prospect {
     approximations: Vec<Approximations>,
     reductions: Vec<Reduction>,
     pieces: Option<InPieces>,
-    /// What polynomials gave for an output with a reduction: more than one candidate may ask.
-    found: RefCell<BTreeMap<(usize, *const Reduction), Found>>,
+    /// What polynomials gave for an output with a reduction that may take so much of the limit: more than one candidate
+    /// may ask.
+    found: RefCell<BTreeMap<(usize, *const Reduction, u64), Found>>,
 }
 
-/// A part or what was reached, and why others lost.
-type Found = (Result<Part, f64>, Vec<String>);
+/// A part and what it costs, or what was reached, and why others lost.
+type Found = (Result<(Part, f64), f64>, Vec<String>);
+
+/// The outputs of a candidate, what they cost more than was estimated, and why other forms of them lost.
+struct Outputs {
+    parts: Vec<Part>,
+    more: f64,
+    rejected: Vec<String>,
+}
 
 /// One way of computing all outputs.
 struct Candidate<'a> {
@@ -78,31 +87,73 @@ fn tasks(scene: &Scene) -> Vec<Task> {
 }
 
 fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
-    let mut closest = f64::INFINITY;
-    let mut rejected = Vec::new();
     let candidates = candidates(scene, prospects);
-    let mut choice = Choice::new();
-    for (index, candidate) in candidates.iter().enumerate() {
-        if choice.is_made(candidate.cost) {
-            break;
-        }
-        match candidate.plan(scene) {
-            Ok(plan) => choice.offer(scene, candidate.reduction, candidate.cost, plan.taken(), (index, plan)),
-            Err(reached) => {
-                closest = closest.min(reached);
-                rejected.push(format!("{}: it can promise only {reached:.1e}", candidate.describe()));
-            }
-        }
-    }
-    let (index, plan) = choice.made().ok_or(Refusal::Unreachable { best: closest })?;
-    if let Some(output) = verify::broken(scene, &candidates[index].prospect.task, &plan) {
+    let tolerable = match scene.goal {
+        Goal::Full => choose(scene, &candidates, tolerable).ok(),
+        _ => None,
+    };
+    let any = || choose(scene, &candidates, |_, _| f64::INFINITY);
+    let Chosen { candidate: index, parts, mut rejected } =
+        tolerable.map_or_else(any, Ok).map_err(|best| Refusal::Unreachable { best })?;
+    let candidate = &candidates[index];
+    let plan = joined(candidate.reduction, candidate.together(scene, parts, &mut rejected));
+    if let Some(output) = verify::broken(scene, &candidate.prospect.task, &plan) {
         return Err(Refusal::Broken { output });
     }
-    let next = candidates[index..].iter().find(|next| next.way != candidates[index].way);
+    let next = candidates[index..].iter().find(|next| next.way != candidate.way);
     rejected.extend(next.map(|next| format!("{}: it costs about {:.0} operations", next.describe(), next.cost)));
-    rejected.extend(alternatives::costs(scene, candidates[index].reduction));
-    let rejected = plan.rejected.iter().cloned().chain(rejected).collect();
+    rejected.extend(alternatives::costs(scene, candidate.reduction));
     Ok(Plan { rejected, ..plan })
+}
+
+/// What is to become a plan.
+struct Chosen {
+    candidate: usize,
+    parts: Vec<Part>,
+    /// Why others lost.
+    rejected: Vec<String>,
+}
+
+/// The choice of those that take no more than a part of their limit, or the least that any can promise.
+fn choose(scene: &Scene, candidates: &[Candidate], most: fn(&Scene, &Reduction) -> f64) -> Result<Chosen, f64> {
+    let mut choice = Choice::new();
+    let mut lost = Vec::new();
+    for (index, candidate) in candidates.iter().enumerate() {
+        let Candidate { reduction, cost, .. } = *candidate;
+        if choice.is_made(cost) {
+            break;
+        }
+        let most = most(scene, reduction).min(choice.most(scene, reduction, cost));
+        if lost.iter().any(|lost: &Lost| lost.most >= most && candidate.is_no_finer(lost.candidate)) {
+            continue;
+        }
+        match candidate.outputs(scene, most) {
+            Ok(outputs) => {
+                let Outputs { parts, more, .. } = &outputs;
+                choice.offer(scene, reduction, cost + more, taken(parts), (index, outputs));
+            }
+            Err(reached) => lost.push(Lost { candidate, most, reached }),
+        }
+    }
+    let closest = || lost.iter().map(|lost| lost.reached).fold(f64::INFINITY, f64::min);
+    let (candidate, Outputs { parts, mut rejected, .. }) = choice.made().ok_or_else(closest)?;
+    let error = worst(parts.iter().map(Part::error));
+    let worse = lost.iter().filter(|lost| lost.reached > error);
+    let line = |lost: &Lost| format!("{}: it can promise only {:.1e}", lost.candidate.describe(), lost.reached);
+    rejected.extend(worse.map(line));
+    Ok(Chosen { candidate, parts, rejected })
+}
+
+/// A candidate that was asked to take no more than a part of its limits and couldn't.
+struct Lost<'a> {
+    candidate: &'a Candidate<'a>,
+    most: f64,
+    reached: f64,
+}
+
+/// How much of its limit the output takes that takes most.
+fn taken(parts: &[Part]) -> f64 {
+    worst(parts.iter().map(|part| part.taken))
 }
 
 /// The least that can be promised of the worst output.
@@ -121,7 +172,9 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
     };
     let others = [Origin::Anchor, Origin::Lowest].into_iter().filter_map(of).map(worst_output);
     let in_pieces = prospect.pieces.iter().flat_map(|pieces| &pieces.reductions).filter_map(|reduction| {
-        Candidate { prospect, reduction, way: Way::Pieces, cost: 0.0 }.plan(scene).ok().map(|plan| plan.worst())
+        let outputs =
+            Candidate { prospect, reduction, way: Way::Pieces, cost: 0.0 }.outputs(scene, f64::INFINITY).ok()?;
+        Some(worst(outputs.parts.iter().map(Part::error)))
     });
     others.chain(in_pieces).fold(f64::INFINITY, f64::min)
 }
@@ -134,10 +187,10 @@ fn parts<'a>(
     all: &'a Approximations,
     reduction: &'a Reduction,
 ) -> impl Iterator<Item = Part> + 'a {
-    let polynomial = move |variant: Variant| aim.part(scene, task, all, reduction, variant).ok();
+    let polynomial = move |variant: Variant| aim.part(scene, task, all, reduction, variant, f64::INFINITY).ok();
     let polynomials = aim.variants(all, reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
     let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
-    polynomials.chain(passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage).ok()))
+    polynomials.chain(passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage, f64::INFINITY).ok()))
 }
 
 /// All plans of a scene with one output that keep the promise, whatever they cost.
@@ -147,7 +200,7 @@ pub(super) fn every(scene: &Scene) -> Vec<Plan> {
         let Prospect { task, approximations, reductions, .. } = Prospect::new(scene, task);
         let plan = |reduction| {
             let parts = parts(scene, &task, &task.aims[0], &approximations[0], reduction);
-            parts.map(|part| joined(reduction, vec![part], Vec::new())).collect::<Vec<Plan>>()
+            parts.map(|part| joined(reduction, vec![part])).collect::<Vec<Plan>>()
         };
         reductions.iter().flat_map(plan).collect::<Vec<Plan>>()
     };
@@ -235,10 +288,10 @@ fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
 }
 
 /// Named by how the first output is computed.
-fn joined(reduction: &Reduction, parts: Vec<Part>, rejected: Vec<String>) -> Plan {
+fn joined(reduction: &Reduction, parts: Vec<Part>) -> Plan {
     let method = parts.first().map_or("", |part| part.kernel.word());
     let functions = kernel::functions(reduction, &parts);
-    Plan { method, reduction: reduction.clone(), parts, functions, coefficients: Vec::new(), rejected }
+    Plan { method, reduction: reduction.clone(), parts, functions, coefficients: Vec::new(), rejected: Vec::new() }
 }
 
 impl Candidate<'_> {
@@ -252,52 +305,73 @@ impl Candidate<'_> {
         format!("{kernel}, phase by {}", self.reduction.describe())
     }
 
-    fn plan(&self, scene: &Scene) -> Result<Plan, f64> {
+    /// Whether it goes the same way as another, with a phase from the same origin in the same unit that is no better.
+    fn is_no_finer(&self, other: &Self) -> bool {
+        let errors = |reduction: &Reduction| {
+            let met = if reduction.grows() { 1.0 / OBSERVED } else { 1.0 };
+            let &Reduction { error, relative_error, seldom, .. } = reduction;
+            [error, relative_error, met * error - seldom, met * relative_error]
+        };
+        let kind = |of: &Self| (std::ptr::from_ref(of.prospect), of.way, of.reduction.origin, of.reduction.unit.hi);
+        let [own, others] = [self, other].map(|of| errors(of.reduction));
+        kind(self) == kind(other) && own.iter().zip(others).all(|(own, other)| *own >= other)
+    }
+
+    /// The outputs, each of which takes at most a part of the limit of it, or what was reached.
+    fn outputs(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
         if self.way == Way::Pieces {
-            return self.in_pieces(scene);
+            return self.in_pieces(scene, most);
         }
         let Prospect { task, approximations, .. } = self.prospect;
-        let mut rejected = Vec::new();
-        let mut part = |(output, (aim, all)): (usize, (&Aim, &Approximations))| {
+        let (mut parts, mut more, mut rejected) = (Vec::new(), 0.0, Vec::new());
+        for (output, (aim, all)) in task.aims.iter().zip(approximations).enumerate() {
             let passage = || match &task.passage {
                 Some(passage) if self.reduction.origin == Origin::Lowest && scene.method.is_none() => {
-                    aim.passage_part(scene, task, self.reduction, passage)
+                    let part = aim.passage_part(scene, task, self.reduction, passage, most)?;
+                    Ok((part, waiting(scene.float) * aim.passage_estimate()))
                 }
                 _ => Err(f64::INFINITY),
             };
             let mut polynomials = || {
-                let key = (output, std::ptr::from_ref(self.reduction));
+                let key = (output, std::ptr::from_ref(self.reduction), most.to_bits());
                 let mut found = self.prospect.found.borrow_mut();
-                let (part, others) = found.entry(key).or_insert_with(|| self.polynomials(scene, aim, all));
+                let (part, others) = found.entry(key).or_insert_with(|| self.polynomials(scene, aim, all, most));
                 rejected.extend_from_slice(others);
                 part.clone()
             };
             // What one way can't promise of an output the other may; of all of them it is a candidate of its own.
             let mixed = task.aims.len() > 1;
-            match self.way {
+            let (part, cost) = match self.way {
                 Way::Passage if mixed => passage().or_else(|reached| polynomials().map_err(|other| other.min(reached))),
                 Way::Passage => passage(),
                 _ if mixed => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
                 _ => polynomials(),
-            }
-        };
-        let outputs = task.aims.iter().zip(approximations).enumerate();
-        let parts = outputs.map(&mut part).collect::<Result<Vec<Part>, f64>>()?;
-        let parts = self.together(scene, parts, &mut rejected);
-        Ok(joined(self.reduction, parts, rejected))
+            }?;
+            parts.push(part);
+            more += cost - self.estimate(scene, aim, all);
+        }
+        Ok(Outputs { parts, more, rejected })
     }
 
-    fn in_pieces(&self, scene: &Scene) -> Result<Plan, f64> {
+    /// What an output was estimated to cost.
+    fn estimate(&self, scene: &Scene, aim: &Aim, all: &Approximations) -> f64 {
+        match self.way {
+            Way::Passage => waiting(scene.float) * aim.passage_estimate(),
+            _ => aim.variants(all, self.reduction).first().map_or(0.0, |&(_, cost)| cost),
+        }
+    }
+
+    fn in_pieces(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
         let Prospect { task, pieces, .. } = self.prospect;
         let curves = pieces.as_ref().and_then(|pieces| pieces.curves(&task.aims)).ok_or(f64::INFINITY)?;
-        let part = |(aim, curve): (&Aim, &Piecewise)| aim.pieces_part(scene, task, self.reduction, curve);
+        let part = |(aim, curve): (&Aim, &Piecewise)| aim.pieces_part(scene, task, self.reduction, curve, most);
         let parts = task.aims.iter().zip(curves).map(part).collect::<Result<Vec<Part>, f64>>()?;
-        Ok(joined(self.reduction, parts, Vec::new()))
+        Ok(Outputs { parts, more: 0.0, rejected: Vec::new() })
     }
 
     /// The output's variant that is taken of those that keep the promise, or what was reached. Those that lost, and the
     /// next, are described.
-    fn polynomials(&self, scene: &Scene, aim: &Aim, all: &Approximations) -> Found {
+    fn polynomials(&self, scene: &Scene, aim: &Aim, all: &Approximations, most: f64) -> Found {
         let mut choice = Choice::new();
         let mut tried = Vec::new();
         for (index, (variant, cost)) in aim.variants(all, self.reduction).into_iter().enumerate() {
@@ -305,15 +379,16 @@ impl Candidate<'_> {
                 tried.push((variant, cost, 0.0));
                 break;
             }
-            let found = aim.part(scene, &self.prospect.task, all, self.reduction, variant);
+            let most = most.min(choice.most(scene, self.reduction, cost));
+            let found = aim.part(scene, &self.prospect.task, all, self.reduction, variant, most);
             tried.push((variant, cost, found.as_ref().map_or_else(|&reached| reached, Part::error)));
             if let Ok(part) = found {
-                choice.offer(scene, self.reduction, cost, part.taken, (index, part));
+                choice.offer(scene, self.reduction, cost, part.taken, (index, (part, cost)));
             }
         }
         let closest = tried.iter().map(|&(.., reached)| reached).fold(f64::INFINITY, f64::min);
         let (chosen, part) = choice.made().map_or((None, Err(closest)), |(index, part)| (Some(index), Ok(part)));
-        let error = part.as_ref().map_or(0.0, Part::error);
+        let error = part.as_ref().map_or(0.0, |(part, _)| part.error());
         let (word, parity) = (aim.output.word(), aim.curves.first().map_or(Parity::Even, Curve::parity));
         let line = |&(index, &(variant, cost, reached)): &(usize, &(Variant, f64, f64))| {
             let lost = match chosen.map(|chosen| tried[chosen].1) {

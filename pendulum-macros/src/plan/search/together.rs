@@ -51,9 +51,9 @@ impl Candidate<'_> {
         let variants = aim.variants(all, self.reduction);
         let cost = variants.iter().find(|(variant, _)| *variant == first).map_or(0.0, |(_, cost)| *cost);
         let near = variants.into_iter().filter(move |&(variant, other)| variant != first && other <= cost + SHARED);
+        let most = super::comfortable(scene, self.reduction);
         near.filter_map(move |(variant, _)| {
-            let part = aim.part(scene, task, all, self.reduction, variant).ok();
-            Some((variant, part.filter(|part| part.taken <= super::comfortable(scene, self.reduction))?))
+            Some((variant, aim.part(scene, task, all, self.reduction, variant, most).ok()?))
         })
     }
 }
