@@ -10,7 +10,7 @@
 use crate::parse::Float;
 use crate::program::rounding::half_ulp;
 use pendulum_runtime::double::Double;
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A sum of cosines or sines, and what is known of its errors everywhere.
 pub(super) struct Recurrence {
@@ -20,7 +20,7 @@ pub(super) struct Recurrence {
     sizes: Vec<[f64; 2]>,
     /// The same of V′ and V″.
     bends: [f64; 2],
-    /// The errors of cos φ, and of that or sin φ before V.
+    /// The error of the computed cos φ; and of the factor before V, that or sin φ.
     cosine: f64,
     factor: f64,
     unit: f64,
@@ -41,15 +41,17 @@ impl Recurrence {
         Self { of_sines, sizes, bends, cosine, factor, unit: float.unit(), least: half_ulp(0.0, float), weights }
     }
 
-    /// What X is wrong by: 8|c| errors of the cosine, and the roundings of 4c² and of itself.
-    fn error_of_x(&self) -> f64 {
-        8.0 * self.cosine + 6.0 * self.unit
+    /// What X is wrong by where the cosine is at most so large: 8|c| errors of the cosine, and the roundings of 4c² and of
+    /// itself.
+    fn error_of_x(&self, cosine: f64) -> f64 {
+        let computed = cosine + self.cosine;
+        8.0 * computed * self.cosine + (4.0 * computed * computed + 2.0) * self.unit
     }
 
     /// By which part of its bound uₙ may be wrong: each rounding is at most a part of that bound, and is passed on as
     /// often as weights follow.
     fn excess(&self) -> f64 {
-        let each = 7.0 * self.unit + self.error_of_x();
+        let each = 7.0 * self.unit + self.error_of_x(1.0);
         each * 0.5 * (self.weights.len() * (self.weights.len() + 1)) as f64
     }
 
@@ -61,8 +63,11 @@ impl Recurrence {
         }
         let (middle, half) = (0.5 * PI * (low + high), 0.5 * PI * (high - low).abs());
         let x = 2.0 * libm::cos(2.0 * middle);
+        // |cos φ| and |sin φ| are at most the distances from their zeros.
+        let [cosine, sine] = [FRAC_PI_2 - middle.abs(), middle].map(|distance| (distance.abs() + half).min(1.0));
+        let error_of_x = self.error_of_x(cosine);
         // How far X is from that; and what the bounds grow by beyond 2.
-        let apart = 4.0 * half * steepest(middle, half) + self.error_of_x();
+        let apart = 4.0 * half * steepest(middle, half) + error_of_x;
         let beyond = 1.0 + 4.0 * excess;
         let sign = if self.of_sines { 1.0 } else { -1.0 };
         let mut values = vec![[0.0; 2]; self.weights.len() + 2];
@@ -89,11 +94,11 @@ impl Recurrence {
             w + if n + 1 < count { product + sum } else { 0.0 } + if n + 2 < count { size(n) } else { 0.0 }
         };
         // |cos (2n + 1)φ|, |sin (2n + 1)φ| at most, n from 0.
-        let farthest = middle.abs() + half;
-        let wave = |n: usize| if self.of_sines { (farthest * (2 * n + 1) as f64).min(1.0) } else { 1.0 };
+        let factor = if self.of_sines { sine } else { cosine };
+        let wave = |n: usize| (factor * (2 * n + 1) as f64).min(1.0);
         let steps: f64 = (0..count).map(|n| step(n) * wave(n)).sum();
         // The last sum and its product with the factor, which may underflow.
-        let passed_on = (2.0 * self.unit * v + self.error_of_x() * v_slope) * wave(0);
+        let passed_on = (2.0 * self.unit * v + error_of_x * v_slope) * wave(0);
         (self.unit * steps + passed_on + self.factor * v) * beyond + self.least
     }
 }
@@ -128,14 +133,14 @@ mod tests {
         let (a, b, unit, cosine) = (0.75, -0.125_f64, Float::F64.unit(), 1e-12);
         let weights = [a, b].map(Double::new);
         let recurrence = Recurrence::new(&weights, cosine, None, Float::F64);
-        for (s, x, v) in [(0.0, 2.0, a + b), (0.5, -2.0, a - 3.0 * b)] {
+        for (s, x, v, c) in [(0.0, 2.0, a + b, 1.0), (0.5, -2.0, a - 3.0 * b, 0.0)] {
             // Both constants, the product, u₁, the difference, and the last product.
             let roundings = unit * (a + b.abs() + 2.0 * b.abs() + (a + x * b) + 2.0 * v);
-            let expected = roundings + (8.0 * cosine + 6.0 * unit) * b.abs() + cosine * v;
+            let expected = c * (roundings + (8.0 * cosine + 6.0 * unit) * b.abs()) + cosine * v;
             let found = recurrence.error(s, s);
             assert!((found / expected - 1.0).abs() < 1e-9, "{s}: {found:e} for {expected:e}");
         }
-        let single = Recurrence::new(&weights[..1], 0.0, None, Float::F64).error(0.2, 0.2);
+        let single = Recurrence::new(&weights[..1], 0.0, None, Float::F64).error(0.0, 0.0);
         assert!((single / (3.0 * a * unit) - 1.0).abs() < 1e-9, "{single}");
         assert_eq!(Recurrence::new(&vec![weights[0]; 2500], 0.0, None, Float::F32).error(0.1, 0.2), f64::INFINITY);
     }

@@ -8,7 +8,7 @@ mod together;
 use super::aim::{Aim, Task};
 use super::curve::Curve;
 use super::form::Variant;
-use super::part::{Approximations, OBSERVED};
+use super::part::{Approximations, observed};
 use super::pieces::Piecewise;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
@@ -308,7 +308,7 @@ impl Candidate<'_> {
     /// Whether it goes the same way as another, with a phase from the same origin in the same unit that is no better.
     fn is_no_finer(&self, other: &Self) -> bool {
         let errors = |reduction: &Reduction| {
-            let met = if reduction.grows() { 1.0 / OBSERVED } else { 1.0 };
+            let met = if reduction.grows() { 1.0 / observed(reduction.float) } else { 1.0 };
             let &Reduction { error, relative_error, seldom, .. } = reduction;
             [error, relative_error, met * error - seldom, met * relative_error]
         };
