@@ -61,46 +61,87 @@ impl Recurrence {
         if excess >= 1.0 {
             return f64::INFINITY;
         }
+        let interval = self.interval(low, high, excess);
+        let Reach { u, v, v_slope } = self.reach(&interval, excess);
+        let count = self.weights.len();
+        let step = |n: usize| {
+            let (w, product) = (self.weights[n].abs(), interval.most * u[n + 1]);
+            let sum = (w + product).min(u[n] + u[n + 2]);
+            // The constant, the product, its sum with the constant, and the difference.
+            w + if n + 1 < count { product + sum } else { 0.0 } + if n + 2 < count { u[n] } else { 0.0 }
+        };
+        // |cos (2n + 1)φ|, |sin (2n + 1)φ| at most, n from 0.
+        let factor = if self.of_sines { interval.sine } else { interval.cosine };
+        let wave = |n: usize| (factor * (2 * n + 1) as f64).min(1.0);
+        let steps: f64 = (0..count).map(|n| step(n) * wave(n)).sum();
+        // The last sum and its product with the factor.
+        let passed_on = (2.0 * self.unit * v + interval.error_of_x * v_slope) * wave(0);
+        // Products may underflow: those with X, the last, and c², of which X has four.
+        let underflow = self.least * (count as f64 + 4.0 * v_slope);
+        (self.unit * steps + passed_on + self.factor * v + underflow) * beyond(excess)
+    }
+
+    fn interval(&self, low: f64, high: f64, excess: f64) -> Interval {
         let (middle, half) = (0.5 * PI * (low + high), 0.5 * PI * (high - low).abs());
         let x = 2.0 * libm::cos(2.0 * middle);
-        // |cos φ| and |sin φ| are at most the distances from their zeros.
         let [cosine, sine] = [FRAC_PI_2 - middle.abs(), middle].map(|distance| (distance.abs() + half).min(1.0));
         let error_of_x = self.error_of_x(cosine);
-        // How far X is from that; and what the bounds grow by beyond 2.
         let apart = 4.0 * half * steepest(middle, half) + error_of_x;
-        let beyond = 1.0 + 4.0 * excess;
-        let sign = if self.of_sines { 1.0 } else { -1.0 };
+        let most = (x.abs() + apart).min(2.0 * beyond(excess));
+        Interval { x, apart, most, error_of_x, cosine, sine }
+    }
+
+    /// How large the recurrence's numbers are there: as in the middle, where they are evaluated, and as much more as they
+    /// may change by.
+    fn reach(&self, interval: &Interval, excess: f64) -> Reach {
+        let &Interval { x, apart, .. } = interval;
         let mut values = vec![[0.0; 2]; self.weights.len() + 2];
         for n in (0..self.weights.len()).rev() {
             let ([u, slope], [next, next_slope]) = (values[n + 1], values[n + 2]);
             values[n] = [self.weights[n] + x * u - next, u + x * slope - next_slope];
         }
-        // As computed, by the program and here.
+        // A number is computed with that excess twice, by the program and here.
         let lost = 2.0 * excess / (1.0 - excess);
-        let size = |n: usize| {
-            let [size, slope] = self.sizes[n];
-            size.min(values[n][0].abs() + apart * slope * beyond) + lost * size
+        let beyond = beyond(excess);
+        let of_u = |(&[size, slope], [value, _]): (&[f64; 2], &[f64; 2])| {
+            size.min(value.abs() + apart * slope * beyond) + lost * size
         };
+        let u: Vec<f64> = self.sizes.iter().zip(&values).map(of_u).collect();
+        let sign = if self.of_sines { 1.0 } else { -1.0 };
         let [v, v_slope] = std::array::from_fn(|order| (values[0][order] + sign * values[1][order]).abs());
         let [slope, bend] = self.bends;
         let v_slope = (slope * beyond).min(v_slope + apart * bend * beyond) + lost * slope;
-        let v = (size(0) + size(1)).min(v + apart * v_slope + 2.0 * lost * self.sizes[0][0]);
-        let most = (x.abs() + apart).min(2.0 * beyond);
-        let count = self.weights.len();
-        let step = |n: usize| {
-            let (w, product) = (self.weights[n].abs(), most * size(n + 1));
-            let sum = (w + product).min(size(n) + size(n + 2));
-            // The constant, the product, its sum with the constant, and the difference.
-            w + if n + 1 < count { product + sum } else { 0.0 } + if n + 2 < count { size(n) } else { 0.0 }
-        };
-        // |cos (2n + 1)φ|, |sin (2n + 1)φ| at most, n from 0.
-        let factor = if self.of_sines { sine } else { cosine };
-        let wave = |n: usize| (factor * (2 * n + 1) as f64).min(1.0);
-        let steps: f64 = (0..count).map(|n| step(n) * wave(n)).sum();
-        // The last sum and its product with the factor, which may underflow.
-        let passed_on = (2.0 * self.unit * v + error_of_x * v_slope) * wave(0);
-        (self.unit * steps + passed_on + self.factor * v) * beyond + self.least
+        let v = (u[0] + u[1]).min(v + apart * v_slope + 2.0 * lost * self.sizes[0][0]);
+        Reach { u, v, v_slope }
     }
+}
+
+/// An interval of φ.
+struct Interval {
+    /// X in its middle; how far X as computed is from that; and |X| at most.
+    x: f64,
+    apart: f64,
+    most: f64,
+    /// What X is wrong by.
+    error_of_x: f64,
+    /// |cos φ| and |sin φ| at most: no more than the distances from their zeros.
+    cosine: f64,
+    sine: f64,
+}
+
+/// |uₙ|, |V| and |V′| at most, as computed or not.
+struct Reach {
+    u: Vec<f64>,
+    v: f64,
+    v_slope: f64,
+}
+
+/// What bounds for |X| ≤ 2 grow by at most where X as computed is more. With X = 2 cosh η, η² is at most what it is more
+/// than 2, and Uⱼ = sinh (j + 1)η/sinh η at most exp((j + 1)²η²/6) times its j + 1 at 2; its derivatives grow less. Of an
+/// error of X `excess` has up to (j + 1)²/2: so a third of that is for these, the rest for roundings that the recurrence
+/// so computed passes on.
+fn beyond(excess: f64) -> f64 {
+    1.0 + 4.0 * excess
 }
 
 /// |Uⱼ′(X/2)| at most, by X.
