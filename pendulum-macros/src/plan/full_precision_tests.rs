@@ -176,14 +176,14 @@ fn margins() {
         .map(|choices| random.choose(choices));
         let scene = scene(&format!("struct Motion; {start}{horizon}, float = {float}, outputs = [{output}]"));
         let plan = plan(&scene).unwrap();
-        let Part { bound, largest, taken, description, .. } = &plan.parts[0];
+        let Part { bound, largest, share, description, .. } = &plan.parts[0];
         let (proven, limit) = (bound.total(), 16.0 * scene.float.unit() * largest);
         let mut seen = margin(&scene, &plan, &mut random, 30_000);
         if seen > 0.4 * limit {
             seen = seen.max(margin(&scene, &plan, &mut random, 1_000_000));
         }
         let [of_proven, of_limit] = [proven, limit].map(|whole| seen / whole);
-        println!("{of_proven:.3} {of_limit:.3} {taken:.3} {start}{horizon} {float} {output} {description}");
+        println!("{of_proven:.3} {of_limit:.3} {share:.3} {start}{horizon} {float} {output} {description}");
         assert!(seen <= proven && of_limit <= 0.5, "{start}{horizon} {float} {output}: {of_limit}");
     }
 }

@@ -63,9 +63,9 @@ pub(crate) struct Part {
     pub(crate) unit: f64,
     /// The largest magnitude of the exact output.
     pub(crate) largest: f64,
-    /// How much of its limit the error takes, but for turns that are no part of the promise and for what is hardly ever
+    /// The share of its limit that the error takes, but for turns that are no part of the promise and for what is hardly ever
     /// met; what is met in full counts more. 0 where there is no limit.
-    pub(crate) taken: f64,
+    pub(crate) share: f64,
 }
 
 /// A proven bound of the error over the horizon, in the output's unit, and what it is made of.

@@ -113,7 +113,7 @@ impl Sum {
             bound,
             unit: curve.size.unit,
             largest: curve.size.largest,
-            taken: 0.0,
+            share: 0.0,
         }
     }
 

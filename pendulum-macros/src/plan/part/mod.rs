@@ -54,7 +54,7 @@ impl Aim {
             let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
             rounding = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
-                Ok(part) if part.taken <= most => return Ok(part),
+                Ok(part) if part.share <= most => return Ok(part),
                 Ok(part) => reached = reached.min(part.error()),
                 Err(total) => reached = reached.min(total),
             }
@@ -78,8 +78,8 @@ impl Aim {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        let taken = (judged.total() + self.beyond_bound(scene, reduction, bound.phase)) / self.limit;
-        Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest, taken })
+        let share = (judged.total() + self.beyond_bound(scene, reduction, bound.phase)) / self.limit;
+        Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest, share })
     }
 
     /// By how much more than its bound an error takes of the limit: less what is hardly ever met of the phase's, and what

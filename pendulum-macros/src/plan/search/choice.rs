@@ -22,8 +22,8 @@ pub(super) struct Choice<T> {
 
 struct Found<T> {
     room: Room,
-    /// How much of its limit it takes.
-    taken: f64,
+    /// The share of its limit that it takes.
+    share: f64,
     cost: f64,
     way: T,
 }
@@ -75,12 +75,12 @@ impl<T> Choice<T> {
         })
     }
 
-    /// How much of its limit one of that cost may take to be taken: with more it may as well not be looked at.
+    /// The share of its limit that one of that cost may have to be taken: with more it may as well not be looked at.
     pub(super) fn most(&self, scene: &Scene, reduction: &Reduction, cost: f64) -> f64 {
         let [comfortable, tolerable] = limits(scene, reduction);
         match &self.best {
             None => f64::INFINITY,
-            Some(best) if best.room == Room::Little => best.taken,
+            Some(best) if best.room == Room::Little => best.share,
             Some(best) if cost * best.room.worth() < best.cost => tolerable,
             Some(_) => comfortable,
         }
@@ -88,20 +88,20 @@ impl<T> Choice<T> {
 
     /// The cheapest that is comfortable, unless the cheapest that is tolerable costs less by a twentieth; where none is,
     /// that with the most room.
-    pub(super) fn offer(&mut self, scene: &Scene, reduction: &Reduction, cost: f64, taken: f64, way: T) {
+    pub(super) fn offer(&mut self, scene: &Scene, reduction: &Reduction, cost: f64, share: f64, way: T) {
         let room = match limits(scene, reduction) {
-            [comfortable, _] if taken <= comfortable => Room::Comfortable,
-            [_, tolerable] if taken <= tolerable => Room::Tolerable,
+            [comfortable, _] if share <= comfortable => Room::Comfortable,
+            [_, tolerable] if share <= tolerable => Room::Tolerable,
             _ => Room::Little,
         };
         let better = self.best.as_ref().is_none_or(|best| match (room, best.room) {
-            (Room::Little, Room::Little) => taken < best.taken,
+            (Room::Little, Room::Little) => share < best.share,
             (Room::Little, _) => false,
             (_, Room::Little) => true,
             _ => cost * best.room.worth() < best.cost * room.worth(),
         });
         if better {
-            self.best = Some(Found { room, taken, cost, way });
+            self.best = Some(Found { room, share, cost, way });
         }
     }
 
@@ -124,17 +124,17 @@ mod tests {
             let prospect = Prospect::new(&scene, tasks(&scene).remove(0));
             let reduction = &prospect.reductions[0];
             let mut choice = Choice::new();
-            for (index, &(estimate, cost, taken)) in found.iter().enumerate() {
+            for (index, &(estimate, cost, share)) in found.iter().enumerate() {
                 if choice.is_made(estimate) {
                     break;
                 }
-                if taken <= choice.most(&scene, reduction, estimate) {
-                    choice.offer(&scene, reduction, cost, taken, index);
+                if share <= choice.most(&scene, reduction, estimate) {
+                    choice.offer(&scene, reduction, cost, share, index);
                 }
             }
             choice.made()
         };
-        let as_estimated = |found: &[(f64, f64)]| -> Vec<_> { found.iter().map(|&(c, taken)| (c, c, taken)).collect() };
+        let as_estimated = |found: &[(f64, f64)]| -> Vec<_> { found.iter().map(|&(c, share)| (c, c, share)).collect() };
         let full = |found: &[(f64, f64)]| chosen("", &as_estimated(found));
         assert_eq!(full(&[]), None);
         assert_eq!(full(&[(10.0, 0.58), (10.0, 0.1)]), Some(0));

@@ -34,6 +34,13 @@ struct Prospect {
     found: RefCell<BTreeMap<(usize, *const Reduction, u64), Found>>,
 }
 
+/// A variant, what it is estimated to cost, and what it can promise if that was looked at.
+struct Tried {
+    variant: Variant,
+    cost: f64,
+    reached: Option<f64>,
+}
+
 /// A part and what it costs, or what was reached, and why others lost.
 type Found = (Result<(Part, f64), f64>, Vec<String>);
 
@@ -130,7 +137,7 @@ fn choose(scene: &Scene, candidates: &[Candidate], most: fn(&Scene, &Reduction) 
         match candidate.outputs(scene, most) {
             Ok(outputs) => {
                 let Outputs { parts, more, .. } = &outputs;
-                choice.offer(scene, reduction, cost + more, taken(parts), (index, outputs));
+                choice.offer(scene, reduction, cost + more, largest_share(parts), (index, outputs));
             }
             Err(reached) => lost.push(Lost { candidate, most, reached }),
         }
@@ -151,9 +158,9 @@ struct Lost<'a> {
     reached: f64,
 }
 
-/// How much of its limit the output takes that takes most.
-fn taken(parts: &[Part]) -> f64 {
-    worst(parts.iter().map(|part| part.taken))
+/// The share of its limit that the output takes which takes most.
+fn largest_share(parts: &[Part]) -> f64 {
+    worst(parts.iter().map(|part| part.share))
 }
 
 /// The least that can be promised of the worst output.
@@ -376,29 +383,30 @@ impl Candidate<'_> {
         let mut tried = Vec::new();
         for (index, (variant, cost)) in aim.variants(all, self.reduction).into_iter().enumerate() {
             if choice.is_made(cost) {
-                tried.push((variant, cost, 0.0));
+                tried.push(Tried { variant, cost, reached: None });
                 break;
             }
             let most = most.min(choice.most(scene, self.reduction, cost));
             let found = aim.part(scene, &self.prospect.task, all, self.reduction, variant, most);
-            tried.push((variant, cost, found.as_ref().map_or_else(|&reached| reached, Part::error)));
+            let reached = found.as_ref().map_or_else(|&reached| reached, Part::error);
+            tried.push(Tried { variant, cost, reached: Some(reached) });
             if let Ok(part) = found {
-                choice.offer(scene, self.reduction, cost, part.taken, (index, (part, cost)));
+                choice.offer(scene, self.reduction, cost, part.share, (index, (part, cost)));
             }
         }
-        let closest = tried.iter().map(|&(.., reached)| reached).fold(f64::INFINITY, f64::min);
+        let closest = tried.iter().filter_map(|one| one.reached).fold(f64::INFINITY, f64::min);
         let (chosen, part) = choice.made().map_or((None, Err(closest)), |(index, part)| (Some(index), Ok(part)));
         let error = part.as_ref().map_or(0.0, |(part, _)| part.error());
-        let (word, parity) = (aim.output.word(), aim.curves.first().map_or(Parity::Even, Curve::parity));
-        let line = |&(index, &(variant, cost, reached)): &(usize, &(Variant, f64, f64))| {
-            let lost = match chosen.map(|chosen| tried[chosen].1) {
-                Some(least) if reached < error => format!("costs about {:.1} operations more", cost - least),
-                _ => format!("can promise only {reached:.1e}"),
-            };
-            (chosen != Some(index) && reached.is_finite())
-                .then(|| format!("{} for `{word}`: it {lost}", variant.describe(parity)))
+        let least = chosen.map(|index| tried[index].cost);
+        let why = |one: &Tried| match (one.reached, least) {
+            (Some(reached), _) if reached.is_infinite() => None,
+            (Some(reached), _) if reached >= error => Some(format!("can promise only {reached:.1e}")),
+            (_, least) => least.map(|least| format!("costs about {:.1} operations more", one.cost - least)),
         };
-        let rejected = tried.iter().enumerate().filter_map(|one| line(&one)).collect();
+        let (word, parity) = (aim.output.word(), aim.curves.first().map_or(Parity::Even, Curve::parity));
+        let line = |one: &Tried| Some(format!("{} for `{word}`: it {}", one.variant.describe(parity), why(one)?));
+        let lost = tried.iter().enumerate().filter(|&(index, _)| chosen != Some(index));
+        let rejected = lost.filter_map(|(_, one)| line(one)).collect();
         (part, rejected)
     }
 }

@@ -84,7 +84,7 @@ fn comfortable_plans() {
             let Prospect { task, approximations, .. } = candidate.prospect;
             let outputs = |most: f64| candidate.outputs(&scene, most).ok();
             let Some(Outputs { parts, more, .. }) = goals(&found).into_iter().find_map(outputs) else { continue };
-            found.push((candidate.cost + more, taken(&parts)));
+            found.push((candidate.cost + more, largest_share(&parts)));
             costs.push(joined(candidate.reduction, parts).functions[0].program.cost());
             if candidate.way != Way::Polynomials {
                 continue;
@@ -93,17 +93,17 @@ fn comfortable_plans() {
             let mut forms = Vec::new();
             for (variant, cost) in aim.variants(all, reduction) {
                 let part = |most: f64| aim.part(&scene, task, all, reduction, variant, most).ok();
-                forms.extend(goals(&forms).into_iter().find_map(part).map(|part| (cost, part.taken)));
+                forms.extend(goals(&forms).into_iter().find_map(part).map(|part| (cost, part.share)));
             }
             let chosen = [enough, f64::INFINITY].into_iter().find_map(outputs).unwrap();
-            assert_eq!(taken(&chosen.parts), best(&forms), "{text}: {forms:?}, {}", candidate.describe());
+            assert_eq!(largest_share(&chosen.parts), best(&forms), "{text}: {forms:?}, {}", candidate.describe());
         }
         let chosen = plan(&scene).unwrap();
-        assert_eq!(taken(&chosen.parts), best(&found), "{text}: {found:?}");
+        assert_eq!(largest_share(&chosen.parts), best(&found), "{text}: {found:?}");
         let first = found.iter().position(|&(_, taken)| taken == best(&found)).unwrap();
         assert_eq!(chosen.functions[0].program.cost(), costs[first], "{text}: {found:?} {costs:?}");
         uncomfortable += usize::from(found[0].1 > comfortable);
-        tolerable += usize::from((comfortable..=enough).contains(&taken(&chosen.parts)));
+        tolerable += usize::from((comfortable..=enough).contains(&largest_share(&chosen.parts)));
     }
     assert!(uncomfortable > 4 && tolerable > 0, "{uncomfortable} {tolerable}");
 }
@@ -153,7 +153,7 @@ fn what_is_taken_of_limits() {
         let accepted = task.aims[0].accept(&scene, part.kernel, bound, reduction).unwrap();
         let met_in_full = if text == "velocity0 = 3, t_max = 1e6" { 0.25 / 0.79 - 0.25 } else { 0.0 };
         let expected = 0.5 + met_in_full + if grows { 0.0 } else { turns / limit };
-        assert!((accepted.taken / expected - 1.0).abs() < 2e-12, "{text}: {} {expected}", accepted.taken);
+        assert!((accepted.share / expected - 1.0).abs() < 2e-12, "{text}: {} {expected}", accepted.share);
         assert_eq!(accepted.bound, Bound { evaluation: 0.125 * limit + turns, ..bound }, "{text}");
     }
 }
