@@ -15,6 +15,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 /// A sum of cosines or sines, and what is known of its errors everywhere.
 pub(super) struct Recurrence {
     weights: Vec<f64>,
+    /// What each weight is rounded by.
+    constants: Vec<f64>,
     of_sines: bool,
     /// Bounds of |uₙ| and of its derivative by X.
     sizes: Vec<[f64; 2]>,
@@ -23,13 +25,13 @@ pub(super) struct Recurrence {
     /// The error of the computed cos φ; and of the factor before V, that or sin φ.
     cosine: f64,
     factor: f64,
-    unit: f64,
-    least: f64,
+    float: Float,
 }
 
 impl Recurrence {
     /// With a cosine wrong by `cosine`; `sine` is the error of the sine of a sum of sines.
     pub(super) fn new(weights: &[Double], cosine: f64, sine: Option<f64>, float: Float) -> Self {
+        let constants = weights.iter().map(|&w| (w - Double::new(float.round(w.hi))).hi.abs()).collect();
         let weights: Vec<f64> = weights.iter().map(|w| w.hi).collect();
         let total = |from: usize, of: fn(f64) -> f64| -> f64 {
             weights.iter().skip(from).enumerate().map(|(j, w)| w.abs() * of(j as f64)).sum()
@@ -38,20 +40,20 @@ impl Recurrence {
         // Of Uⱼ and Uⱼ₋₁.
         let bends = [total(0, |j| slope(j) + slope(j - 1.0)), total(0, |j| bend(j) + bend(j - 1.0))];
         let (of_sines, factor) = (sine.is_some(), sine.unwrap_or(cosine));
-        Self { of_sines, sizes, bends, cosine, factor, unit: float.unit(), least: half_ulp(0.0, float), weights }
+        Self { weights, constants, of_sines, sizes, bends, cosine, factor, float }
     }
 
     /// What X is wrong by where the cosine is at most so large: 8|c| errors of the cosine, and the roundings of 4c² and of
     /// itself.
     fn error_of_x(&self, cosine: f64) -> f64 {
         let computed = cosine + self.cosine;
-        8.0 * computed * self.cosine + (4.0 * computed * computed + 2.0) * self.unit
+        8.0 * computed * self.cosine + 4.0 * half_ulp(computed * computed, self.float) + half_ulp(2.0, self.float)
     }
 
     /// By which part of its bound uₙ may be wrong: each rounding is at most a part of that bound, and is passed on as
     /// often as weights follow.
     fn excess(&self) -> f64 {
-        let each = 7.0 * self.unit + self.error_of_x(1.0);
+        let each = 7.0 * self.float.unit() + self.error_of_x(1.0);
         each * 0.5 * (self.weights.len() * (self.weights.len() + 1)) as f64
     }
 
@@ -64,21 +66,21 @@ impl Recurrence {
         let interval = self.interval(low, high, excess);
         let Reach { u, v, v_slope } = self.reach(&interval, excess);
         let count = self.weights.len();
+        let rounding = |size: f64| half_ulp(size * beyond(excess), self.float);
         let step = |n: usize| {
             let (w, product) = (self.weights[n].abs(), interval.most * u[n + 1]);
             let sum = (w + product).min(u[n] + u[n + 2]);
             // The constant, the product, its sum with the constant, and the difference.
-            w + if n + 1 < count { product + sum } else { 0.0 } + if n + 2 < count { u[n] } else { 0.0 }
+            let product_and_sum = if n + 1 < count { rounding(product) + rounding(sum) } else { 0.0 };
+            self.constants[n] + product_and_sum + if n + 2 < count { rounding(u[n]) } else { 0.0 }
         };
         // |cos (2n + 1)φ|, |sin (2n + 1)φ| at most, n from 0.
         let factor = if self.of_sines { interval.sine } else { interval.cosine };
         let wave = |n: usize| (factor * (2 * n + 1) as f64).min(1.0);
         let steps: f64 = (0..count).map(|n| step(n) * wave(n)).sum();
         // The last sum and its product with the factor.
-        let passed_on = (2.0 * self.unit * v + interval.error_of_x * v_slope) * wave(0);
-        // Products may underflow: those with X, the last, and c², of which X has four.
-        let underflow = self.least * (count as f64 + 4.0 * v_slope);
-        (self.unit * steps + passed_on + self.factor * v + underflow) * beyond(excess)
+        let last = rounding(v) * wave(0) + rounding(v * wave(0));
+        (steps + last + interval.error_of_x * v_slope * wave(0) + self.factor * v) * beyond(excess)
     }
 
     fn interval(&self, low: f64, high: f64, excess: f64) -> Interval {
@@ -174,15 +176,20 @@ mod tests {
         let (a, b, unit, cosine) = (0.75, -0.125_f64, Float::F64.unit(), 1e-12);
         let weights = [a, b].map(Double::new);
         let recurrence = Recurrence::new(&weights, cosine, None, Float::F64);
+        let ulps = |sizes: &[f64]| sizes.iter().map(|&size| half_ulp(size, Float::F64)).sum::<f64>();
         for (s, x, v, c) in [(0.0, 2.0, a + b, 1.0), (0.5, -2.0, a - 3.0 * b, 0.0)] {
-            // Both constants, the product, u₁, the difference, and the last product.
-            let roundings = unit * (a + b.abs() + 2.0 * b.abs() + (a + x * b) + 2.0 * v);
+            // The product, u₁, the difference, and the last product. Neither constant is rounded.
+            let roundings = ulps(&[2.0 * b, a + x * b, v, v]);
             let expected = c * (roundings + (8.0 * cosine + 6.0 * unit) * b.abs()) + cosine * v;
             let found = recurrence.error(s, s);
             assert!((found / expected - 1.0).abs() < 1e-9, "{s}: {found:e} for {expected:e}");
         }
-        let single = Recurrence::new(&weights[..1], 0.0, None, Float::F64).error(0.0, 0.0);
-        assert!((single / (3.0 * a * unit) - 1.0).abs() < 1e-9, "{single}");
+        let single = |weight: Double| Recurrence::new(&[weight], 0.0, None, Float::F64).error(0.0, 0.0);
+        let lost = 0.25 * unit * a;
+        for (weight, lost) in [(weights[0], 0.0), (Double { hi: a, lo: lost }, lost)] {
+            let (found, expected) = (single(weight), lost + ulps(&[a, a]));
+            assert!((found / expected - 1.0).abs() < 1e-9, "{found:e} for {expected:e}");
+        }
         assert_eq!(Recurrence::new(&vec![weights[0]; 2500], 0.0, None, Float::F32).error(0.1, 0.2), f64::INFINITY);
     }
 
