@@ -7,7 +7,7 @@
 mod recurrence;
 
 use super::arcsine::Arcsine;
-use super::cosines::Cosines;
+use super::cosines::{Cosines, Local};
 use super::kernel::{CELLS, Kernel, RESULT, after_named, from_lowest, rounding_given};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
@@ -198,10 +198,10 @@ enum Error {
 }
 
 impl Error {
-    fn between(&self, low: f64, high: f64) -> f64 {
+    fn between(&self, low: f64, high: f64, known: &Local) -> f64 {
         match self {
             Self::Everywhere(error) => *error,
-            Self::Recurrence(recurrence) => recurrence.error(low, high),
+            Self::Recurrence(recurrence) => recurrence.error(low, high, known),
         }
     }
 }
@@ -214,8 +214,9 @@ impl Sum {
             if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase }
         };
         let (low, high) = (from_anchor(low), from_anchor(high));
-        let error = self.error.between(low, high);
-        let (low, high) = self.curve.over(low, high).range(self.order);
+        let known = self.curve.over(low, high);
+        let error = self.error.between(low, high, &known);
+        let (low, high) = known.range(self.order);
         Known::within(low - error, high + error, error)
     }
 }

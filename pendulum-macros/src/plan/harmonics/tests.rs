@@ -79,7 +79,10 @@ fn intervals_hold(harmonics: &Harmonics, reduction: &Reduction, errors: [f64; 2]
             error
         } else {
             let sine = of_sines.then_some(errors[1]);
-            Recurrence::new(weights, errors[0], sine, reduction.float).error(from_anchor(low), from_anchor(high))
+            let [low, high] = [low, high].map(from_anchor);
+            let of = if of_sines { Cosines::integral_of_sines } else { Cosines::odd };
+            let known = of(weights).over(low, high);
+            Recurrence::new(weights, errors[0], sine, reduction.float).error(low, high, &known)
         };
         assert!((known.error / sum - 1.0).abs() < 1e-12 || sum == 0.0, "{name}: {:e} {sum:e}", known.error);
         // What Taylor's theorem leaves is little beside what the sum does in the interval.
