@@ -77,16 +77,21 @@ pub(super) fn of_velocity(
         let slopes = if method == Method::Fourier { f64::INFINITY } else { steepest };
         return (slopes * rate.to_f64() + fastest) * (1.0 + 1e-9);
     }
-    let met = phases(scene, swing).unwrap_or([0.0, 0.5]);
+    // Of our phases, which differ by the drift from those that are met.
+    let met = phases(scene, swing).filter(|_| drift < 0.25).map(|[low, high]| [low - drift, high + drift]);
+    let met = met.unwrap_or([0.0, 0.5]);
     // Both at the same phase and rate; then the other rate, and the other phase.
     let at_same_phase = if method == Method::Fourier {
-        let sines = Sines::new(ours, exact, weights, &curves);
+        let sines = Sines::new(weights, exact, &curves);
         by_halves(met, CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
     } else {
         let apart = difference(terms, weights);
         by_halves(met, CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
     };
-    let faster = (rate.to_f64() - exact_rate).abs() * steepest;
+    let faster = match (rate.to_f64() - exact_rate).abs() {
+        0.0 => 0.0,
+        faster => faster * by_halves(met, CELLS, MOST_HALVED, |low, high| ours.over(low, high).largest(1)),
+    };
     let shifted = (exact_bend * drift).min(2.0 * exact_steepest);
     ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
 }
@@ -112,10 +117,10 @@ struct Sines {
 }
 
 impl Sines {
-    fn new(ours: Cosines, theta: Cosines, weights: &[Double], curves: &SwingCurves) -> Self {
+    fn new(weights: &[Double], theta: Cosines, curves: &SwingCurves) -> Self {
         let curve = curves.half_sine();
         let (whole, rest) = (sum_of(curve.terms()), difference(curve.terms(), weights));
-        Self { ours, whole, rest, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
+        Self { ours: Cosines::odd(weights), whole, rest, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
     }
 
     /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is

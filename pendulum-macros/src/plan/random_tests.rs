@@ -293,6 +293,8 @@ fn bounds_are_close_to_errors() {
         ("theta0 = π - 1.795e-9, tol = 7.49e-3, t_max = 1.046, float = f32, outputs = [velocity]", 2.0),
         ("velocity0 = 95.9358, omega = 6.389, tol = 6.45e-2, t_max = 1.13e-3, float = f32, outputs = [wrapped]", 2.0),
         ("theta0 = 1, tol = 1e-1, t_max = 0.1, outputs = [velocity], method = harmonic", 1.2),
+        ("theta0 = 2.6e-3, tol = 2.5e-6, t_max = 0.015, outputs = [velocity], method = small_angle", 1.2),
+        ("theta0 = 0.5, velocity0 = 0.3, tol = 0.25, t_max = 0.25, outputs = [velocity], method = small_angle", 1.4),
         ("theta0 = π - 1.402e-4, tol = 1e-3, t_max = 1.4e-3, outputs = [velocity], method = series", 1.2),
         ("theta0 = 2.9, tol = 1e-3, t_max = 0.02, outputs = [velocity], method = fourier", 1.5),
         ("theta0 = 0.5, velocity0 = 0.5, tol = 1e-3, t_max = 0.1, outputs = [velocity], method = fourier", 1.2),
