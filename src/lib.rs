@@ -136,7 +136,7 @@ struct Readme;
 /// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation | for swings and rotations |
 /// | `METHOD: &str` | `"polynomial"`; where that would be long `"pieces"` (a table of polynomials), near the top `"passage"` (through the lowest point; also the separatrix); or the `method` of the paper or `"series"` that was asked for | always |
 /// | `TERMS: usize` | terms (harmonics) of the first output | always |
-/// | `OPERATIONS: usize` | operations in one call of the first function | always |
+/// | `OPERATIONS: usize` | operations in one call of the first function, a square root, a minimum and a look-up of a table's row being one each | always |
 /// | `COEFFICIENTS: [_; N]` | b₁, b₃, … (Eq. 20) | for a plan by Eq. 22 |
 /// | `MAX_ERROR` | proven bound of the error of `theta`, rad | if `theta` is an output |
 /// | `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR` | likewise, in rad·ω and rad·ω², as `tol`: times `OMEGA`, or its square, in the units of the result | if it is an output |

@@ -54,6 +54,8 @@ snapshots! {
                theta0 = 1π/2"
     launched: "struct Pushed;
                theta0 = 1, velocity0 = -1/2, omega = 3, tol = 1e-6, outputs = [theta, acceleration]"
+    separatrix: "pub struct Over;
+                 velocity0 = 2, tol = 1e-3, float = f32"
     mistake: "pub struct Wrong;
               theta0 = 4, n = 0"
 }

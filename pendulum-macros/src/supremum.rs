@@ -20,7 +20,7 @@ pub(crate) fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// How the largest value of a function is bounded by bounds on parts of an interval: the part with the largest bound is
-/// halved, until that gains less than a thirtieth.
+/// halved, until that gains less than 3 %.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Halving {
     /// The parts at first.
@@ -39,7 +39,9 @@ impl Halving {
     /// Bounds a function on [low, high], given one on any interval.
     pub(crate) fn largest(self, [low, high]: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64 {
         const GAIN: f64 = 0.97;
-        let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(self.cells);
+        let at = |index: u32| {
+            if index == self.cells { high } else { low + (high - low) * f64::from(index) / f64::from(self.cells) }
+        };
         let slice = 1.001 * (high - low) / f64::from(self.slices);
         let part = |low: f64, high: f64| [worst([bound(low, high)]), low, high];
         // Numbers that are positive have the order of their bits.
@@ -87,6 +89,15 @@ pub(crate) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// To the last number, whatever the cells.
+    #[test]
+    fn halving_reaches_the_end() {
+        for i in 1..100 {
+            let (low, high) = (-0.01 * f64::from(i), 0.37 / f64::from(i));
+            assert_eq!(by_halves([low, high], 96, 0, |_, high| high + 1.0), high + 1.0, "{low} {high}");
+        }
+    }
 
     #[test]
     fn halving_finds_a_narrow_peak() {

@@ -25,10 +25,10 @@ pub enum Error {
     },
     /// |θ̇|/ω is beyond 10²⁹⁰.
     Velocity {
-        /// The angular velocity.
+        /// The angular velocity, rad per unit of t.
         value: f64,
     },
-    /// The motion never has this angle at t ≥ 0.
+    /// The motion never has this angle at t ≥ 0, or only 10¹⁵ turns ahead.
     NeverReached {
         /// The angle asked for, rad.
         angle: f64,

@@ -182,9 +182,9 @@ impl<F: Scalar> Pendulum<F> {
     }
 
     /// The energy per unit of mass and length squared in units of ω², θ̇²/(2ω²) + 1 − cos θ: below 2 a swing, above a
-    /// rotation.
+    /// rotation; ∞ where that is larger than any number.
     pub fn energy(&self) -> F {
-        F::narrow(self.motion.energy())
+        F::narrow_or_infinite(self.motion.energy())
     }
 
     /// The small-angle approximation θ(0) cos ωt + (θ̇(0)/ω) sin ωt (Eq. 3, there from rest), with ωt reduced exactly.

@@ -6,7 +6,8 @@
 //! * direct, √q ≤ ½: tan(θ/4) = sin w · N(η)/D(η), in powers of √q, η = 4 sin² w;
 //! * dual, nearer to the top: tan(θ/4) = tanh X · N(η)/D(η), η = −4 sinh² X, X = πKz/K′.
 //!
-//! N and D have at most four coefficients for 2⁻⁵³, because the weights fall as q^(n²).
+//! N and D have at most four coefficients for 2⁻⁵³, and the velocity's five and six, because the weights fall as
+//! q^(n²/2).
 
 use crate::agm::{agm, sqrt_nome};
 use crate::double::Double;

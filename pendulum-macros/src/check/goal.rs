@@ -23,16 +23,18 @@ impl Checker<'_> {
         })
     }
 
-    /// `tol`, rounded down to an `f64`: the promise is the smaller.
+    /// `tol`, rounded down to a number of the float: the promise is the smaller, and kept by its bound rounded up.
     fn tolerance(&mut self) -> Checked<Option<f64>> {
         let given = self.request.tol.as_ref();
         let why = "a result can't be closer than that; leave `tol` out for the full precision of the float";
         let (Some(given), Some(value)) = (given, self.positive(given, why)?) else { return Ok(None) };
         let nearest = value.to_f64();
         let rounded_up = self.context.float(nearest).is_none_or(|float| float > value);
-        let tolerance = if rounded_up { nearest.next_down() } else { nearest };
-        if tolerance > 0.0 {
-            return Ok(Some(tolerance));
+        let below = if rounded_up { nearest.next_down() } else { nearest };
+        let single = self.request.float().round_down(below);
+        // What is below all numbers of the float no result comes near to: that is said where the best is known.
+        if below > 0.0 {
+            return Ok(Some(if single > 0.0 { single } else { below }));
         }
         let message = format!(
             "`{given}` is smaller than every `f64`: no result comes so close; leave `tol` out for full precision"

@@ -66,6 +66,19 @@ fn the_tolerance_is_never_rounded_up() {
     assert_eq!(tolerance, 0.3);
 }
 
+/// Of `f32` to one of its numbers: a bound, rounded up to the next, is no larger than the tolerance as stated.
+#[test]
+fn tolerances_of_single_precision() {
+    for tol in [1e-2, 1e-4, 3e-4, 1e-5, 0.25] {
+        let scene = scene(&format!("theta0 = 1, tol = {tol:e}, float = f32"));
+        let Goal::Tolerance(tolerance) = scene.goal else { panic!("a tolerance") };
+        assert_eq!(f64::from(tolerance as f32), tolerance, "{tol}");
+        assert!(tolerance <= tol && f64::from((tolerance as f32).next_up()) > tol, "{tol}: {tolerance}");
+    }
+    // What no `f32` holds is said to be out of reach, not to be 0.
+    assert_eq!(scene("theta0 = 1, tol = 1e-60, float = f32").goal, Goal::Tolerance(1e-60));
+}
+
 #[test]
 fn refuses_states_that_do_not_move() {
     refused("n = 4", &["`theta0` is missing", "velocity0"]);

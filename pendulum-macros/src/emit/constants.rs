@@ -76,13 +76,13 @@ impl Writer {
         self.tokens
             .extend(quote!(#[doc = " How the motion is approximated."] pub const METHOD: &'static str = #method;));
         self.count("TERMS", plan.terms(), "The number of terms of the approximation.");
-        self.count("OPERATIONS", plan.operations(), "Operations that one call of the first function executes.");
+        self.count("OPERATIONS", plan.operations(), "Operations of one call of the first function.");
         if !plan.coefficients.is_empty() {
             self.coefficients(&plan.coefficients);
         }
         for part in &plan.parts {
             let Wording { max_error, bound, .. } = Wording::of(part.output);
-            self.number(max_error, round_up(part.error(), self.float), bound);
+            self.number(max_error, self.float.round_up(part.error()), bound);
         }
     }
 
@@ -100,17 +100,6 @@ fn nearest(x: &Real, float: Float) -> f64 {
     match float {
         Float::F64 => x.to_f64(),
         Float::F32 => f64::from(x.to_f32()),
-    }
-}
-
-/// A number of the type that is not below `x`.
-pub(crate) fn round_up(x: f64, float: Float) -> f64 {
-    match float {
-        Float::F64 => x,
-        Float::F32 => {
-            let rounded = x as f32;
-            f64::from(if f64::from(rounded) < x { rounded.next_up() } else { rounded })
-        }
     }
 }
 

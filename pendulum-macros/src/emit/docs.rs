@@ -81,9 +81,11 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     };
     let mut lines = vec![format!("Planned for {goal}, over {horizon}:"), String::new()];
     let reduction = &plan.reduction;
-    let wrong = match reduction.error + 0.5 * reduction.relative_error {
+    // Of the separatrix it is ωt, farther from the lowest point the less it matters.
+    let (most, unit) = if reduction.is_linear() { (reduction.half(), "rad of ωt") } else { (0.5, "anchors") };
+    let wrong = match reduction.error + most * reduction.relative_error {
         0.0 => String::new(),
-        error => format!(", wrong by at most {error:.1e} anchors"),
+        error => format!(", wrong by at most {error:.1e} {unit}"),
     };
     lines.push(format!("* phase: {}{wrong}", reduction.describe()));
     lines.extend(plan.parts.iter().map(|part| self::part(part, plan)));

@@ -263,7 +263,7 @@ fn promise_is_kept(scene: &Scene, plan: &Plan) -> Result<(), String> {
         if parts.iter().any(|part| !(part.is_finite() && *part >= 0.0)) || !(total.is_finite() && total > 0.0) {
             return Err(format!("the bound of {:?} is {bound:?}", part.output));
         }
-        let stated = crate::emit::constants::round_up(total, scene.float);
+        let stated = scene.float.round_up(total);
         if let Goal::Tolerance(tol) = scene.goal
             && (stated > tol)
         {

@@ -258,7 +258,7 @@ impl Aim {
             Self { output, curves: Vec::new(), power: 0, size, limit: 0.0, truncation: 0.0, unit_of_rounding: 0.0 };
         aim.at_full_precision(scene.float);
         if let Goal::Tolerance(tol) = scene.goal {
-            aim.limit = tol * size.unit;
+            aim.limit = size.within(tol);
             aim.truncation = aim.limit.max(aim.truncation / 8.0);
         }
         aim

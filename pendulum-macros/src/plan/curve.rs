@@ -4,7 +4,7 @@ use super::arc::Arc;
 use crate::exact::Real;
 use crate::motion::{Rotation, Swing};
 use crate::plan::moments::Moments;
-use crate::plan::reduction::Reduction;
+use crate::plan::reduction::{Origin, Reduction};
 use crate::series::{Parity, Wave};
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
@@ -37,7 +37,21 @@ pub(crate) struct Size {
 impl Size {
     /// What the reduction's error of the phase does to the function.
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
-        self.slope * reduction.error + self.moment * reduction.relative_error
+        let relative = match (reduction.relative_error, reduction.origin) {
+            (0.0, _) => 0.0,
+            (error, Origin::Lowest) => self.moment * error,
+            (_, Origin::Anchor) => f64::INFINITY,
+        };
+        self.slope * reduction.error + relative
+    }
+
+    /// The largest error in the function's own unit that is at most `tol` in units of the tolerance.
+    pub(crate) fn within(&self, tol: f64) -> f64 {
+        let mut error = tol * self.unit;
+        while error / self.unit > tol {
+            error = error.next_down();
+        }
+        error
     }
 }
 
@@ -215,13 +229,13 @@ impl Curves for SwingCurves<'_> {
     /// k sn.
     fn half_sine(&self) -> Curve {
         let (largest, unit) = (self.modulus(), 1.0);
-        Curve { wave: Wave::half_sine(self.swing), ..self.wave(0, Double::ONE, largest, [0.0; 2], unit) }
+        Curve { wave: Wave::half_sine(self.swing), ..self.wave(0, Double::ONE, largest, [f64::INFINITY; 2], unit) }
     }
 
     /// dn.
     fn half_cosine(&self) -> Curve {
         let wave = Wave::half_cosine(self.swing);
-        Curve { wave, alternates: false, ..self.wave(0, Double::ONE, 1.0, [0.0; 2], 1.0) }
+        Curve { wave, alternates: false, ..self.wave(0, Double::ONE, 1.0, [f64::INFINITY; 2], 1.0) }
     }
 }
 
@@ -285,11 +299,11 @@ impl Curves for RotationCurves<'_> {
     }
 
     fn half_sine(&self) -> Curve {
-        self.wave(Wave::from_top(self.rotation, Parity::Even), 1.0, [0.0; 2], 1.0)
+        self.wave(Wave::from_top(self.rotation, Parity::Even), 1.0, [f64::INFINITY; 2], 1.0)
     }
 
     fn half_cosine(&self) -> Curve {
-        self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, [0.0; 2], 1.0)
+        self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, [f64::INFINITY; 2], 1.0)
     }
 }
 

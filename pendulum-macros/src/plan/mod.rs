@@ -33,6 +33,7 @@ use crate::motion::Regime;
 use crate::parse::{Method, Output};
 use crate::program::Program;
 use crate::scene::{Goal, Scene};
+use crate::supremum::worst;
 use kernel::Kernel;
 use reduction::Reduction;
 pub(crate) use refusal::Refusal;
@@ -215,7 +216,7 @@ pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
 impl Plan {
     /// The largest of the outputs' bounds, in units of the tolerance.
     pub(crate) fn worst(&self) -> f64 {
-        self.parts.iter().map(Part::error).fold(0.0, f64::max)
+        worst(self.parts.iter().map(Part::error))
     }
 
     /// Estimated cost of all functions, in loops over arrays, calls and chains of calls.

@@ -7,7 +7,7 @@
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 
-/// Given by b > 0, a number of few bits, so that ¼ + b and b(¼ + b) are exact.
+/// Given by b from 2⁻⁷ on, of 24 bits, so that ¼ + b and b(¼ + b) are exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Moebius {
     pub(crate) place: f64,
@@ -36,7 +36,7 @@ impl Moebius {
     /// Bounds |Im √p| where P lies on the ellipse with foci 0 and ¼ and parameter ρ; `None` where that reaches ∞.
     ///
     /// Without a map √p = ½ cos φ with |Im φ| = ½ ln ρ. With one, p + b = b(¼ + b)/d and d = ¼ + b − P. In a slice of
-    /// the ellipse the real part of d is between two numbers and the imaginary one at most a third: hence bounds of
+    /// the ellipse the real part of d is between two numbers and the imaginary one at most `widest`: hence bounds of
     /// −Re p and |Im p|, and 2(Im √p)² = |p| − Re p.
     pub(crate) fn height(map: Option<Self>, rho: f64) -> Option<f64> {
         const SLICES: u32 = 24;

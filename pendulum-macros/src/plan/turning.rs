@@ -93,6 +93,9 @@ impl Turning {
             // The mean and its constant, two sums, a turn, and the distance from π of the largest number below it.
             return 7.0 * half_ulp(3.2, float);
         }
+        // The mean and its constant, the sum with it, π's constant and the sum with that; the product of the turns with
+        // the first word of 2π, and the last sum. At last the conversion to `f32`; in `f64`, which needs none, as much is
+        // more than the product with the second word and its sum are rounded by.
         let largest = 7.0 * (self.turns + 1.0);
         let sums = 5.0 * half_ulp(6.3, float) + 2.0 * half_ulp(largest, Float::F64);
         sums + half_ulp(largest, float)

@@ -36,9 +36,21 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
             let most = part.bound.total() + part.largest * 2f64.powi(-70) + 16.0 * UNDERFLOW;
             (error.is_nan() || error > most).then_some(part.output)
         };
-        task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken)
+        let differs = || (!both_alike(plan, t)).then_some(Output::Theta);
+        task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken).or_else(differs)
     };
     PROBES.into_iter().find_map(probe)
+}
+
+/// Whether the function of θ and velocity, if there is one, gives what the functions of either give, to the bit.
+fn both_alike(plan: &Plan, t: f64) -> bool {
+    let values = |output: Option<Output>| {
+        let function = plan.functions.iter().find(|function| function.output == output);
+        function.map(|function| function.program.run(t))
+    };
+    let both = values(None).into_iter().flatten();
+    let each = [Output::Theta, Output::Velocity].into_iter().filter_map(|output| values(Some(output))).flatten();
+    both.zip(each).all(|(one, other)| one.to_bits() == other.to_bits())
 }
 
 impl Aim {

@@ -104,9 +104,10 @@ impl Builder {
         (sum, self.add(lost_a, lost_b))
     }
 
-    /// The numbers of that one of `rows` which the integer in `magic` names. Rows for the same integer, of which there
-    /// are always as many, are joined.
+    /// The numbers of that one of `rows` which the integer in `magic` names, a power of two of them. Rows for the
+    /// same integer, of which there are always as many, are joined.
     pub(crate) fn look_up(&mut self, rows: &[Vec<Double>], magic: Id) -> Vec<Id> {
+        assert!(rows.len().is_power_of_two() && [0, rows.len()].contains(&self.table.len()), "as many rows");
         self.table.resize(rows.len(), Vec::new());
         let columns = |row: Option<&Vec<Double>>| row.map_or(0, Vec::len);
         let (first, count) = (columns(self.table.first()), columns(rows.first()));

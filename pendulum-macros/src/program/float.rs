@@ -35,4 +35,20 @@ impl Float {
             Self::F32 => f64::from(x as f32),
         }
     }
+
+    /// A number of the type that is not below `x`.
+    pub(crate) fn round_up(self, x: f64) -> f64 {
+        match self {
+            Self::F64 => x,
+            Self::F32 => {
+                let rounded = x as f32;
+                f64::from(if f64::from(rounded) < x { rounded.next_up() } else { rounded })
+            }
+        }
+    }
+
+    /// A number of the type that is not above `x`.
+    pub(crate) fn round_down(self, x: f64) -> f64 {
+        -self.round_up(-x)
+    }
 }

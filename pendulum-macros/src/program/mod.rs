@@ -16,7 +16,7 @@ use pendulum_runtime::double::Double;
 /// A node's index; operands precede their users.
 pub(crate) type Id = usize;
 
-/// One IEEE operation, or a manipulation of a number's bits.
+/// One IEEE operation, a manipulation of a number's bits, or what is emitted as one: a square root, a row of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Op {
     /// The time.

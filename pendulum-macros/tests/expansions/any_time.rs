@@ -57,7 +57,7 @@ impl Forever {
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
     pub const TERMS: usize = 14;
-    /// Operations that one call of the first function executes.
+    /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 58;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 1.901436447675137e-15;

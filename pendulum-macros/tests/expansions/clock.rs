@@ -62,7 +62,7 @@ impl Clock {
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
     pub const TERMS: usize = 9;
-    /// Operations that one call of the first function executes.
+    /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 29;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 6.219322595868374e-10;

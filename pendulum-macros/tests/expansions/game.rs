@@ -59,7 +59,7 @@ impl Lamp {
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
     pub const TERMS: usize = 6;
-    /// Operations that one call of the first function executes.
+    /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 17;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f32 = 6.9166614e-5;

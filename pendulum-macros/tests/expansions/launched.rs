@@ -59,7 +59,7 @@ impl Pushed {
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
     pub const TERMS: usize = 6;
-    /// Operations that one call of the first function executes.
+    /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 52;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 3.7296648750992823e-7;

@@ -2,6 +2,7 @@
 //! keep.
 
 use super::*;
+use crate::plan::reduction::Origin;
 use crate::plan::tests::scene;
 use crate::plan::truth::State;
 
@@ -15,7 +16,7 @@ fn task(text: &str) -> (Scene, Task) {
 
 /// Some reduction of the task, with these errors instead of its own.
 fn wrong_by(scene: &Scene, task: &Task, [error, relative_error]: [f64; 2]) -> Reduction {
-    Reduction { error, relative_error, ..task.reductions(scene).remove(0) }
+    Reduction { origin: Origin::Lowest, error, relative_error, ..task.reductions(scene).remove(0) }
 }
 
 /// sup |f′| and |w·f′| of a function of w.

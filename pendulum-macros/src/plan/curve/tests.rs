@@ -1,6 +1,7 @@
 //! Largest values, slopes and moments of curves are what bounds of the phase's error stand on: here against samples.
 
 use super::*;
+use crate::fuzz::random::Random;
 use crate::motion::Regime;
 use crate::plan::aim::Task;
 use crate::plan::tests::scene;
@@ -131,15 +132,30 @@ fn signs_of_swings() {
     assert!(!curves.half_cosine().alternates && Curve::sine().alternates && Curve::cosine(&swing.amplitude).alternates);
 }
 
-/// An error of the phase costs its slope, and its relative part the moment.
+/// An error of the phase costs its slope, and a part relative to that from the lowest point the moment; one relative to
+/// any other can't be told.
 #[test]
 fn errors_of_phases() {
     let scene = scene("theta0 = 2");
     let reductions = Task::new(&scene).reductions(&scene);
-    let reduction = |error, relative_error| Reduction { error, relative_error, ..reductions[0].clone() };
     let mut curve = Curve::sine();
     (curve.size.slope, curve.size.moment) = (3.0, 5.0);
-    assert_eq!(curve.size.phase_error(&reduction(0.5, 0.25)), 1.5 + 1.25);
+    let cost = |origin, error, relative_error| {
+        curve.size.phase_error(&Reduction { origin, error, relative_error, ..reductions[0].clone() })
+    };
+    assert_eq!(cost(Origin::Lowest, 0.5, 0.25), 1.5 + 1.25);
+    assert_eq!([cost(Origin::Anchor, 0.5, 0.0), cost(Origin::Anchor, 0.5, 0.25)], [1.5, f64::INFINITY]);
+}
+
+/// What a tolerance comes to is no more than that again.
+#[test]
+fn tolerances_in_units() {
+    let mut random = Random::new(3);
+    for _ in 0..10_000 {
+        let (tol, unit) = (random.unit(), 10.0 * random.unit());
+        let within = Size { unit, ..Curve::sine().size }.within(tol);
+        assert!(within / unit <= tol && within >= tol * unit * (1.0 - 4e-16), "{tol} {unit}");
+    }
 }
 
 /// Sums of harmonics are what they say.

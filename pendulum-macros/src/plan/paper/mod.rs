@@ -227,7 +227,7 @@ impl Sum {
         let wanted = self.wanted(scene, swing);
         // Where the sum itself is too far from the motion no reduction helps.
         if wanted.iter().any(|wanted| wanted.bias > self.promise(scene, &wanted.curve)) {
-            let best = wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit).fold(0.0, f64::max);
+            let best = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
             return Err(Refusal::Unreachable { best });
         }
         self.cheapest(scene, swing, &wanted)
@@ -277,7 +277,7 @@ impl Sum {
                     break;
                 }
             } else {
-                closest = closest.min(parts.iter().map(Part::error).fold(0.0, f64::max));
+                closest = closest.min(worst(parts.iter().map(Part::error)));
             }
         }
         found.ok_or(Refusal::Unreachable { best: closest })
@@ -299,7 +299,7 @@ impl Sum {
     /// what they are.
     fn promise(&self, scene: &Scene, curve: &Curve) -> f64 {
         match scene.goal {
-            Goal::Tolerance(tol) => tol * curve.size.unit,
+            Goal::Tolerance(tol) => curve.size.within(tol),
             Goal::Full if self.method == Method::Series => 0.75 * FULL * scene.float.unit() * curve.size.largest,
             Goal::Full | Goal::Terms(_) => f64::INFINITY,
         }

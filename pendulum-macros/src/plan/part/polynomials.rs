@@ -8,7 +8,7 @@ use crate::plan::form::{Division, Form, Poles, Variant};
 use crate::plan::kernel::Kernel;
 use crate::plan::polynomial::{Approximation, Leeway, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
-use crate::program::cost::CLAMP;
+use crate::program::cost::{CLAMP, MINIMUM};
 use crate::scene::Scene;
 use crate::series::Parity;
 use crate::supremum::norm;
@@ -136,7 +136,7 @@ impl Aim {
             let terms = approximation
                 .terms_for(left, reduction.overshoot)
                 .filter(|&terms| variant.suits(terms, reduction.float))?;
-            let signs = if curve.alternates && reduction.origin == Origin::Lowest { 1.3 } else { 0.0 };
+            let signs = if curve.alternates && reduction.origin == Origin::Lowest { MINIMUM } else { 0.0 };
             let (odd, of_two) = (curve.parity() == Parity::Odd, self.curves.len() > 1);
             let division = match (variant.poles, of_two, odd) {
                 (Poles::Absent, ..) => Division::None,

@@ -3,7 +3,7 @@
 use crate::plan::aim::{Aim, Task};
 use crate::plan::pieces::Piecewise;
 use crate::plan::reduction::Reduction;
-use crate::program::cost::{ROW, lanes_lost};
+use crate::program::cost::{CLAMP, ROW, lanes_lost};
 use crate::scene::Scene;
 use std::cell::OnceCell;
 
@@ -18,8 +18,7 @@ pub(super) struct InPieces {
     curves: OnceCell<Option<Vec<Piecewise>>>,
 }
 
-/// What holding a remainder between two limits costs, and the powers of a polynomial of some ten terms.
-const CLAMP: f64 = 2.6;
+/// What the powers of a polynomial of some ten terms cost.
 const POWERS: f64 = 3.0;
 
 impl InPieces {

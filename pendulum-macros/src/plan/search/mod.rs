@@ -170,7 +170,7 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
         let least = |(aim, all): (&Aim, &Approximations)| {
             parts(scene, task, aim, all, reduction).map(|part| part.error()).fold(f64::INFINITY, f64::min)
         };
-        task.aims.iter().zip(approximations).map(least).fold(0.0, f64::max)
+        worst(task.aims.iter().zip(approximations).map(least))
     };
     // The most accurate reduction from either origin is among the best.
     let of = |origin: Origin| {

@@ -60,7 +60,9 @@ impl Program {
             if known[id].local > 0.0 {
                 error += slope.magnitude() * known[id].local;
             }
-            if given.iter().all(|(given, _)| *given != id) && !pass_back(self.nodes[id].op, slope, known, &mut slopes) {
+            if given.iter().all(|(given, _)| *given != id)
+                && !pass_back(id, self.nodes[id].op, slope, known, &mut slopes)
+            {
                 return f64::INFINITY;
             }
         }
@@ -68,8 +70,10 @@ impl Program {
     }
 }
 
-/// Adds the slope of a node to those of its operands; `false` where there is none.
-fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> bool {
+/// Adds the slope of a node, after which all that use it have added theirs, to those of its operands; `false` where
+/// there is none.
+fn pass_back(id: Id, op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> bool {
+    let bypassed = slopes[..id].iter().any(|slope| slope.magnitude() > 0.0);
     let mut add = |id: Id, part: Slope| slopes[id] = slopes[id].plus(part);
     match op {
         Op::Input | Op::Constant { .. } => {}
@@ -110,7 +114,8 @@ fn pass_back(op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> boo
             add(x, slope.times(0.0, 1.0));
             add(limit, slope.times(0.0, 1.0));
         }
-        // Whichever sign it takes, everything before it changes by it alike.
+        // Whichever sign it takes, everything before it changes by it alike, unless something goes past it.
+        Op::Alternate { .. } | Op::Against { .. } if bypassed => return false,
         Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
         Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => return false,
     }

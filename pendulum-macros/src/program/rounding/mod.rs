@@ -16,7 +16,7 @@ mod adjoint;
 use super::{Id, Op, Program};
 use crate::parse::Float;
 use pendulum_runtime::double::{two_prod, two_sum};
-use pendulum_runtime::support::ROOT_ERROR;
+use pendulum_runtime::support::{LEAST_UNDER_ROOT, ROOT_ERROR};
 
 /// Where a value lies and how wrong it can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -231,8 +231,12 @@ fn quotient(a: Known, b: Known, float: Float) -> Known {
     Known::result(range, (a.error + magnitude * b.error) / least, local)
 }
 
-/// |√a − √b| is at most both |a − b|/√a and √|a − b|.
+/// |√a − √b| is at most both |a − b|/√a and √|a − b|. Just below 0 what is computed is next to 0; farther below it is no
+/// number.
 fn root(x: Known, float: Float) -> Known {
+    if x.low < LEAST_UNDER_ROOT {
+        return Known::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
+    }
     let exact = (x.low.max(0.0).sqrt(), x.high.max(0.0).sqrt());
     let inherited = if exact.0 > 0.0 { (x.error / exact.0).min(x.error.sqrt()) } else { x.error.sqrt() };
     let local = ROOT_ERROR * float.unit() * exact.1;

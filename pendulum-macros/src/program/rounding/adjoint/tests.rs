@@ -10,7 +10,20 @@ fn passed(op: Op, slope: (f64, f64), known: &[Known]) -> Option<Vec<(f64, f64)>>
     let mut slopes = vec![Slope::ZERO; known.len()];
     let slope = Slope { low: slope.0, high: slope.1 };
     let ends = |slope: &Slope| (f64::from(slope.low as f32), f64::from(slope.high as f32));
-    pass_back(op, slope, known, &mut slopes).then(|| slopes.iter().map(ends).collect())
+    pass_back(known.len(), op, slope, known, &mut slopes).then(|| slopes.iter().map(ends).collect())
+}
+
+/// In x − (±x) the sign, unknown as it is, would be of one x.
+#[test]
+fn signs_that_are_passed_by() {
+    let known = [Known::within(1.0, 2.0, 0.0), Known::within(-1.0, 1.0, 0.0)];
+    let slope = Slope { low: 1.0, high: 1.0 };
+    for op in [Op::Alternate { x: 0, magic: 1, bit: 0 }, Op::Against { x: 0, sign: 1 }] {
+        for (before, passes) in [(0.0, true), (-1.0, false)] {
+            let mut slopes = vec![Slope { low: before, high: before }, Slope::ZERO];
+            assert_eq!(pass_back(2, op, slope, &known, &mut slopes), passes, "{op:?}");
+        }
+    }
 }
 
 #[test]

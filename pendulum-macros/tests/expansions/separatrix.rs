@@ -1,0 +1,78 @@
+// What this expands to; written by src/snapshots.rs.
+//
+//     pub struct Over;
+//     velocity0 = 2, tol = 1e-3, float = f32
+
+/// The motion of a pendulum, θ̈ + ω² sin θ = 0, for `velocity0 = 2, tol = 1e-3, float = f32`.
+///
+/// * θ(0) = 0.0 rad, θ̇(0) = 2.0, ω = 1.0
+/// * the separatrix: towards the top for ever, never reaching it
+///
+/// Planned for an error of at most `tol`, over any time:
+///
+/// * phase: the time itself from the lowest point, wrong by at most 4.2e-5 rad of ωt
+/// * theta: 2 gd w by an exponential of 5 terms, an arctangent of 5 terms; proven error ≤ 1.230e-4 rad (0.0e0 of truncation, 7.9e-8 of phase, 1.2e-4 of rounding); 43 operations
+pub struct Over;
+#[allow(
+    dead_code,
+    deprecated,
+    unused_qualifications,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::arithmetic_side_effects,
+    clippy::as_conversions,
+    clippy::float_arithmetic,
+    clippy::float_cmp,
+    clippy::indexing_slicing,
+    clippy::min_ident_chars,
+    clippy::missing_inline_in_public_items,
+    clippy::missing_docs_in_private_items,
+    clippy::single_call_fn
+)]
+impl Over {
+    /// θ at t = 0, rad.
+    pub const THETA0: f32 = 0.0;
+    /// ω, the rate of small oscillations, rad per unit of t.
+    pub const OMEGA: f32 = 1.0;
+    /// k = 1: between swinging and turning over.
+    pub const MODULUS: f32 = 1.0;
+    /// How the motion is approximated.
+    pub const METHOD: &'static str = "passage";
+    /// The number of terms of the approximation.
+    pub const TERMS: usize = 5;
+    /// Operations of one call of the first function.
+    pub const OPERATIONS: usize = 43;
+    /// Proven bound of |θ(t) − exact| over the horizon, rad.
+    pub const MAX_ERROR: f32 = 0.000122968;
+    /// θ(t), rad; NaN if t is not finite. 43 operations.
+    #[inline(always)]
+    #[must_use]
+    pub const fn theta(t: f32) -> f32 {
+        let v = if 1400.0_f32 < t { 1400.0_f32 } else { t };
+        let time = if v < -1400.0 { -1400.0 } else { v } + (t - t);
+        let z = (time as f64 * 1.0) as f32;
+        let v_2 = z.abs();
+        let a = if 700.0_f32 < v_2 { 700.0_f32 } else { v_2 };
+        let v_3 = a as f64 * 1.4426950408889634;
+        let w = if 900.0_f64 < v_3 { 900.0_f64 } else { v_3 };
+        let exponent = 6755399441055744.0 - w;
+        let f = w - (6755399441055744.0 - exponent);
+        let v_4 = f * f;
+        let even = v_4 * (0.24022530032732614 + 0.009656715464641046 * v_4);
+        let odd = f
+            * (0.6931471880293425
+                + (0.05550357104253053 + 0.0013390867351353245 * v_4) * v_4);
+        let power = f64::from_bits(exponent.to_bits().wrapping_add(1023) << 52);
+        let tangent = power * (1.0 + (even - odd));
+        let v_5 = tangent * tangent;
+        let r2 = v_5 * v_5;
+        let result = (-3.141592653589793
+            - tangent
+                * (0.9999692804462552
+                    + (-0.3316774245495616 + 0.185100295133604 * v_5
+                        + (-0.09174344401153152 + 0.02377224514357112 * v_5) * r2) * v_5)
+                * -4.0) as f32;
+        f32::from_bits(result.to_bits() ^ (!z.to_bits() & 0x8000_0000))
+    }
+}
