@@ -14,7 +14,7 @@ pub(crate) struct Wave {
     terms: Vec<(u32, Double)>,
     /// Bounds what the omitted terms can add, and what it strays by, for real s.
     omitted: f64,
-    /// Of all terms, hence of the omitted ones.
+    /// Of the omitted terms, of which there are none, or none that doesn't underflow, where `omitted` is 0.
     envelope: Envelope,
 }
 

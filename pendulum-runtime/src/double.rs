@@ -2,9 +2,10 @@
 //!
 //! The building blocks are error-free transformations: `two_sum` (Knuth, TAOCP 2, 4.2.2, theorem B), `quick_two_sum`
 //! (Dekker 1971) and `two_prod` with Veltkamp's splitting. No fused multiply-add is used, so the bits are the same on
-//! every IEEE target. The error bounds quoted are those of Joldes, Muller and Popescu, "Tight and rigorous error bounds
-//! for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017), with u = 2⁻⁵³. Splitting overflows above
-//! 2⁹⁹⁵, and `two_prod` is inexact where the product's low word underflows; callers stay within that.
+//! every IEEE target. The error bounds quoted of sums and products are those of Joldes, Muller and Popescu, "Tight and
+//! rigorous error bounds for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017), with u = 2⁻⁵³.
+//! Splitting overflows above 2⁹⁹⁵, and `two_prod` is inexact where the product's low word underflows; callers stay within
+//! that.
 
 #![expect(
     clippy::inline_always,
@@ -106,7 +107,8 @@ impl Double {
         Self { hi: self.hi * scale, lo: self.lo * scale }
     }
 
-    /// √x for x ≥ 0, within 4u² (Karp's trick: one Newton step from the `f64` root).
+    /// √x for x ≥ 0, within 5u² (Karp's trick: one Newton step from the `f64` root, which is within 1.5u: that leaves half
+    /// of its square, and the step is rounded by 2u of itself).
     #[inline(always)]
     #[must_use]
     pub fn sqrt(self) -> Self {
@@ -172,7 +174,8 @@ impl Mul<f64> for Double {
 
 impl Div for Double {
     type Output = Self;
-    /// Relative error ≤ 10u² (long division with two quotient words and a correction).
+    /// Relative error ≤ 10u² (long division with two quotient words and a correction: the first product is wrong by 3u²,
+    /// the last sum by as much, and what is left by less than u²).
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;

@@ -193,6 +193,8 @@ fn roots() {
         assert!(root.low <= least && root.low >= least * (1.0 - 2e-6), "{low}: {}", root.low);
         assert!(least == 0.0 || root.low < least, "{low}: {}", root.low);
     }
+    // What is computed of less than that is no number.
+    assert_eq!(after(Op::Root(0), Float::F64, &[Known::within(-0.21, 1.0, 1e-9)]).error, f64::INFINITY);
 }
 
 #[test]
