@@ -102,7 +102,8 @@ pub(crate) enum Method {
 pub(crate) struct Phase {
     /// The remainder, of the program's float.
     pub(crate) remainder: Id,
-    /// The sum whose lowest bit is the parity of n.
+    /// The sum whose lowest bit is the parity of n. Of a phase that isn't reduced neither this nor the number means
+    /// anything: it is the time.
     pub(crate) magic: Id,
     /// The number n of anchors passed.
     pub(crate) count: Id,

@@ -29,9 +29,17 @@ struct Prospect {
     approximations: Vec<Approximations>,
     reductions: Vec<Reduction>,
     pieces: Option<InPieces>,
-    /// What polynomials gave for an output with a reduction that may take so much of the limit: more than one candidate
-    /// may ask.
-    found: RefCell<BTreeMap<(usize, *const Reduction, u64), Found>>,
+    /// What polynomials gave: more than one candidate may ask.
+    found: RefCell<BTreeMap<Asked, Found>>,
+}
+
+/// What polynomials are asked for: an output by a reduction, both by their numbers, that takes at most such a part of its
+/// limit, in bits.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Asked {
+    output: usize,
+    reduction: usize,
+    most: u64,
 }
 
 /// A variant, what it is estimated to cost, and what it can promise if that was looked at.
@@ -42,7 +50,10 @@ struct Tried {
 }
 
 /// A part and what it costs, or what was reached, and why others lost.
-type Found = (Result<(Part, f64), f64>, Vec<String>);
+struct Found {
+    part: Result<(Part, f64), f64>,
+    rejected: Vec<String>,
+}
 
 /// The outputs of a candidate, what they cost more than was estimated, and why other forms of them lost.
 struct Outputs {
@@ -340,11 +351,13 @@ impl Candidate<'_> {
                 _ => Err(f64::INFINITY),
             };
             let mut polynomials = || {
-                let key = (output, std::ptr::from_ref(self.reduction), most.to_bits());
+                let is_own = |reduction: &Reduction| std::ptr::eq(reduction, self.reduction);
+                let reduction = self.prospect.reductions.iter().position(is_own).ok_or(f64::INFINITY)?;
                 let mut found = self.prospect.found.borrow_mut();
-                let (part, others) = found.entry(key).or_insert_with(|| self.polynomials(scene, aim, all, most));
-                rejected.extend_from_slice(others);
-                part.clone()
+                let found = found.entry(Asked { output, reduction, most: most.to_bits() });
+                let found = found.or_insert_with(|| self.polynomials(scene, aim, all, most));
+                rejected.extend_from_slice(&found.rejected);
+                found.part.clone()
             };
             // What one way can't promise of an output the other may; of all of them it is a candidate of its own.
             let mixed = task.aims.len() > 1;
@@ -407,7 +420,7 @@ impl Candidate<'_> {
         let line = |one: &Tried| Some(format!("{} for `{word}`: it {}", one.variant.describe(parity), why(one)?));
         let lost = tried.iter().enumerate().filter(|&(index, _)| chosen != Some(index));
         let rejected = lost.filter_map(|(_, one)| line(one)).collect();
-        (part, rejected)
+        Found { part, rejected }
     }
 }
 
