@@ -204,8 +204,7 @@ impl Approximation {
         if !makes_up || dropped.is_empty() {
             return Shortened::new(kept.to_vec(), dropped, terms);
         }
-        let odd = self.parity == Parity::Odd;
-        let corrections = Corrections::new(&dropped, terms, self.pole, odd, self.leeway.as_ref()).of_terms;
+        let corrections = Corrections::new(&dropped, terms, self.pole, self.parity, self.leeway.as_ref()).of_terms;
         // What the sums are rounded by counts with the conversion to powers.
         let series = kept.iter().zip(&corrections).map(|(c, correction)| *c + Double::new(*correction)).collect();
         let left = corrections.iter().map(|correction| -correction).chain(dropped).collect();

@@ -9,7 +9,8 @@
 
 use super::leeway::Leeway;
 use super::pole::Pole;
-use super::tail::{p, sum};
+use super::tail::{p, phase, sum};
+use crate::series::Parity;
 use std::f64::consts::PI;
 
 /// Points looked at between two extrema.
@@ -28,10 +29,16 @@ pub(super) struct Corrections {
 
 impl Corrections {
     /// Of the first `terms` coefficients of a Chebyshev series of which the others, `dropped`, are left out, over `pole`
-    /// and times the phase of an `odd` curve.
-    pub(super) fn new(dropped: &[f64], terms: usize, pole: Option<Pole>, odd: bool, leeway: Option<&Leeway>) -> Self {
+    /// and times the phase of an odd curve.
+    pub(super) fn new(
+        dropped: &[f64],
+        terms: usize,
+        pole: Option<Pole>,
+        parity: Parity,
+        leeway: Option<&Leeway>,
+    ) -> Self {
         let points = Points::new(terms + 1, |u| {
-            weight(u, odd, leeway) / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)))
+            weight(u, parity, leeway) / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)))
         });
         let left: Vec<f64> = points.cosines.iter().map(|&u| sum(dropped, terms, u)).collect();
         let levelled = |reference: &[usize]| {
@@ -46,7 +53,8 @@ impl Corrections {
             Some((of_terms, errors))
         };
         let none = (vec![0.0; terms], points.largest(&left));
-        let (of_terms, left) = points.exchange(terms + 1, odd, levelled).filter(|best| best.1 < none.1).unwrap_or(none);
+        let (of_terms, left) =
+            points.exchange(terms + 1, parity, levelled).filter(|best| best.1 < none.1).unwrap_or(none);
         Self { of_terms, left }
     }
 }
@@ -54,9 +62,15 @@ impl Corrections {
 /// The poles over which so many terms come nearest to a curve, given by its series, or by that of an odd one over its
 /// phase; looked for from `pole` on. Of a single pair the equations are linear but for the product of the error, which
 /// is small, with its coefficients.
-pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, odd: bool, leeway: Option<&Leeway>) -> Option<Pole> {
+pub(super) fn polished(
+    pole: Pole,
+    series: &[f64],
+    terms: usize,
+    parity: Parity,
+    leeway: Option<&Leeway>,
+) -> Option<Pole> {
     let count = terms + 3;
-    let points = Points::new(count, |u| weight(u, odd, leeway));
+    let points = Points::new(count, |u| weight(u, parity, leeway));
     let values: Vec<f64> = points.cosines.iter().map(|&u| sum(series, 0, u)).collect();
     let mut divisor = pole.coefficients();
     let levelled = |reference: &[usize]| {
@@ -74,13 +88,12 @@ pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, odd: bool, leew
         let errors = values.iter().zip(&points.cosines).map(error).collect();
         Some((found, errors))
     };
-    points.exchange(count, odd, levelled).map(|(pole, _)| pole)
+    points.exchange(count, parity, levelled).map(|(pole, _)| pole)
 }
 
 /// What an error counts at u.
-fn weight(u: f64, odd: bool, leeway: Option<&Leeway>) -> f64 {
-    let phase = if odd { p(u).sqrt() } else { 1.0 };
-    phase / leeway.map_or(1.0, |leeway| leeway.at(u))
+fn weight(u: f64, parity: Parity, leeway: Option<&Leeway>) -> f64 {
+    phase(parity, p(u)) / leeway.map_or(1.0, |leeway| leeway.at(u))
 }
 
 fn sign(index: usize) -> f64 {
@@ -112,11 +125,11 @@ impl Points {
     fn exchange<T>(
         &self,
         count: usize,
-        odd: bool,
+        parity: Parity,
         mut levelled: impl FnMut(&[usize]) -> Option<(T, Vec<f64>)>,
     ) -> Option<(T, f64)> {
         let mut best: Option<(T, f64)> = None;
-        let mut reference = self.extrema(count, odd);
+        let mut reference = self.extrema(count, parity);
         for _ in 0..ROUNDS {
             let Some((found, errors)) = levelled(&reference) else { break };
             let largest = self.largest(&errors);
@@ -130,8 +143,8 @@ impl Points {
     }
 
     /// About those of Tₙ, or those on one side of the odd T₂ₙ₊₁ of the phase.
-    fn extrema(&self, count: usize, odd: bool) -> Vec<usize> {
-        let whole = 2 * (count - 1) + usize::from(odd);
+    fn extrema(&self, count: usize, parity: Parity) -> Vec<usize> {
+        let whole = 2 * (count - 1) + usize::from(parity == Parity::Odd);
         (0..count).map(|index| 2 * index * (self.cosines.len() - 1) / whole).collect()
     }
 
@@ -227,17 +240,17 @@ mod tests {
     fn level_errors() {
         let pole = Pole::of(0.03, -0.3);
         let dropped = [1.0, -0.2, 0.05];
-        for (pole, odd, gain) in [(None, false, 1.1), (pole, false, 1.3), (None, true, 1.7), (pole, true, 1.9)] {
-            let found = Corrections::new(&dropped, 5, pole, odd, None);
-            let weight =
-                |u: f64| if odd { p(u).sqrt() } else { 1.0 } / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)));
+        let (even, odd) = (Parity::Even, Parity::Odd);
+        for (pole, parity, gain) in [(None, even, 1.1), (pole, even, 1.3), (None, odd, 1.7), (pole, odd, 1.9)] {
+            let found = Corrections::new(&dropped, 5, pole, parity, None);
+            let weight = |u: f64| phase(parity, p(u)) / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)));
             let weighted = |of_terms: &[f64]| {
                 extrema((0..=5000).map(|i| (sum(&dropped, 5, at(i)) - sum(of_terms, 0, at(i))) * weight(at(i))))
             };
             let (before, after) = (weighted(&[0.0; 5]), weighted(&found.of_terms));
-            assert!(before.0 > gain * after.0, "{odd}: {before:?} {after:?}");
-            assert!((0.97..1.001).contains(&(found.left / after.0)), "{odd}: {} {after:?}", found.left);
-            assert!(level(&after) >= 6, "{odd}: {after:?}");
+            assert!(before.0 > gain * after.0, "{parity:?}: {before:?} {after:?}");
+            assert!((0.97..1.001).contains(&(found.left / after.0)), "{parity:?}: {} {after:?}", found.left);
+            assert!(level(&after) >= 6, "{parity:?}: {after:?}");
         }
     }
 
@@ -250,21 +263,22 @@ mod tests {
             table.coefficients(&table.points().map(value).collect::<Vec<_>>()).iter().map(|c| c.hi).collect()
         };
         let near = Pole::of(0.12, -0.58).unwrap();
-        let found = polished(near, &points(&|p| (1.0 + p) / ((p - 0.3).powi(2) + 0.02)), 3, false, None).unwrap();
+        let found =
+            polished(near, &points(&|p| (1.0 + p) / ((p - 0.3).powi(2) + 0.02)), 3, Parity::Even, None).unwrap();
         let [constant, linear] = found.coefficients();
         assert!((constant - 0.11).abs() < 1e-6 && (linear + 0.6).abs() < 1e-6, "{found:?}");
-        for odd in [false, true] {
+        for parity in [Parity::Even, Parity::Odd] {
             let series = points(&|p| ((p - 0.27).powi(2) + 0.03).ln());
-            let pole = polished(near, &series, 4, odd, None).unwrap();
+            let pole = polished(near, &series, 4, parity, None).unwrap();
             let [constant, linear] = pole.coefficients();
             let divided = points(&|p| ((p - 0.27).powi(2) + 0.03).ln() * (constant + p * (linear + p)));
-            let found = Corrections::new(&divided[4..], 4, Some(pole), odd, None);
+            let found = Corrections::new(&divided[4..], 4, Some(pole), parity, None);
             let error = |i: u32| {
-                let (u, weight) = (at(i), if odd { p(at(i)).sqrt() } else { 1.0 });
+                let (u, weight) = (at(i), phase(parity, p(at(i))));
                 (sum(&divided[4..], 4, u) - sum(&found.of_terms, 0, u)) * weight / (constant + p(u) * (linear + p(u)))
             };
             let errors = extrema((0..=5000).map(error));
-            assert!(level(&errors) >= 7, "{odd}: {errors:?}");
+            assert!(level(&errors) >= 7, "{parity:?}: {errors:?}");
         }
     }
 }

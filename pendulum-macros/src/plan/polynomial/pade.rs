@@ -31,7 +31,7 @@ pub(crate) fn best(curves: &[Approximation], nearest: Pole, limit: f64) -> Optio
 
 /// A curve's Chebyshev coefficients, and those of it times p and p².
 struct Series {
-    odd: bool,
+    parity: Parity,
     leeway: Option<Leeway>,
     powers: [Vec<f64>; 3],
 }
@@ -41,7 +41,7 @@ impl Series {
         let plain: Vec<f64> = curve.series().iter().map(|c| c.hi).collect();
         let once = times_p(&plain);
         let twice = times_p(&once);
-        Self { odd: curve.parity() == Parity::Odd, leeway: curve.leeway().cloned(), powers: [plain, once, twice] }
+        Self { parity: curve.parity(), leeway: curve.leeway().cloned(), powers: [plain, once, twice] }
     }
 
     /// The coefficient of the power of p.
@@ -63,20 +63,20 @@ impl Series {
         let limit = 0.9 * limit;
         let serves = |&pole: &Pole| {
             let dropped: Vec<f64> = (terms..self.powers[2].len()).map(self.divided(pole)).collect();
-            Corrections::new(&dropped, terms, Some(pole), self.odd, self.leeway.as_ref()).left <= limit
+            Corrections::new(&dropped, terms, Some(pole), self.parity, self.leeway.as_ref()).left <= limit
         };
         if terms < 2 || limit < FINEST * self.at(0, 0).abs() {
             return None;
         }
         Some(pole)
             .filter(serves)
-            .or_else(|| polished(pole, &self.powers[0], terms, self.odd, self.leeway.as_ref()).filter(serves))
+            .or_else(|| polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref()).filter(serves))
     }
 
     /// The fewest terms that leave an error of `limit`; `None` if all do not.
     fn terms(&self, pole: Pole, limit: f64) -> Option<usize> {
         let divided = self.divided(pole);
-        let most = limit * pole.least(0.5) * if self.odd { 2.0 } else { 1.0 };
+        let most = limit * pole.least(0.5) * if self.parity == Parity::Odd { 2.0 } else { 1.0 };
         let length = self.powers[2].len();
         let mut left = 0.0;
         let last = (0..length).rev().find(|&index| {

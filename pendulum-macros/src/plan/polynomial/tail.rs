@@ -34,10 +34,7 @@ pub(super) fn supremum(
         (p(u), sum(coefficients, first, u).abs())
     };
     let bent = |cell: usize| sum(&curved, first, libm::cos(angle(cell as u32))).abs();
-    let weight = |low: f64, high: f64| {
-        let phase = if parity == Parity::Odd { high.sqrt() } else { 1.0 };
-        phase / pole.map_or(1.0, |pole| pole.least_between(low, high))
-    };
+    let weight = |low: f64, high: f64| phase(parity, high) / pole.map_or(1.0, |pole| pole.least_between(low, high));
     let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
     let is_met = |(_, pair): &(usize, &[(f64, f64)])| pair[1].0 <= reach * reach;
     // Of a cell where the second derivative is at most so much.
@@ -83,6 +80,11 @@ pub(super) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
         (next, after) = (doubled * next - after, next);
     }
     if first == 0 { next - u * after } else { u * next - after }
+}
+
+/// The phase, which an odd curve's error is multiplied with.
+pub(super) fn phase(parity: Parity, p: f64) -> f64 {
+    if parity == Parity::Odd { p.sqrt() } else { 1.0 }
 }
 
 #[cfg(test)]
@@ -141,7 +143,7 @@ mod tests {
     fn suprema_over_near_poles() {
         let (pole, dropped, terms) = (Some(Pole::new(0.04, 1)), [1.0, -0.3], 20);
         for parity in [Parity::Even, Parity::Odd] {
-            let corrections = Corrections::new(&dropped, terms, pole, parity == Parity::Odd, None).of_terms;
+            let corrections = Corrections::new(&dropped, terms, pole, parity, None).of_terms;
             let left: Vec<f64> = corrections.iter().map(|correction| -correction).chain(dropped).collect();
             let at = |i: u32| {
                 let u = (f64::from(i) * PI / 1e5).cos();
