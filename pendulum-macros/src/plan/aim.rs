@@ -2,7 +2,7 @@
 
 use super::arc::Arc;
 use super::curve::{Curve, Curves, RotationCurves, Size, SwingCurves};
-use super::met::Met;
+use super::met::{self, Met};
 use super::passage::{Orbit, Passage};
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
@@ -172,8 +172,7 @@ impl Task {
 
     /// The first and the last phase within the horizon, where that is less than from one anchor to the next.
     pub(super) fn met(&self, scene: &Scene) -> Option<(f64, f64)> {
-        let arc = Arc::new(Arc::reach(scene)?, &self.rate, &self.launch)?;
-        Some((arc.phase(Double::new(-0.5)).hi, arc.phase(Double::new(0.5)).hi))
+        met::phases(scene, &self.rate, &self.launch)
     }
 
     /// How far from an anchor the horizon goes, where that isn't all the way.

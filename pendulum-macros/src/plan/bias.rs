@@ -1,41 +1,184 @@
 //! How far an approximate θ is from θ, and its derivative from θ̇.
 
-use super::arc::Arc;
 use super::cosines::Cosines;
-use super::curve::{Curves, SwingCurves};
+use super::curve::{Curve, Curves, SwingCurves};
+use super::met::Met;
+use super::reduction::UNLIMITED;
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Method;
 use crate::program::rounding::products;
 use crate::scene::Scene;
-use crate::supremum::by_halves;
+use crate::supremum::{Halving, by_halves, worst};
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
-/// sup |θ0 cos πs − θ| over a horizon of less than an eighth of a period, of which no more than the phases that it meets
-/// count; `None` where the horizon is longer, or θ has too many harmonics. `drift` bounds the difference of the phases.
-///
-/// A longer sum may exceed the amplitude beyond the horizon, where its error over all phases has to stand for that.
-pub(super) fn of_cosine(rate: &Real, drift: f64, scene: &Scene, swing: &Swing) -> Option<f64> {
-    let [low, high] = phases(scene, swing)?;
-    let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
-    let terms = theta.terms();
-    if terms.len() > MOST_TERMS {
-        return None;
-    }
-    let amplitude = swing.amplitude.to_double();
-    let faster = 1.0 + (rate.to_f64() / swing.rate().to_f64() - 1.0).abs();
-    let moved = amplitude.hi * of_moved_cosine(low.abs().max(high.abs()) * faster, drift);
-    let apart = difference(terms, &[amplitude]);
-    let at_same_phase = by_halves([low, high], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(0));
-    Some((at_same_phase + theta.omitted() + moved) * (1.0 + 1e-9))
+/// θ̂ = Σ wₙ cos((2n−1)πs), or twice the arcsine of that for [`Method::Fourier`], beside the θ of a swing.
+pub(super) struct Approximate<'a> {
+    method: Method,
+    weights: &'a [Double],
+    /// Anchors per unit of time.
+    rate: &'a Real,
+    /// By how many anchors the phase at this rate comes to differ from the exact one within the horizon.
+    drift: f64,
+    theta: &'a Curve,
+    scene: &'a Scene,
+    swing: &'a Swing,
 }
 
-/// sup |cos πs − cos πs′| for phases up to `farthest` that differ by up to `drift`, in anchors: it is
+impl<'a> Approximate<'a> {
+    pub(super) fn new(
+        (method, weights, rate): (Method, &'a [Double], &'a Real),
+        theta: &'a Curve,
+        scene: &'a Scene,
+        swing: &'a Swing,
+    ) -> Self {
+        let exact = swing.rate();
+        let horizon = scene.t_max.as_ref().map_or_else(|| UNLIMITED / exact.to_f64(), Real::to_f64);
+        let drift = (rate - &exact).abs().to_f64() * horizon;
+        Self { method, weights, rate, drift, theta, scene, swing }
+    }
+
+    /// sup |θ̂ − θ| over the horizon, or by how much θ̂ exceeds the amplitude beyond it, if that is more.
+    pub(super) fn angle(&self) -> f64 {
+        let everywhere = self.everywhere();
+        let Some(Met { least, farthest }) = self.met() else { return everywhere };
+        let within = self.within([least, farthest]);
+        everywhere.min(within.max(self.excess(within)) * (1.0 + 1e-9))
+    }
+
+    /// sup |θ̂′ − θ̇| over the horizon, in rad per unit of t.
+    pub(super) fn velocity(&self) -> f64 {
+        let theta = self.theta;
+        let (ours, exact) = (Cosines::odd(self.weights), sum_of(theta.terms()));
+        let (rate, exact_rate) = (self.rate.to_f64(), self.swing.rate().to_f64());
+        if theta.terms().len() > MOST_TERMS {
+            let slopes = if self.method == Method::Fourier { f64::INFINITY } else { ours.magnitude(1) };
+            return (slopes * rate + self.scene.motion.fastest().to_f64()) * (1.0 + 1e-9);
+        }
+        // Of our phases, which differ by the drift from those that are met.
+        let drift = self.drift;
+        let met = self.met().filter(|_| drift < 0.25).map(|Met { least, farthest }| [least - drift, farthest + drift]);
+        let met = met.unwrap_or([0.0, 0.5]);
+        let steepest = |sum: &Cosines| by_halves(met, CELLS, MOST_HALVED, |low, high| sum.over(low, high).largest(1));
+        // Both at the same phase and rate; then the other rate, and the other phase.
+        let at_same_phase = if self.method == Method::Fourier {
+            let sines = self.sines();
+            by_halves(met, CELLS, MOST_HALVED, |low, high| sines.slopes_apart(low, high))
+        } else {
+            steepest(&difference(theta.terms(), self.weights))
+        };
+        let faster = match (rate - exact_rate).abs() {
+            0.0 => 0.0,
+            faster => faster * steepest(&ours),
+        };
+        let shifted = (exact.magnitude(2) * drift).min(2.0 * exact.magnitude(1));
+        ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
+    }
+
+    /// sup |θ̂ − θ| over all phases.
+    fn everywhere(&self) -> f64 {
+        match self.method {
+            Method::Fourier => self.swing.elliptic.fourier_analysis().certified_bound(self.weights.len(), SLACK),
+            Method::Series => left_out(self.theta, self.weights.len()),
+            _ => self.of_cosine() + self.moved(0.5),
+        }
+    }
+
+    /// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0
+    /// while the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
+    fn of_cosine(&self) -> f64 {
+        let theta = self.theta;
+        if theta.terms().len() > MOST_TERMS {
+            return self.swing.amplitude.to_f64() * (1.0 + f64::EPSILON);
+        }
+        let mut terms = theta.terms().to_vec();
+        if let Some(first) = terms.first_mut() {
+            first.1 = first.1 - self.weights[0];
+        }
+        tail(&terms, theta.omitted())
+    }
+
+    /// The same at those distances from an anchor, of a θ that has not too many harmonics.
+    fn within(&self, [least, farthest]: [f64; 2]) -> f64 {
+        let theta = self.theta;
+        if theta.terms().len() > MOST_TERMS {
+            return f64::INFINITY;
+        }
+        let at_same_phase = if self.method == Method::Fourier {
+            let sines = self.sines();
+            by_halves([least, farthest], CELLS, MOST_HALVED, |low, high| sines.angles_apart(low, high))
+        } else {
+            let apart = difference(theta.terms(), self.weights);
+            by_halves([least, farthest], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(0))
+        };
+        at_same_phase + theta.omitted() + self.moved(farthest)
+    }
+
+    /// sup |θ̂| − θ0 over all phases, or anything that is little beside `error`.
+    fn excess(&self, error: f64) -> f64 {
+        if self.is_cosine() {
+            return 0.0;
+        }
+        let (ours, amplitude) = (Cosines::odd(self.weights), self.swing.amplitude.to_f64());
+        let over = |low: f64, high: f64| {
+            let sum = ours.over(low, high).largest(0);
+            let angle = if self.method == Method::Fourier { 2.0 * libm::asin(sum.min(1.0)) } else { sum };
+            (angle - amplitude).max(0.0)
+        };
+        let halving =
+            Halving { cells: CELLS, slices: CELLS, most: MOST_HALVED, least: error / 64.0, cap: f64::INFINITY };
+        halving.largest([0.0, 0.5], over)
+    }
+
+    /// What another rate comes to for phases that go so far from an anchor: of the one cosine θ0 cos πs, which alone has
+    /// one.
+    fn moved(&self, farthest: f64) -> f64 {
+        if self.is_cosine() { self.weights[0].hi * of_moved_cosine(farthest, self.drift) } else { 0.0 }
+    }
+
+    fn is_cosine(&self) -> bool {
+        matches!(self.method, Method::Harmonic | Method::SmallAngle)
+    }
+
+    fn met(&self) -> Option<Met> {
+        Met::within(self.scene, &self.swing.rate(), &self.swing.launch)
+    }
+
+    fn sines(&self) -> Sines {
+        let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
+        Sines::new(self.weights, sum_of(self.theta.terms()), &curves)
+    }
+}
+
+/// sup |cos πs − cos πs′| for phases s up to `farthest` that differ from s′ by up to `drift`, in anchors: it is
 /// |2 sin ½π(s + s′) sin ½π(s − s′)|, little about a turning point.
-pub(super) fn of_moved_cosine(farthest: f64, drift: f64) -> f64 {
+fn of_moved_cosine(farthest: f64, drift: f64) -> f64 {
     let sine = |anchors: f64| libm::sin((PI * anchors).min(PI / 2.0));
-    2.0 * sine(farthest) * sine(0.5 * drift)
+    2.0 * sine(farthest + 0.5 * drift) * sine(0.5 * drift)
+}
+
+/// More terms than this are bounded by the sum of their magnitudes.
+const MOST_SAMPLED: usize = 40;
+
+/// sup |Σ aₘ cos mφ| over the terms of θ but the first `kept`.
+fn left_out(theta: &Curve, kept: usize) -> f64 {
+    match &theta.terms()[kept..] {
+        many if many.len() > MOST_SAMPLED => many.iter().map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted(),
+        few => tail(few, theta.omitted()),
+    }
+}
+
+/// sup |Σ aₘ cos mφ| from 16 samples a wave of the highest harmonic M: at most a factor 1/cos(π/16) above the largest
+/// sample (Ehlich and Zeller 1964); and `omitted`, which bounds terms besides.
+fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
+    let Some(&(highest, _)) = terms.last() else { return omitted };
+    let points = 8 * highest;
+    let at = |i: u32| {
+        let phi = PI * f64::from(i) / f64::from(points);
+        terms.iter().map(|&(m, a)| a.hi * libm::cos(f64::from(m) * phi)).sum::<f64>().abs()
+    };
+    worst((0..=points / 2).map(at)) / libm::cos(PI / 16.0) * (1.0 + 1e-9) + omitted
 }
 
 /// Σ aₘ cos(mπs) of a curve less Σ wₙ cos((2n−1)πs): one sum.
@@ -48,57 +191,12 @@ fn sum_of(terms: &[(u32, Double)]) -> Cosines {
     Cosines::new(terms.iter().map(|&(m, a)| (m, a.hi)))
 }
 
-/// The phases that the horizon meets, where they are less than from an anchor to a lowest point; the others are mirror
-/// images of those.
-fn phases(scene: &Scene, swing: &Swing) -> Option<[f64; 2]> {
-    let reach = Arc::reach(scene)? * swing.rate().to_f64() * (1.0 + 1e-12);
-    let launch = swing.launch.to_f64();
-    (reach < 0.25).then_some([launch - reach, launch + reach])
-}
-
-/// sup |θ̂′ − θ̇| over the horizon in rad per unit of t, for θ̂ = Σ wₙ cos((2n−1)πs), or twice the arcsine of that for
-/// [`Method::Fourier`]. `drift` bounds the difference of the phases, in anchors.
-pub(super) fn of_velocity(
-    weights: &[Double],
-    method: Method,
-    rate: &Real,
-    drift: f64,
-    scene: &Scene,
-    swing: &Swing,
-) -> f64 {
-    let exact_rate = swing.rate().to_f64();
-    let curves = SwingCurves::new(swing, &scene.motion.omega);
-    let theta = curves.angle();
-    let (ours, terms) = (Cosines::odd(weights), theta.terms());
-    let (steepest, exact) = (ours.magnitude(1), sum_of(terms));
-    let [exact_steepest, exact_bend] = [1, 2].map(|order| exact.magnitude(order));
-    if terms.len() > MOST_TERMS {
-        let fastest = scene.motion.fastest().to_f64();
-        let slopes = if method == Method::Fourier { f64::INFINITY } else { steepest };
-        return (slopes * rate.to_f64() + fastest) * (1.0 + 1e-9);
-    }
-    // Of our phases, which differ by the drift from those that are met.
-    let met = phases(scene, swing).filter(|_| drift < 0.25).map(|[low, high]| [low - drift, high + drift]);
-    let met = met.unwrap_or([0.0, 0.5]);
-    // Both at the same phase and rate; then the other rate, and the other phase.
-    let at_same_phase = if method == Method::Fourier {
-        let sines = Sines::new(weights, exact, &curves);
-        by_halves(met, CELLS, MOST_HALVED, |low, high| sines.apart(low, high))
-    } else {
-        let apart = difference(terms, weights);
-        by_halves(met, CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(1))
-    };
-    let faster = match (rate.to_f64() - exact_rate).abs() {
-        0.0 => 0.0,
-        faster => faster * by_halves(met, CELLS, MOST_HALVED, |low, high| ours.over(low, high).largest(1)),
-    };
-    let shifted = (exact_bend * drift).min(2.0 * exact_steepest);
-    ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
-}
+/// How far certified suprema may exceed the true ones.
+const SLACK: f64 = 1e-3;
 
 /// So near the top that θ has more harmonics, an approximation of it comes to be as far from it as they are large, and
 /// so does the derivative.
-pub(super) const MOST_TERMS: usize = 400;
+const MOST_TERMS: usize = 400;
 
 /// Cells of the half wave, and how many of them are halved: next to an overshoot the arcsine's derivative peaks within
 /// a millionth of the half wave.
@@ -114,18 +212,39 @@ struct Sines {
     theta: Cosines,
     /// What Y, and so ρ, and its derivative are in doubt by.
     omitted: [f64; 2],
+    /// k′, which cos(θ/2) is at least.
+    complementary: f64,
 }
 
 impl Sines {
     fn new(weights: &[Double], theta: Cosines, curves: &SwingCurves) -> Self {
         let curve = curves.half_sine();
         let (whole, rest) = (sum_of(curve.terms()), difference(curve.terms(), weights));
-        Self { ours: Cosines::odd(weights), whole, rest, theta, omitted: [curve.omitted(), curve.omitted_slope()] }
+        let omitted = [curve.omitted(), curve.omitted_slope()];
+        let complementary = curves.complementary();
+        Self { ours: Cosines::odd(weights), whole, rest, theta, omitted, complementary }
+    }
+
+    /// Bounds |θ̂ − θ| between two phases: with C = cos(θ/2) it is 2 arcsin(|ρ|(y + Y)/(yC + Y√(1 − y²))), where neither
+    /// is negative, and everywhere at most 2|ρ| times the arcsine's slope.
+    fn angles_apart(&self, low: f64, high: f64) -> f64 {
+        let [y, whole, rest] = [&self.ours, &self.whole, &self.rest].map(|sum| sum.over(low, high));
+        let (least, most) = ([y.range(0).0, whole.range(0).0 - self.omitted[0]], [y.largest(0), whole.largest(0)]);
+        let most = [most[0], most[1] + self.omitted[0]];
+        let rest = rest.largest(0) + self.omitted[0];
+        let cosine = |sine: f64| ((1.0 - sine) * (1.0 + sine)).max(0.0).sqrt();
+        let [ours, exact] = [cosine(most[0]), cosine(most[1]).max(self.complementary)];
+        let by_slope = 2.0 * rest / ours.min(exact);
+        let below = least[0] * exact + least[1] * ours;
+        if least[0] < 0.0 || least[1] < 0.0 {
+            return by_slope;
+        }
+        by_slope.min(2.0 * libm::asin((rest * (most[0] + most[1]) / below).min(1.0)))
     }
 
     /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is
     /// large that cancels.
-    fn apart(&self, low: f64, high: f64) -> f64 {
+    fn slopes_apart(&self, low: f64, high: f64) -> f64 {
         let [y, whole, rest, theta] = [&self.ours, &self.whole, &self.rest, &self.theta].map(|sum| sum.over(low, high));
         let within = |(low, high): (f64, f64), order: usize| (low - self.omitted[order], high + self.omitted[order]);
         let (sines, wholes) = (y.range(0), within(whole.range(0), 0));

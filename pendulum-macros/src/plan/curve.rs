@@ -187,6 +187,11 @@ impl<'a> SwingCurves<'a> {
         self.swing.elliptic.modulus.to_f64()
     }
 
+    /// k′, the least cos(θ/2).
+    pub(crate) fn complementary(&self) -> f64 {
+        self.swing.elliptic.complementary.to_f64()
+    }
+
     /// sup |sin θ|.
     fn largest_sine(&self) -> f64 {
         let amplitude = self.swing.amplitude.to_f64();

@@ -1,5 +1,10 @@
 //! What a horizon of less than an anchor meets.
 
+use super::arc::Arc;
+use crate::exact::Real;
+use crate::scene::Scene;
+use pendulum_runtime::double::Double;
+
 /// The distances from the nearest anchor that are met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Met {
@@ -10,7 +15,18 @@ pub(super) struct Met {
 /// More than a phase is wrong by over so short a horizon.
 const MARGIN: f64 = 0.01;
 
+/// The first and the last phase within the horizon, where that is less than from one anchor to the next.
+pub(super) fn phases(scene: &Scene, rate: &Real, launch: &Real) -> Option<(f64, f64)> {
+    let arc = Arc::new(Arc::reach(scene)?, rate, launch)?;
+    Some((arc.phase(Double::new(-0.5)).hi, arc.phase(Double::new(0.5)).hi))
+}
+
 impl Met {
+    /// Of the phases within the horizon.
+    pub(super) fn within(scene: &Scene, rate: &Real, launch: &Real) -> Option<Self> {
+        phases(scene, rate, launch).map(Self::new)
+    }
+
     /// Of the phases from the first to the last.
     pub(super) fn new((first, last): (f64, f64)) -> Self {
         let passes = |origin: f64| (last - origin).floor() >= (first - origin).ceil();

@@ -298,6 +298,14 @@ fn bounds_are_close_to_errors() {
         ("theta0 = π - 1.402e-4, tol = 1e-3, t_max = 1.4e-3, outputs = [velocity], method = series", 1.2),
         ("theta0 = 2.9, tol = 1e-3, t_max = 0.02, outputs = [velocity], method = fourier", 1.5),
         ("theta0 = 0.5, velocity0 = 0.5, tol = 1e-3, t_max = 0.1, outputs = [velocity], method = fourier", 1.2),
+        ("theta0 = 0.001, tol = 1e-4, t_max = 0.043, float = f32, outputs = [velocity], method = small_angle", 3.5),
+        ("theta0 = 0.001, tol = 1e-4, t_max = 0.15, float = f32, outputs = [velocity], method = small_angle", 3.0),
+        ("theta0 = π - 1.593e-3, tol = 1.6e-5, t_max = 2.53, float = f32, method = series", 1.3),
+        ("theta0 = π - 6.794e-5, tol = 9.1e-6, t_max = 0.64, method = series", 1.2),
+        ("theta0 = 1.3415, velocity0 = 0.1888, tol = 1.4e-2, t_max = 0.29, method = harmonic", 1.2),
+        ("theta0 = 2.7571, tol = 1.4e-5, t_max = 2.3536, method = fourier", 2.0),
+        // Beyond the horizon it exceeds the amplitude by as much.
+        ("theta0 = 0.9384, tol = 3.4e-3, t_max = 0.4, method = fourier", 3.0),
     ] {
         // Passages are short, and roundings rarely at their worst.
         let density = if most < 2.0 { 5 } else { 12 };

@@ -52,9 +52,10 @@ impl Case {
         };
         let exact = swing.rate();
         let rate = &exact * &exact.context().float(self.faster).unwrap();
-        let found = of_velocity(&weights, self.method, &rate, self.drift, &self.scene, swing);
-        let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
         let theta = curves.angle();
+        let ours = Approximate::new((self.method, &weights, &rate), &theta, &self.scene, swing);
+        let found = Approximate { drift: self.drift, ..ours }.velocity();
+        let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
         let terms = theta.terms();
         let slope =
             |s: f64| terms.iter().map(|&(m, a)| -f64::from(m) * PI * a.hi * (f64::from(m) * PI * s).sin()).sum::<f64>();
@@ -104,6 +105,61 @@ fn of_sums_of_sines() {
     assert!(known <= found && found < 1.01 * known, "{found} for {known}");
 }
 
+/// The angle over a moment against samples: never below, and not much above, unless θ̂ exceeds the amplitude by more
+/// beyond it.
+#[test]
+fn of_angles_within_a_moment() {
+    for (start, t_max) in
+        [("theta0 = 1", 0.3), ("theta0 = 2, velocity0 = 0.5", 0.4), ("theta0 = 2.6, velocity0 = -0.4", 1.0)]
+    {
+        let scene = scene(&format!("{start}, t_max = {t_max}"));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let (theta, rate) = (SwingCurves::new(swing, &scene.motion.omega).angle(), swing.rate());
+        for (method, terms) in [(Method::Harmonic, 1), (Method::Series, 3), (Method::Series, 5), (Method::Fourier, 5)] {
+            let weights: Vec<Double> = match method {
+                Method::Harmonic => vec![swing.amplitude.to_double()],
+                Method::Fourier => swing.half_sine_weights(&swing.fourier_coefficients(terms)),
+                _ => theta.terms().iter().take(terms).map(|term| term.1).collect(),
+            };
+            let ours = Approximate::new((method, &weights, &rate), &theta, &scene, swing);
+            let angle = |s: f64| {
+                let sum: f64 =
+                    weights.iter().enumerate().map(|(n, w)| w.hi * ((2 * n + 1) as f64 * PI * s).cos()).sum();
+                if method == Method::Fourier { 2.0 * sum.asin() } else { sum }
+            };
+            let (reach, launch) = (t_max * rate.to_f64(), swing.launch.to_f64());
+            let seen = (-500..=500).map(|i| launch + reach * f64::from(i) / 500.0);
+            let seen = worst(seen.map(|s| (angle(s) - theta.at(Double::new(s)).hi).abs()));
+            let beyond =
+                worst((0..=5000).map(|i| (angle(f64::from(i) * 1e-4).abs() - swing.amplitude.to_f64()).max(0.0)));
+            let (found, seen) = (ours.angle(), seen.max(beyond));
+            assert!(seen <= found && found <= 1.1 * seen, "{start}, {method:?} {terms}: {found:e} for {seen:e}");
+        }
+    }
+}
+
+/// y = ½ cos πs and Y = ¾ cos πs, in cells, about the turning point and the lowest point too.
+#[test]
+fn arcsines_apart() {
+    let [half, rest] = [0.5, 0.25].map(Double::new);
+    let sines = |complementary| Sines {
+        whole: Cosines::odd(&[half + rest]),
+        rest: Cosines::odd(&[rest]),
+        complementary,
+        ..beside_nothing(&[half])
+    };
+    let apart = |s: f64| 2.0 * ((0.75 * (PI * s).cos()).asin() - (0.5 * (PI * s).cos()).asin()).abs();
+    for cell in 0..50 {
+        let (low, high) = (0.01 * f64::from(cell), 0.01 * f64::from(cell + 1));
+        let seen = worst((0..=20).map(|i| apart(low + 0.01 * f64::from(i) / 20.0)));
+        let found = sines(0.6).angles_apart(low, high);
+        assert!(seen <= found && found <= 1.05 * seen + 0.005, "{low}: {found} for {seen}");
+    }
+    // The whole may be more than it is, but cos(θ/2) is no less.
+    let doubtful = |complementary| Sines { omitted: [0.05, 0.0], ..sines(complementary) }.angles_apart(0.0, 0.01);
+    assert!(apart(0.0) < doubtful(0.66) && doubtful(0.66) < 0.98 * doubtful(0.0));
+}
+
 /// With all its terms the series is exact, and what is left are the other rate and phase.
 #[test]
 fn of_another_rate_or_phase() {
@@ -127,7 +183,11 @@ fn near_the_top() {
     let Regime::Swing(swinging) = &motion.scene.motion.regime else { panic!("a swing") };
     let expected = PI * PI * swinging.rate().to_f64() + 6.0;
     let rate = swinging.rate();
-    let of = |method| of_velocity(&[Double::PI], method, &rate, 1.0, &motion.scene, swinging);
+    let theta = SwingCurves::new(swinging, &motion.scene.motion.omega).angle();
+    let of = |method| {
+        let ours = Approximate::new((method, &[Double::PI], &rate), &theta, &motion.scene, swinging);
+        Approximate { drift: 1.0, ..ours }.velocity()
+    };
     assert!((1.0..1.0 + 1e-8).contains(&(of(Method::Harmonic) / expected)));
     assert_eq!(of(Method::Fourier), f64::INFINITY);
 }
@@ -142,6 +202,7 @@ fn beside_nothing(weights: &[Double]) -> Sines {
         rest: Cosines::odd(&minus),
         theta: nothing(),
         omitted: [0.0; 2],
+        complementary: 0.0,
     }
 }
 
@@ -152,7 +213,7 @@ fn arcsines_within_cells() {
         let sines = beside_nothing(&[Double::new(amplitude)]);
         for cell in 1..=(0.5_f64 / width).min(20.0) as u32 {
             let middle = width * (f64::from(cell) - 0.5);
-            let found = sines.apart(middle - 0.5 * width, middle + 0.5 * width);
+            let found = sines.slopes_apart(middle - 0.5 * width, middle + 0.5 * width);
             let within = |i: i32| arcsine_slopes(&[(PI, amplitude)], middle + width * f64::from(i) / 40.0).0.abs();
             let seen = (-20..=20).map(within).fold(0.0, f64::max);
             assert!(seen <= found, "{amplitude} {middle}: {seen} exceeds {found}");
@@ -166,9 +227,13 @@ fn arcsines_within_cells() {
 fn cells_that_reach_the_edge() {
     let sum = |weight: f64| Cosines::odd(&[Double::new(weight)]);
     for (ours, whole, bounded) in [(0.5, 1.0, false), (1.0, 0.5, false), (-1.0, 0.5, false), (0.5, 0.9, true)] {
-        let sines =
-            Sines { ours: sum(ours), whole: sum(whole), rest: sum(whole - ours), theta: sum(1.0), omitted: [0.0; 2] };
-        assert_eq!(sines.apart(0.0, 0.01).is_finite(), bounded, "{ours} {whole}");
+        let sines = Sines {
+            whole: sum(whole),
+            rest: sum(whole - ours),
+            theta: sum(1.0),
+            ..beside_nothing(&[Double::new(ours)])
+        };
+        assert_eq!(sines.slopes_apart(0.0, 0.01).is_finite(), bounded, "{ours} {whole}");
     }
 }
 
@@ -183,8 +248,8 @@ fn what_is_in_doubt() {
     for (omitted, expected) in
         [([1e-6, 0.0], 1e-6 * PI * y * (y / margin) / margin), ([0.0, 1e-6], 2e-6 / margin), ([0.0; 2], 0.0)]
     {
-        let sines = Sines { ours: half(), whole: half(), rest: nothing(), theta: half(), omitted };
-        let found = sines.apart(0.25, 0.25);
+        let sines = Sines { ours: half(), whole: half(), rest: nothing(), theta: half(), omitted, complementary: 0.0 };
+        let found = sines.slopes_apart(0.25, 0.25);
         assert!((found - expected).abs() < 1e-11, "{omitted:?}: {found:e} {expected:e}");
     }
 }
@@ -197,10 +262,44 @@ fn steep_flanks() {
     for width in [1e-2, 1e-3, 1e-4] {
         for place in 1..60 {
             let middle = f64::from(place) / 400.0;
-            let found = sines.apart(middle - 0.5 * width, middle + 0.5 * width);
+            let found = sines.slopes_apart(middle - 0.5 * width, middle + 0.5 * width);
             let within = |i: i32| arcsine_slopes(&harmonics, middle + width * f64::from(i) / 40.0).0.abs();
             let seen = (-20..=20).map(within).fold(0.0, f64::max);
             assert!(seen <= found && found <= seen + 1200.0 * width, "{middle} {width}: {found} for {seen}");
         }
+    }
+}
+
+/// |cos φ − cos 3φ| is at most 8/(3√3), where it isn't at an end; cos φ + ½ cos 5φ is 3/2 at 0.
+#[test]
+fn suprema_of_tails() {
+    let besides = |terms: &[(u32, f64)], omitted: f64| {
+        tail(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>(), omitted)
+    };
+    let wave = |terms: &[(u32, f64)]| besides(terms, 0.0);
+    for (terms, known) in [([(1, 1.0), (3, -1.0)], 8.0 / 27f64.sqrt()), ([(1, 1.0), (5, 0.5)], 1.5)] {
+        let found = wave(&terms);
+        assert!(known <= found && found <= 1.02 * known, "{found} for {known}");
+    }
+    // A supremum that is a sample is one as any other, and rounded up.
+    let excess = wave(&[(1, 1.0), (5, 0.5)]) / (1.5 / (PI / 16.0).cos()) - 1.0;
+    assert!((1e-10..1e-8).contains(&excess), "{excess:e}");
+    // What is omitted besides may have any sign.
+    assert_eq!(besides(&[(1, 1.0)], 0.25), wave(&[(1, 1.0)]) + 0.25);
+    assert_eq!((wave(&[]), besides(&[], 0.25)), (0.0, 0.25));
+}
+
+/// Of few terms their supremum, of many the sum of their magnitudes; and what the series itself omits.
+#[test]
+fn what_is_left_out() {
+    let scene = scene("theta0 = 0.999π");
+    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let theta = SwingCurves::new(swing, &scene.motion.omega).angle().omitting(0.125);
+    let all = theta.terms().len();
+    for left in [0, 3, 40, 41, 50] {
+        let terms = &theta.terms()[all - left..];
+        let magnitudes = terms.iter().map(|(_, a)| a.hi.abs()).sum::<f64>();
+        let sum = if left > 40 { magnitudes } else { tail(terms, 0.0) };
+        assert_eq!(left_out(&theta, all - left), sum + 0.125, "{left}");
     }
 }

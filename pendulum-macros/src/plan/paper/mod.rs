@@ -5,10 +5,12 @@ mod pieces;
 mod whole;
 
 use super::aim::FULL;
+use super::bias::Approximate;
 use super::curve::{Curve, Curves, SwingCurves};
 use super::kernel;
-use super::reduction::{Clock, Reduction, UNLIMITED};
-use super::{Bound, Part, Plan, Refusal, bias};
+use super::met::Met;
+use super::reduction::{Clock, Reduction};
+use super::{Bound, Part, Plan, Refusal};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
@@ -21,9 +23,6 @@ use pendulum_runtime::fourier_analysis::FourierAnalysis;
 /// More terms than this aren't chosen for a tolerance: the analysis of longer sums takes the compiler longer than a
 /// second.
 const MOST_CHOSEN: usize = 128;
-
-/// How far certified suprema may exceed the true ones.
-const SLACK: f64 = 1e-3;
 
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
@@ -63,8 +62,6 @@ struct Sum {
     weights: Vec<Double>,
     /// b₂ₙ₋₁, where the weights are those of k sn.
     coefficients: Vec<Real>,
-    /// sup |approximation − exact| for θ.
-    bias: f64,
 }
 
 impl Sum {
@@ -75,36 +72,23 @@ impl Sum {
         more: usize,
         terms: &mut Option<usize>,
     ) -> Result<Self, Refusal> {
-        let rate = swing.rate();
-        let amplitude = || vec![swing.amplitude.to_double()];
         match method {
-            Method::Fourier => Self::fourier(scene, swing, rate, more, terms),
-            Method::Series => Ok(Self::series(scene, swing, rate, more)),
-            Method::SmallAngle => {
-                let small = &scene.motion.omega / scene.motion.omega.context().pi();
-                // Any time: the phase goes as far as it makes a difference.
-                let apart = swing.amplitude.to_f64() * bias::of_moved_cosine(0.5, drift(&small, scene, swing));
-                let bias = harmonic_bias(scene, swing) + apart;
-                Ok(Self { method, rate: small, weights: amplitude(), coefficients: Vec::new(), bias })
+            Method::Fourier => Self::fourier(scene, swing, more, terms),
+            Method::Series => Ok(Self::series(scene, swing, more)),
+            _ => {
+                let omega = &scene.motion.omega;
+                let rate = if method == Method::SmallAngle { omega / omega.context().pi() } else { swing.rate() };
+                Ok(Self::of_weights(method, rate, vec![swing.amplitude.to_double()]))
             }
-            _ => Ok(Self {
-                method,
-                rate,
-                weights: amplitude(),
-                coefficients: Vec::new(),
-                bias: harmonic_bias(scene, swing),
-            }),
         }
     }
 
+    fn of_weights(method: Method, rate: Real, weights: Vec<Double>) -> Self {
+        Self { method, rate, weights, coefficients: Vec::new() }
+    }
+
     /// k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22). `terms` keeps how many θ needs.
-    fn fourier(
-        scene: &Scene,
-        swing: &Swing,
-        rate: Real,
-        more: usize,
-        terms: &mut Option<usize>,
-    ) -> Result<Self, Refusal> {
+    fn fourier(scene: &Scene, swing: &Swing, more: usize, terms: &mut Option<usize>) -> Result<Self, Refusal> {
         let elliptic = &swing.elliptic;
         let analysis = elliptic.fourier_analysis();
         let n = match scene.goal {
@@ -119,65 +103,34 @@ impl Sum {
         }
         let coefficients = swing.fourier_coefficients(n);
         let weights = swing.half_sine_weights(&coefficients);
-        Ok(Self { method: Method::Fourier, rate, weights, coefficients, bias: analysis.certified_bound(n, SLACK) })
+        Ok(Self { coefficients, ..Self::of_weights(Method::Fourier, swing.rate(), weights) })
     }
 
-    /// The series of θ; its tail's supremum is bounded by samples finer than its fastest harmonic.
-    fn series(scene: &Scene, swing: &Swing, rate: Real, more: usize) -> Self {
+    /// The series of θ.
+    fn series(scene: &Scene, swing: &Swing, more: usize) -> Self {
         let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
         let terms = theta.terms();
         let aim = match scene.goal {
             Goal::Tolerance(tol) => tol * 0.98,
             _ => scene.float.unit() * swing.amplitude.to_f64(),
         };
+        let first = |kept: usize| {
+            let weights = terms[..kept].iter().map(|&(_, a)| a).collect();
+            Self::of_weights(Method::Series, swing.rate(), weights)
+        };
         let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
         if fewest >= MOST_CHOSEN {
-            let weights = terms[..MOST_CHOSEN].iter().map(|&(_, a)| a).collect();
-            let bias = left_out(&theta, MOST_CHOSEN);
-            return Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias };
+            return first(MOST_CHOSEN);
         }
-        let kept = (fewest..=terms.len()).find(|&kept| left_out(&theta, kept) <= aim).unwrap_or(terms.len());
-        let kept = (kept + more).min(MOST_CHOSEN).min(terms.len());
-        let weights = terms[..kept].iter().map(|&(_, a)| a).collect();
-        Self { method: Method::Series, rate, weights, coefficients: Vec::new(), bias: left_out(&theta, kept) }
+        let serves = |&kept: &usize| first(kept).approximate(&theta, scene, swing).angle() <= aim;
+        let kept = (fewest..=terms.len()).find(serves).unwrap_or(terms.len());
+        first((kept + more).min(MOST_CHOSEN).min(terms.len()))
     }
-}
 
-/// More terms than this are bounded by the sum of their magnitudes.
-const MOST_SAMPLED: usize = 40;
-
-/// sup |Σ aₘ cos mφ| over the terms of θ but the first `kept`.
-fn left_out(theta: &Curve, kept: usize) -> f64 {
-    match &theta.terms()[kept..] {
-        many if many.len() > MOST_SAMPLED => many.iter().map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted(),
-        few => tail(few, theta.omitted()),
+    /// What it approximates θ by.
+    fn approximate<'a>(&'a self, theta: &'a Curve, scene: &'a Scene, swing: &'a Swing) -> Approximate<'a> {
+        Approximate::new((self.method, &self.weights, &self.rate), theta, scene, swing)
     }
-}
-
-/// sup |Σ aₘ cos mφ| from 16 samples a wave of the highest harmonic M: at most a factor 1/cos(π/16) above the largest
-/// sample (Ehlich and Zeller 1964); and `omitted`, which bounds terms besides.
-fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
-    let Some(&(highest, _)) = terms.last() else { return omitted };
-    let points = 8 * highest;
-    let at = |i: u32| {
-        let phi = std::f64::consts::PI * f64::from(i) / f64::from(points);
-        terms.iter().map(|&(m, a)| a.hi * libm::cos(f64::from(m) * phi)).sum::<f64>().abs()
-    };
-    worst((0..=points / 2).map(at)) / libm::cos(std::f64::consts::PI / 16.0) * (1.0 + 1e-9) + omitted
-}
-
-/// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0
-/// while the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
-fn harmonic_bias(scene: &Scene, swing: &Swing) -> f64 {
-    let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
-    if theta.terms().len() > bias::MOST_TERMS {
-        return swing.amplitude.to_f64() * (1.0 + f64::EPSILON);
-    }
-    let mut terms = theta.terms().to_vec();
-    if let Some(first) = terms.first_mut() {
-        first.1 = first.1 - swing.amplitude.to_double();
-    }
-    tail(&terms, theta.omitted())
 }
 
 /// The first number of terms from `smallest` on, of a few, that is planned: without overshoot an error may still be too
@@ -200,13 +153,6 @@ fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) ->
         *(if analysis.supremum(middle) < tol { &mut serves } else { &mut fails }) = middle;
     }
     serves
-}
-
-/// By how many anchors a phase of another rate comes to differ from the exact one within the horizon.
-fn drift(rate: &Real, scene: &Scene, swing: &Swing) -> f64 {
-    let exact = swing.rate();
-    let horizon = scene.t_max.as_ref().map_or_else(|| UNLIMITED / exact.to_f64(), Real::to_f64);
-    (rate - &exact).abs().to_f64() * horizon
 }
 
 /// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the
@@ -235,7 +181,10 @@ impl Sum {
 
     /// The reductions, cheapest first.
     fn reductions(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Vec<Reduction> {
-        let mut reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing);
+        let reach = Met::within(scene, &self.rate, &swing.launch).and_then(Met::reach);
+        let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing);
+        let mut reductions: Vec<Reduction> =
+            reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         reductions.sort_by_key(Reduction::operations);
         // If nothing is promised, the phase's error is to be beside the rounding.
         let fine = |wanted: &Wanted, reduction: &Reduction| {

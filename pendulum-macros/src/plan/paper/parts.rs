@@ -1,8 +1,8 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
-use super::{Sum, drift, pieces, whole};
+use super::{Sum, pieces, whole};
 use crate::motion::{Swing, direction};
-use crate::parse::{Method, Output};
+use crate::parse::Output;
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
@@ -12,7 +12,7 @@ use crate::plan::kernel::{self, Kernel};
 use crate::plan::pieces::Piecewise;
 use crate::plan::polynomial::{Approximation, Polynomial};
 use crate::plan::reduction::Reduction;
-use crate::plan::{Bound, Part, bias};
+use crate::plan::{Bound, Part};
 use crate::program::rounding::half_ulp;
 use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
@@ -57,16 +57,14 @@ impl Wanted {
 impl Sum {
     pub(super) fn wanted(&self, scene: &Scene, swing: &Swing) -> Vec<Wanted> {
         let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let drift = drift(&self.rate, scene, swing);
+        let theta = curves.angle();
+        let approximate = self.approximate(&theta, scene, swing);
         let one = |&output: &Output| {
             if output == Output::Velocity {
-                let bias = bias::of_velocity(&self.weights, self.method, &self.rate, drift, scene, swing);
-                return Wanted { output, curve: curves.velocity(), bias, whole: None };
+                return Wanted { output, curve: curves.velocity(), bias: approximate.velocity(), whole: None };
             }
-            let one_cosine = matches!(self.method, Method::Harmonic | Method::SmallAngle);
-            let met = one_cosine.then(|| bias::of_cosine(&self.rate, drift, scene, swing)).flatten();
-            let bias = met.map_or(self.bias, |met| met.min(self.bias));
-            Wanted { output, curve: curves.angle(), bias, whole: self.whole(scene, swing, bias) }
+            let bias = approximate.angle();
+            Wanted { output, curve: theta.clone(), bias, whole: self.whole(scene, swing, bias) }
         };
         scene.outputs.iter().map(one).collect()
     }

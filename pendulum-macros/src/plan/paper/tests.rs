@@ -109,7 +109,8 @@ fn velocities_of_the_paper() {
 #[test]
 fn sums_that_leave_little_to_the_phase() {
     let least = truncation(&planned("theta0 = 2, tol = 1e-9, method = series").unwrap());
-    for exponent in 0..45 {
+    // From half a period on: of a shorter horizon less counts.
+    for exponent in 2..45 {
         let text = format!("theta0 = 2, tol = {:e}, t_max = {:e}, method = series", 1.1 * least, 2f64.powi(exponent));
         let plan = planned(&text).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
         assert!((truncation(&plan) / least - 1.0).abs() < 1e-6, "{text}: {:e} {least:e}", truncation(&plan));
@@ -368,40 +369,6 @@ fn within_a_moment_only_what_is_met_counts() {
             "{text}: {bound:e} for {seen:e} at {t}, {}",
             plan.parts[0].description
         );
-    }
-}
-
-/// |cos φ − cos 3φ| is at most 8/(3√3), where it isn't at an end; cos φ + ½ cos 5φ is 3/2 at 0.
-#[test]
-fn suprema_of_tails() {
-    let besides = |terms: &[(u32, f64)], omitted: f64| {
-        tail(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>(), omitted)
-    };
-    let wave = |terms: &[(u32, f64)]| besides(terms, 0.0);
-    for (terms, known) in [([(1, 1.0), (3, -1.0)], 8.0 / 27f64.sqrt()), ([(1, 1.0), (5, 0.5)], 1.5)] {
-        let found = wave(&terms);
-        assert!(known <= found && found <= 1.02 * known, "{found} for {known}");
-    }
-    // A supremum that is a sample is one as any other, and rounded up.
-    let excess = wave(&[(1, 1.0), (5, 0.5)]) / (1.5 / (std::f64::consts::PI / 16.0).cos()) - 1.0;
-    assert!((1e-10..1e-8).contains(&excess), "{excess:e}");
-    // What is omitted besides may have any sign.
-    assert_eq!(besides(&[(1, 1.0)], 0.25), wave(&[(1, 1.0)]) + 0.25);
-    assert_eq!((wave(&[]), besides(&[], 0.25)), (0.0, 0.25));
-}
-
-/// Of few terms their supremum, of many the sum of their magnitudes; and what the series itself omits.
-#[test]
-fn what_is_left_out() {
-    let scene = scene("theta0 = 0.999π");
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-    let theta = SwingCurves::new(swing, &scene.motion.omega).angle().omitting(0.125);
-    let all = theta.terms().len();
-    for left in [0, 3, 40, 41, 50] {
-        let terms = &theta.terms()[all - left..];
-        let magnitudes = terms.iter().map(|(_, a)| a.hi.abs()).sum::<f64>();
-        let sum = if left > 40 { magnitudes } else { tail(terms, 0.0) };
-        assert_eq!(left_out(&theta, all - left), sum + 0.125, "{left}");
     }
 }
 

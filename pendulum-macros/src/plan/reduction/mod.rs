@@ -166,7 +166,15 @@ impl Reduction {
     pub(crate) fn in_pieces(&self, pieces: f64) -> Option<Self> {
         let error = self.error - self.rounding * (1.0 - 2.0 / pieces);
         let seldom = self.seldom / pieces;
-        (self.has_pieces() && error * pieces < 2f64.powi(-10)).then(|| Self { error, seldom, pieces, ..self.clone() })
+        // Every piece is met whole, whether beyond the horizon or not.
+        let overshoot = self.overshoot.max(0.0);
+        (self.has_pieces() && error * pieces < 2f64.powi(-10)).then(|| Self {
+            error,
+            seldom,
+            overshoot,
+            pieces,
+            ..self.clone()
+        })
     }
 
     /// The same of phases that go so far from an anchor within the horizon. From a lowest point those that are nearer to
