@@ -11,7 +11,7 @@ mod turns;
 use crate::exact::{Context, Real};
 use crate::motion::Motion;
 use crate::parse::number::Number;
-use crate::parse::{Form, Given, Output, Request, source};
+use crate::parse::{Form, Given, Keyword, Output, Request, source};
 use crate::report::Report;
 use crate::scene::{Blame, Goal, Scene};
 use quote::ToTokens;
@@ -90,8 +90,7 @@ impl Checker<'_> {
     /// The outputs in their order of declaration.
     fn outputs(&mut self, motion: Option<&Motion>) -> Checked<Vec<Output>> {
         let Some(given) = &self.request.outputs else { return Ok(vec![Output::Theta]) };
-        let mut outputs = given.value.clone();
-        outputs.sort_unstable_by_key(|&output| output as u8);
+        let outputs: Vec<Output> = Output::ALL.iter().copied().filter(|output| given.value.contains(output)).collect();
         if self.request.n.is_some() {
             self.served_by_terms(given)?;
         }

@@ -13,6 +13,7 @@ mod fit;
 mod form;
 mod harmonics;
 pub(crate) mod kernel;
+mod memo;
 mod met;
 mod moebius;
 mod moments;

@@ -6,21 +6,20 @@ use crate::plan::aim::{Aim, Task};
 use crate::plan::curve::Curve;
 use crate::plan::form::{Division, Form, Poles, Variant};
 use crate::plan::kernel::Kernel;
+use crate::plan::memo::Memo;
 use crate::plan::polynomial::{Approximation, Leeway, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::program::cost::{CLAMP, MINIMUM};
 use crate::scene::Scene;
 use crate::series::Parity;
 use crate::supremum::norm;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// An output's approximations, without and with its poles divided out.
 pub(in crate::plan) struct Approximations {
     plain: Rc<[Approximation]>,
     divided: Rc<[Approximation]>,
-    lenient: RefCell<BTreeMap<Lenient, Rc<[Approximation]>>>,
+    lenient: Memo<Lenient, Rc<[Approximation]>>,
 }
 
 /// What tells approximations with a leeway from others: the error of the phase and its share, and whether they are
@@ -36,7 +35,7 @@ impl Approximations {
             None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
         };
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
-        let without_poles = Self { plain: over(None), divided: Rc::new([]), lenient: RefCell::default() };
+        let without_poles = Self { plain: over(None), divided: Rc::new([]), lenient: Memo::default() };
         // The first is the cheapest.
         let reduction = reductions.iter().find(|reduction| aim.left(reduction) > 0.0);
         let poles = reduction
@@ -57,7 +56,7 @@ impl Approximations {
             strict.iter().map(|approximation| approximation.with(leeway.clone())).collect()
         };
         let key = [reduction.error, ratio].map(f64::to_bits);
-        self.lenient.borrow_mut().entry((key, divided)).or_insert_with(lenient).clone()
+        self.lenient.get((key, divided), lenient)
     }
 }
 

@@ -18,13 +18,12 @@ use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices, magnitude};
 use crate::plan::curve::Curve;
 use crate::plan::form::Form;
+use crate::plan::memo::Memo;
 use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Reduction;
 use crate::program::rounding::UNDERFLOW;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -49,7 +48,7 @@ pub(crate) struct Approximation {
     /// Where the phase is so wrong that this matters.
     leeway: Option<Leeway>,
     /// The series of so many terms, and whether they make up for the others.
-    shortened: RefCell<BTreeMap<(usize, bool), Rc<Shortened>>>,
+    shortened: Memo<(usize, bool), Rc<Shortened>>,
 }
 
 /// A series of so many terms that stands for a longer one.
@@ -60,20 +59,20 @@ struct Shortened {
     left: Vec<f64>,
     first: usize,
     /// What that changes of phases up to that of so many bits, once it is known.
-    suprema: RefCell<BTreeMap<u64, f64>>,
+    suprema: Memo<u64, f64>,
     /// The shifts found, by chunk.
-    choices: RefCell<BTreeMap<usize, Option<Choices>>>,
+    choices: Memo<usize, Option<Choices>>,
 }
 
 impl Shortened {
     fn new(series: Vec<Double>, left: Vec<f64>, first: usize) -> Self {
-        Self { series, left, first, suprema: RefCell::default(), choices: RefCell::default() }
+        Self { series, left, first, suprema: Memo::default(), choices: Memo::default() }
     }
 
     /// The shifts, looked for once.
     fn choices(&self, chunk: usize) -> Option<Choices> {
         let look = || Choices::new(&shifted(&self.series, Double::ZERO, Double::ONE), chunk);
-        *self.choices.borrow_mut().entry(chunk).or_insert_with(look)
+        self.choices.get(chunk, look)
     }
 }
 
@@ -142,13 +141,13 @@ impl Approximation {
             remainder,
             growth: Growth::Points { points, log_rho: libm::log(rho) },
             leeway: None,
-            shortened: RefCell::default(),
+            shortened: Memo::default(),
         }
     }
 
     /// The same of a phase that leaves a leeway.
     pub(crate) fn with(&self, leeway: Leeway) -> Self {
-        Self { leeway: Some(leeway), shortened: RefCell::default(), ..self.clone() }
+        Self { leeway: Some(leeway), shortened: Memo::default(), ..self.clone() }
     }
 
     /// An even function of which the series and its error are known, and by which power of an ellipse's parameter that
@@ -162,7 +161,7 @@ impl Approximation {
             remainder,
             growth: Growth::Power(growth),
             leeway: None,
-            shortened: RefCell::default(),
+            shortened: Memo::default(),
         }
     }
 
@@ -182,7 +181,7 @@ impl Approximation {
         let reach = 0.5 + overshoot.min(0.0);
         let Shortened { left: coefficients, first, suprema, .. } = &*shortened;
         let supremum = || tail::supremum(coefficients, *first, self.pole, self.parity, reach, self.leeway.as_ref());
-        let within = *suprema.borrow_mut().entry(reach.to_bits()).or_insert_with(supremum);
+        let within = suprema.get(reach.to_bits(), supremum);
         let weight = self.weight(overshoot);
         let at_end = within + self.leeway.as_ref().map_or(0.0, |leeway| leeway.spared(0));
         (whole * weight).min(at_end * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
@@ -195,7 +194,7 @@ impl Approximation {
         let weighted = self.pole.is_some() || self.parity == Parity::Odd || self.leeway.is_some();
         let makes_up = overshoot >= 0.0 && weighted;
         let shorten = || Rc::new(self.without_last(terms, makes_up));
-        self.shortened.borrow_mut().entry((terms, makes_up)).or_insert_with(shorten).clone()
+        self.shortened.get((terms, makes_up), shorten)
     }
 
     fn without_last(&self, terms: usize, makes_up: bool) -> Shortened {

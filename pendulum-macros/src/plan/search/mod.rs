@@ -8,6 +8,7 @@ mod together;
 use super::aim::{Aim, Task};
 use super::curve::Curve;
 use super::form::Variant;
+use super::memo::Memo;
 use super::part::{Approximations, observed};
 use super::pieces::Piecewise;
 use super::reduction::{Origin, Reduction};
@@ -20,8 +21,7 @@ use crate::series::Parity;
 use crate::supremum::worst;
 use choice::{Choice, comfortable, tolerable};
 use in_pieces::InPieces;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// A task, and what all ways of doing it share.
 struct Prospect {
@@ -30,12 +30,12 @@ struct Prospect {
     reductions: Vec<Reduction>,
     pieces: Option<InPieces>,
     /// What polynomials gave: more than one candidate may ask.
-    found: RefCell<BTreeMap<Asked, Found>>,
+    found: Memo<Asked, Rc<Found>>,
 }
 
 /// What polynomials are asked for: an output by a reduction, both by their numbers, that takes at most such a part of its
 /// limit, in bits.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(PartialEq)]
 struct Asked {
     output: usize,
     reduction: usize,
@@ -246,7 +246,7 @@ impl Prospect {
         let pieces = InPieces::new(scene, &task, &reductions);
         let reach = task.reach(scene);
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
-        Self { task, approximations, reductions, pieces, found: RefCell::default() }
+        Self { task, approximations, reductions, pieces, found: Memo::default() }
     }
 
     fn at_full_precision(self, scene: &Scene) -> Self {
@@ -353,9 +353,8 @@ impl Candidate<'_> {
             let mut polynomials = || {
                 let is_own = |reduction: &Reduction| std::ptr::eq(reduction, self.reduction);
                 let reduction = self.prospect.reductions.iter().position(is_own).ok_or(f64::INFINITY)?;
-                let mut found = self.prospect.found.borrow_mut();
-                let found = found.entry(Asked { output, reduction, most: most.to_bits() });
-                let found = found.or_insert_with(|| self.polynomials(scene, aim, all, most));
+                let asked = Asked { output, reduction, most: most.to_bits() };
+                let found = self.prospect.found.get(asked, || Rc::new(self.polynomials(scene, aim, all, most)));
                 rejected.extend_from_slice(&found.rejected);
                 found.part.clone()
             };
