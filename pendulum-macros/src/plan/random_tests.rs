@@ -370,7 +370,7 @@ fn moments_of_the_paper() {
         stays_within_its_range(&text, &plan, (-2000..2000).map(|i| 0.02 * f64::from(i)));
     }
     ratios.sort_by(|a, b| b.0.total_cmp(&a.0));
-    assert!(ratios.len() > 25 && ratios[0].0 <= 4.0, "{} scenes, {:?}", ratios.len(), &ratios[..3]);
+    assert!(ratios.len() > 20 && ratios[0].0 <= 4.0, "{} scenes, {:?}", ratios.len(), &ratios[..3]);
 }
 
 /// Of any finite time, however far beyond the horizon, the result is within the range of the motion, but for an angle
