@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use astro_float::{BigFloat, Consts, Radix, RoundingMode, Sign};
+use astro_float::{BigFloat, Consts, Radix, RoundingMode, Sign, WORD_BIT_SIZE, Word};
 
 /// 2⁵³ periods take 53 bits of the phase, 1 − k² at π − 1e-12 takes 80, results need 120.
 const BITS: usize = 448;
@@ -95,13 +95,14 @@ impl Big {
     /// The nearest `f64`, ties to even.
     pub fn to_f64(&self) -> f64 {
         let Some((words, _, sign, exponent, _)) = self.0.as_raw_parts() else { return f64::NAN };
-        // The value is 0.words · 2^exponent, the most significant word last.
-        let top = words.last().copied().unwrap_or(0);
+        // The value is 0.words · 2^exponent.
+        let top = word(words, 0);
         if top == 0 {
             return 0.0;
         }
         // Any lower bit breaks a tie; it may as well be the lowest of the upper word.
-        let sticky = u64::from(words[..words.len() - 1].iter().any(|&word| word != 0));
+        let lower = &words[..words.len().saturating_sub(WORDS)];
+        let sticky = u64::from(lower.iter().any(|&word| word != 0));
         let magnitude = scaled(top | sticky, exponent - 64);
         if sign == Sign::Neg { -magnitude } else { magnitude }
     }
@@ -126,9 +127,10 @@ impl Big {
     pub fn fixed(&self, shift: i32) -> [u64; 4] {
         let mut fixed = [0; 4];
         let Some((words, _, _, exponent, _)) = self.0.as_raw_parts() else { return fixed };
-        // x = W·2^(exponent − 64·len), so bit i of the result is bit i + offset of W.
-        let offset = 64 * words.len() as i32 - exponent - shift;
-        let word = |index: i32| usize::try_from(index).ok().and_then(|i| words.get(i)).copied().unwrap_or(0);
+        // x = W·2^(exponent − 64·length), so bit i of the result is bit i + offset of W.
+        let length = words.len().div_ceil(WORDS) as i32;
+        let offset = 64 * length - exponent - shift;
+        let word = |index: i32| usize::try_from(length - 1 - index).map_or(0, |from_top| word(words, from_top));
         for (i, result) in fixed.iter_mut().enumerate() {
             let bit = 64 * i as i32 + offset;
             let (index, within) = (bit.div_euclid(64), bit.rem_euclid(64));
@@ -137,6 +139,17 @@ impl Big {
         }
         fixed
     }
+}
+
+/// The library's words in 64 bits: 32-bit machines take two.
+const WORDS: usize = 64 / WORD_BIT_SIZE;
+
+/// One of a mantissa's words of 64 bits, counted from the most significant, which the library has last; 0 beyond the
+/// least.
+fn word(mantissa: &[Word], from_top: usize) -> u64 {
+    let wide = |word: Word| -> u64 { Into::into(word) };
+    let part = |j: usize| mantissa.len().checked_sub(1 + from_top * WORDS + j).map_or(0, |at| wide(mantissa[at]));
+    (0..WORDS).map(|j| part(j) << (64 - WORD_BIT_SIZE * (j + 1))).sum()
 }
 
 /// integer·2^exponent, rounded once. A subnormal result loses the bits below its last, as one rounding.
