@@ -304,8 +304,9 @@ fn bounds_are_close_to_errors() {
         ("theta0 = π - 6.794e-5, tol = 9.1e-6, t_max = 0.64, method = series", 1.2),
         ("theta0 = 1.3415, velocity0 = 0.1888, tol = 1.4e-2, t_max = 0.29, method = harmonic", 1.2),
         ("theta0 = 2.7571, tol = 1.4e-5, t_max = 2.3536, method = fourier", 2.0),
-        // Beyond the horizon it exceeds the amplitude by as much.
-        ("theta0 = 0.9384, tol = 3.4e-3, t_max = 0.4, method = fourier", 3.0),
+        // What stands for θ̂ may undo its error there.
+        ("theta0 = 0.9384, tol = 3.4e-3, t_max = 0.4, method = fourier", 1.5),
+        ("theta0 = 1.0064, tol = 8.1e-5, t_max = 0.10841, method = fourier", 1.5),
     ] {
         // Passages are short, and roundings rarely at their worst.
         let density = if most < 2.0 { 5 } else { 12 };
@@ -346,8 +347,7 @@ fn horizons_of_less_than_half_a_swing() {
     assert!(ratios.len() > 60 && *worst[0] <= 4.0, "{} scenes, {worst:?}", ratios.len());
 }
 
-/// The same of the paper's methods, released or launched from anywhere. θ̂ of Eq. 22 may exceed the amplitude beyond the
-/// horizon by more than it is wrong within it.
+/// The same of the paper's methods, released or launched from anywhere.
 #[test]
 fn moments_of_the_paper() {
     let mut ratios = Vec::new();
@@ -365,8 +365,7 @@ fn moments_of_the_paper() {
              outputs = [{output}]"
         );
         let Some((_, plan)) = planned(&text) else { continue };
-        let ratio = tightness(&text, &mut random, 5).filter(|_| (method, output) != ("fourier", "theta"));
-        ratios.extend(ratio.map(|ratio| (ratio, text.clone())));
+        ratios.extend(tightness(&text, &mut random, 5).map(|ratio| (ratio, text.clone())));
         stays_within_its_range(&text, &plan, (-2000..2000).map(|i| 0.02 * f64::from(i)));
     }
     ratios.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -405,7 +404,6 @@ fn many() {
     let at = |fraction: f64| found[((found.len() - 1) as f64 * fraction) as usize].0;
     println!("{} bounds of tolerances: median {:.2}, 90 % {:.2}, worst:", found.len(), at(0.5), at(0.9));
     found.iter().rev().take(12).for_each(|(ratio, text)| println!("{ratio:.2} {text}"));
-    // Eq. 22 may exceed the amplitude beyond a short horizon by more than it is wrong within it.
     assert!(at(0.98) <= 4.0);
 }
 

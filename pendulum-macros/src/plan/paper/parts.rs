@@ -9,6 +9,7 @@ use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
 use crate::plan::form::{Division, Form};
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
+use crate::plan::met::Met;
 use crate::plan::pieces::Piecewise;
 use crate::plan::polynomial::{Approximation, Polynomial};
 use crate::plan::reduction::Reduction;
@@ -34,6 +35,8 @@ struct Whole {
     approximation: Option<Approximation>,
     pieces: Option<Piecewise>,
     allowed: Vec<f64>,
+    /// What it may differ from θ̂ by at most.
+    truncation: f64,
 }
 
 /// A kernel for that function, and how wrong it is.
@@ -80,9 +83,13 @@ impl Sum {
         if self.coefficients.is_empty() {
             return None;
         }
-        let limit = allowed[0] / 8.0;
+        // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
+        let moment = Met::within(scene, &self.rate, &swing.launch).is_some();
+        let truncation = if moment { (bias / 3.0).max(units(1.0)) } else { f64::INFINITY };
+        let limit = truncation.min(allowed[0] / 8.0);
         let approximation = whole::approximation(&self.weights, limit);
-        Some(Whole { approximation, pieces: pieces::approximation(&self.weights, limit), allowed })
+        let pieces = pieces::approximation(&self.weights, limit);
+        Some(Whole { approximation, pieces, allowed, truncation })
     }
 
     pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
@@ -183,7 +190,7 @@ impl Whole {
         let first = |reduction: &Reduction, kernel: &dyn Fn(f64, f64) -> Option<(Kernel, f64, f64)>| {
             let phase = size.phase_error(reduction);
             let left = self.allowed.iter().map(|allowed| allowed - phase);
-            let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, left / share)));
+            let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, self.truncation.min(left / share))));
             let (kernel, truncation, evaluation) = shared.find_map(|(left, truncation)| kernel(left, truncation))?;
             Some(Candidate { kernel, bound: Bound { truncation, phase, evaluation } })
         };
