@@ -3,7 +3,7 @@
 use super::cosines::Cosines;
 use super::curve::{Curve, Curves, SwingCurves};
 use super::met::Met;
-use super::reduction::UNLIMITED;
+use super::reduction::Clock;
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Method;
@@ -34,7 +34,7 @@ impl<'a> Approximate<'a> {
         swing: &'a Swing,
     ) -> Self {
         let exact = swing.rate();
-        let horizon = scene.t_max.as_ref().map_or_else(|| UNLIMITED / exact.to_f64(), Real::to_f64);
+        let horizon = Clock::new(scene, &exact, &swing.launch).horizon();
         let drift = (rate - &exact).abs().to_f64() * horizon;
         Self { method, weights, rate, drift, theta, scene, swing }
     }

@@ -40,7 +40,7 @@ impl<'a> Clock<'a> {
     }
 
     /// The greatest |t| promised.
-    pub(super) fn horizon(&self) -> f64 {
+    pub(crate) fn horizon(&self) -> f64 {
         self.t_max.unwrap_or_else(|| UNLIMITED / self.rate.to_f64()).min(f64::MAX)
     }
 
