@@ -60,17 +60,11 @@ impl<'a> Approximate<'a> {
         let drift = self.drift;
         let met = self.met().filter(|_| drift < 0.25).map(|Met { least, farthest }| [least - drift, farthest + drift]);
         let met = met.unwrap_or([0.0, 0.5]);
-        let steepest = |sum: &Cosines| by_halves(met, CELLS, MOST_HALVED, |low, high| sum.over(low, high).largest(1));
         // Both at the same phase and rate; then the other rate, and the other phase.
-        let at_same_phase = if self.method == Method::Fourier {
-            let sines = self.sines();
-            by_halves(met, CELLS, MOST_HALVED, |low, high| sines.slopes_apart(low, high))
-        } else {
-            steepest(&difference(theta.terms(), self.weights))
-        };
+        let at_same_phase = self.at_same_phase(met, Sines::slopes_apart, 1);
         let faster = match (rate - exact_rate).abs() {
             0.0 => 0.0,
-            faster => faster * steepest(&ours),
+            faster => faster * supremum(met, |low, high| ours.over(low, high).largest(1)),
         };
         let shifted = (exact.magnitude(2) * drift).min(2.0 * exact.magnitude(1));
         ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
@@ -99,20 +93,24 @@ impl<'a> Approximate<'a> {
         tail(&terms, theta.omitted())
     }
 
-    /// The same at those distances from an anchor, of a θ that has not too many harmonics.
+    /// sup |θ̂ − θ| at those distances from an anchor, if θ has not too many harmonics.
     fn within(&self, [least, farthest]: [f64; 2]) -> f64 {
         let theta = self.theta;
         if theta.terms().len() > MOST_TERMS {
             return f64::INFINITY;
         }
-        let at_same_phase = if self.method == Method::Fourier {
+        self.at_same_phase([least, farthest], Sines::angles_apart, 0) + theta.omitted() + self.moved(farthest)
+    }
+
+    /// The difference of the angles, or of their derivatives by the phase, at one phase of both: given for sines, and the
+    /// derivative of that order of a sum.
+    fn at_same_phase(&self, phases: [f64; 2], of_sines: fn(&Sines, f64, f64) -> f64, order: usize) -> f64 {
+        if self.method == Method::Fourier {
             let sines = self.sines();
-            by_halves([least, farthest], CELLS, MOST_HALVED, |low, high| sines.angles_apart(low, high))
-        } else {
-            let apart = difference(theta.terms(), self.weights);
-            by_halves([least, farthest], CELLS, MOST_HALVED, |low, high| apart.over(low, high).largest(0))
-        };
-        at_same_phase + theta.omitted() + self.moved(farthest)
+            return supremum(phases, |low, high| of_sines(&sines, low, high));
+        }
+        let apart = difference(self.theta.terms(), self.weights);
+        supremum(phases, |low, high| apart.over(low, high).largest(order))
     }
 
     /// sup |θ̂| − θ0 over all phases, or anything that is little beside `error`.
@@ -203,6 +201,10 @@ const MOST_TERMS: usize = 400;
 const CELLS: u32 = 96;
 const MOST_HALVED: usize = 2000;
 
+fn supremum(phases: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64 {
+    by_halves(phases, CELLS, MOST_HALVED, bound)
+}
+
 /// y, of which θ̂ is twice the arcsine, beside Y = sin(θ/2), of which it is the first terms.
 struct Sines {
     ours: Cosines,
@@ -229,17 +231,18 @@ impl Sines {
     /// is negative, and everywhere at most 2|ρ| times the arcsine's slope.
     fn angles_apart(&self, low: f64, high: f64) -> f64 {
         let [y, whole, rest] = [&self.ours, &self.whole, &self.rest].map(|sum| sum.over(low, high));
-        let (least, most) = ([y.range(0).0, whole.range(0).0 - self.omitted[0]], [y.largest(0), whole.largest(0)]);
-        let most = [most[0], most[1] + self.omitted[0]];
-        let rest = rest.largest(0) + self.omitted[0];
+        let omitted = self.omitted[0];
+        let [least, least_whole] = [y.range(0).0, whole.range(0).0 - omitted];
+        let [most, most_whole] = [y.largest(0), whole.largest(0) + omitted];
+        let rest = rest.largest(0) + omitted;
         let cosine = |sine: f64| ((1.0 - sine) * (1.0 + sine)).max(0.0).sqrt();
-        let [ours, exact] = [cosine(most[0]), cosine(most[1]).max(self.complementary)];
+        let (ours, exact) = (cosine(most), cosine(most_whole).max(self.complementary));
         let by_slope = 2.0 * rest / ours.min(exact);
-        let below = least[0] * exact + least[1] * ours;
-        if least[0] < 0.0 || least[1] < 0.0 {
+        if least < 0.0 || least_whole < 0.0 {
             return by_slope;
         }
-        by_slope.min(2.0 * libm::asin((rest * (most[0] + most[1]) / below).min(1.0)))
+        let divisor = least * exact + least_whole * ours;
+        by_slope.min(2.0 * libm::asin((rest * (most + most_whole) / divisor).min(1.0)))
     }
 
     /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is

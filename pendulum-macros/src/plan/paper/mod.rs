@@ -127,6 +127,11 @@ impl Sum {
         first((kept + more).min(MOST_CHOSEN).min(terms.len()))
     }
 
+    /// What of our phase a short horizon meets.
+    fn met(&self, scene: &Scene, swing: &Swing) -> Option<Met> {
+        Met::within(scene, &self.rate, &swing.launch)
+    }
+
     /// What it approximates θ by.
     fn approximate<'a>(&'a self, theta: &'a Curve, scene: &'a Scene, swing: &'a Swing) -> Approximate<'a> {
         Approximate::new((self.method, &self.weights, &self.rate), theta, scene, swing)
@@ -181,7 +186,7 @@ impl Sum {
 
     /// The reductions, cheapest first.
     fn reductions(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Vec<Reduction> {
-        let reach = Met::within(scene, &self.rate, &swing.launch).and_then(Met::reach);
+        let reach = self.met(scene, swing).and_then(Met::reach);
         let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing);
         let mut reductions: Vec<Reduction> =
             reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();

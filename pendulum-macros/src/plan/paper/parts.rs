@@ -9,7 +9,6 @@ use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
 use crate::plan::form::{Division, Form};
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
-use crate::plan::met::Met;
 use crate::plan::pieces::Piecewise;
 use crate::plan::polynomial::{Approximation, Polynomial};
 use crate::plan::reduction::Reduction;
@@ -84,8 +83,7 @@ impl Sum {
             return None;
         }
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
-        let moment = Met::within(scene, &self.rate, &swing.launch).is_some();
-        let truncation = if moment { (bias / 3.0).max(units(1.0)) } else { f64::INFINITY };
+        let truncation = self.met(scene, swing).map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
         let limit = truncation.min(allowed[0] / 8.0);
         let approximation = whole::approximation(&self.weights, limit);
         let pieces = pieces::approximation(&self.weights, limit);

@@ -24,7 +24,7 @@ pub(in crate::plan) struct Approximations {
 
 /// What tells approximations with a leeway from others: the error of the phase and its share, and whether they are
 /// divided.
-type Lenient = ([u64; 2], bool);
+type Lenient = ([f64; 2], bool);
 
 impl Approximations {
     pub(in crate::plan) fn new(aim: &Aim, reductions: &[Reduction]) -> Self {
@@ -55,8 +55,7 @@ impl Approximations {
             let leeway = Leeway::new(curve, reduction.error, ratio);
             strict.iter().map(|approximation| approximation.with(leeway.clone())).collect()
         };
-        let key = [reduction.error, ratio].map(f64::to_bits);
-        self.lenient.get((key, divided), lenient)
+        self.lenient.get(([reduction.error, ratio], divided), lenient)
     }
 }
 

@@ -58,8 +58,8 @@ struct Shortened {
     /// What the longer one is more, from this order on.
     left: Vec<f64>,
     first: usize,
-    /// What that changes of phases up to that of so many bits, once it is known.
-    suprema: Memo<u64, f64>,
+    /// What that changes of phases up to so far.
+    suprema: Memo<f64, f64>,
     /// The shifts found, by chunk.
     choices: Memo<usize, Option<Choices>>,
 }
@@ -181,7 +181,7 @@ impl Approximation {
         let reach = 0.5 + overshoot.min(0.0);
         let Shortened { left: coefficients, first, suprema, .. } = &*shortened;
         let supremum = || tail::supremum(coefficients, *first, self.pole, self.parity, reach, self.leeway.as_ref());
-        let within = suprema.get(reach.to_bits(), supremum);
+        let within = suprema.get(reach, supremum);
         let weight = self.weight(overshoot);
         let at_end = within + self.leeway.as_ref().map_or(0.0, |leeway| leeway.spared(0));
         (whole * weight).min(at_end * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)

@@ -33,13 +33,12 @@ struct Prospect {
     found: Memo<Asked, Rc<Found>>,
 }
 
-/// What polynomials are asked for: an output by a reduction, both by their numbers, that takes at most such a part of its
-/// limit, in bits.
+/// What polynomials are asked for: an output, by its number, that takes at most such a part of its limit.
 #[derive(PartialEq)]
 struct Asked {
     output: usize,
-    reduction: usize,
-    most: u64,
+    reduction: Reduction,
+    most: f64,
 }
 
 /// A variant, what it is estimated to cost, and what it can promise if that was looked at.
@@ -351,9 +350,7 @@ impl Candidate<'_> {
                 _ => Err(f64::INFINITY),
             };
             let mut polynomials = || {
-                let is_own = |reduction: &Reduction| std::ptr::eq(reduction, self.reduction);
-                let reduction = self.prospect.reductions.iter().position(is_own).ok_or(f64::INFINITY)?;
-                let asked = Asked { output, reduction, most: most.to_bits() };
+                let asked = Asked { output, reduction: self.reduction.clone(), most };
                 let found = self.prospect.found.get(asked, || Rc::new(self.polynomials(scene, aim, all, most)));
                 rejected.extend_from_slice(&found.rejected);
                 found.part.clone()

@@ -73,7 +73,11 @@ impl Program {
 /// Adds the slope of a node, after which all that use it have added theirs, to those of its operands; `false` where
 /// there is none.
 fn pass_back(id: Id, op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> bool {
-    let bypassed = slopes[..id].iter().any(|slope| slope.magnitude() > 0.0);
+    // Whichever sign a number takes, everything before it changes by it alike, unless something goes past it.
+    let is_sign = matches!(op, Op::Alternate { .. } | Op::Against { .. });
+    if is_sign && slopes[..id].iter().any(|slope| slope.magnitude() > 0.0) {
+        return false;
+    }
     let mut add = |id: Id, part: Slope| slopes[id] = slopes[id].plus(part);
     match op {
         Op::Input | Op::Constant { .. } => {}
@@ -114,8 +118,6 @@ fn pass_back(id: Id, op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]
             add(x, slope.times(0.0, 1.0));
             add(limit, slope.times(0.0, 1.0));
         }
-        // Whichever sign it takes, everything before it changes by it alike, unless something goes past it.
-        Op::Alternate { .. } | Op::Against { .. } if bypassed => return false,
         Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
         Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => return false,
     }
