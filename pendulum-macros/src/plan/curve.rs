@@ -1,6 +1,7 @@
 //! The curves that outputs are made of: each a function of the phase alone, with what planning needs to know of it.
 
 use super::arc::Arc;
+use super::pulses::Pulses;
 use crate::exact::Real;
 use crate::motion::{Rotation, Swing};
 use crate::plan::moments::Moments;
@@ -13,6 +14,8 @@ use std::cell::OnceCell;
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
     wave: Wave,
+    /// Of those with poles.
+    pulses: Option<Pulses>,
     arc: Arc,
     /// Set where the sign changes from anchor to anchor.
     pub(crate) alternates: bool,
@@ -55,6 +58,9 @@ impl Size {
     }
 }
 
+/// Parts of the way to the poles: towards them ellipses grow, and so does what bounds a curve inside, without limit.
+const TOWARDS_POLES: [f64; 6] = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94];
+
 impl Curve {
     pub(crate) fn parity(&self) -> Parity {
         self.wave.parity_about(self.arc.halves())
@@ -74,10 +80,22 @@ impl Curve {
         self.wave.strip() / self.arc.stretch.hi
     }
 
-    /// Heights of the ellipses that may serve an interpolation's error: towards the strip's edge they grow, and so does
-    /// the bound, without limit. Up to 1.5 they are within |s| ≤ 4, for which it holds.
+    /// Heights of the ellipses in the strip that may serve an interpolation's error. Up to 1.5 they are within |s| ≤ 4, for
+    /// which the bound holds.
     pub(crate) fn heights(&self) -> [f64; 6] {
-        [0.5, 0.6, 0.7, 0.8, 0.88, 0.94].map(|part| (part * self.strip()).min(1.5))
+        TOWARDS_POLES.map(|part| (part * self.strip()).min(1.5))
+    }
+
+    /// Ellipses with foci s = ±½ that may serve an interpolation's error, by the number of which the semi-axes are half the
+    /// hyperbolic sine and cosine, and bounds of the curve inside.
+    pub(crate) fn ellipses(&self) -> impl Iterator<Item = (f64, f64)> + Clone {
+        let in_strip = self.heights().map(|height| (libm::asinh(2.0 * height), self.bound(height)));
+        let pulses = self.pulses.filter(|_| !self.is_arc());
+        let between_poles = pulses.into_iter().flat_map(|pulses| {
+            let angles = TOWARDS_POLES.map(|part| part * pulses.angle_of_poles());
+            angles.map(|angle| (angle, pulses.bound(angle)))
+        });
+        in_strip.into_iter().chain(between_poles)
     }
 
     /// What of it is met in the arc, for a phase that is never reduced.
@@ -121,6 +139,11 @@ impl Curve {
         self.wave.stray(by);
     }
 
+    #[cfg(test)]
+    pub(crate) fn pulses(&self) -> Option<Pulses> {
+        self.pulses
+    }
+
     /// As if that had been omitted.
     #[cfg(test)]
     pub(crate) fn omitting(mut self, omitted: f64) -> Self {
@@ -142,7 +165,7 @@ impl Curve {
     pub(crate) fn sine() -> Self {
         let steepest = std::f64::consts::PI;
         let size = Size { largest: 1.0, slope: steepest, moment: steepest, unit: 1.0 };
-        Self { wave: Wave::sine(), arc: Arc::WHOLE, alternates: true, rises: false, size }
+        Self { wave: Wave::sine(), pulses: None, arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
 
     /// θ0 cos(πs): small angles, Eqs. 3 and 17.
@@ -150,7 +173,7 @@ impl Curve {
         let largest = amplitude.to_f64();
         let slope = largest * std::f64::consts::PI;
         let size = Size { largest, slope, moment: slope / 2.0, unit: 1.0 };
-        Self { wave: Wave::cosine(amplitude.to_double()), arc: Arc::WHOLE, alternates: true, rises: false, size }
+        Self { wave: Wave::cosine(amplitude.to_double()), size, ..Self::sine() }
     }
 }
 
@@ -198,10 +221,9 @@ impl<'a> SwingCurves<'a> {
         if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { libm::sin(amplitude) }
     }
 
-    fn wave(&self, order: i32, scale: Double, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
-        let wave = Wave::swing(self.swing, order, scale);
+    fn curve(&self, wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let size = Size { largest, slope: slope * (1.0 + 1e-12), moment, unit };
-        Curve { wave, arc: Arc::WHOLE, alternates: true, rises: false, size }
+        Curve { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
 
     fn moments(&self) -> &Moments {
@@ -213,14 +235,19 @@ impl<'a> SwingCurves<'a> {
 impl Curves for SwingCurves<'_> {
     /// |θ̇| ≤ 2kω, which it reaches at the lowest point, faster and faster from the turning point on.
     fn angle(&self) -> Curve {
+        let wave = Wave::swing(self.swing, 0, Double::ONE);
+        let largest = self.swing.amplitude.to_f64();
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().angle];
-        Curve { rises: true, ..self.wave(0, Double::ONE, self.swing.amplitude.to_f64(), slopes, 1.0) }
+        let pulses = Pulses::angle(&self.swing.elliptic, largest, 0.0);
+        Curve { rises: true, ..self.curve(wave, pulses, largest, slopes, 1.0) }
     }
 
     fn velocity(&self) -> Curve {
         let omega = self.omega.to_double();
         let slopes = [self.largest_sine() / self.rate().hi, self.moments().velocity].map(|slope| omega.hi * slope);
-        self.wave(1, self.rate() * omega, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
+        let pulses = Pulses::velocity(&self.swing.elliptic, 1.0, omega.hi);
+        let wave = Wave::swing(self.swing, 1, self.rate() * omega);
+        self.curve(wave, pulses, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
     }
 
     /// −ω² sin θ; its derivative is largest at the lowest point.
@@ -228,19 +255,20 @@ impl Curves for SwingCurves<'_> {
         let rate = self.rate() * self.omega.to_double();
         let square = self.omega.square().to_f64();
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().acceleration].map(|slope| square * slope);
-        self.wave(2, rate * rate, square * self.largest_sine(), slopes, square)
+        let pulses = Pulses::acceleration(&self.swing.elliptic, 1.0, square);
+        self.curve(Wave::swing(self.swing, 2, rate * rate), pulses, square * self.largest_sine(), slopes, square)
     }
 
     /// k sn.
     fn half_sine(&self) -> Curve {
-        let (largest, unit) = (self.modulus(), 1.0);
-        Curve { wave: Wave::half_sine(self.swing), ..self.wave(0, Double::ONE, largest, [f64::INFINITY; 2], unit) }
+        let pulses = Pulses::half_sine(&self.swing.elliptic, 1.0);
+        self.curve(Wave::half_sine(self.swing), pulses, self.modulus(), [f64::INFINITY; 2], 1.0)
     }
 
     /// dn.
     fn half_cosine(&self) -> Curve {
-        let wave = Wave::half_cosine(self.swing);
-        Curve { wave, alternates: false, ..self.wave(0, Double::ONE, 1.0, [f64::INFINITY; 2], 1.0) }
+        let pulses = Pulses::half_cosine(&self.swing.elliptic, 1.0);
+        Curve { alternates: false, ..self.curve(Wave::half_cosine(self.swing), pulses, 1.0, [f64::INFINITY; 2], 1.0) }
     }
 }
 
@@ -261,10 +289,15 @@ impl<'a> RotationCurves<'a> {
         self.rotation.rate().to_double()
     }
 
-    fn wave(&self, wave: Wave, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
+    fn curve(&self, wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let slope = slope / self.rate().hi * (1.0 + 1e-12);
         let size = Size { largest, slope, moment, unit };
-        Curve { wave, arc: Arc::WHOLE, alternates: false, rises: false, size }
+        Curve { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: false, rises: false, size }
+    }
+
+    /// 1/κ.
+    fn front(&self) -> f64 {
+        1.0 / self.rotation.elliptic.modulus.to_f64()
     }
 
     fn moments(&self) -> &Moments {
@@ -276,7 +309,8 @@ impl<'a> RotationCurves<'a> {
 
     /// The angle itself, of the turn that passes the lowest point at s = ½.
     pub(crate) fn whole_angle(&self) -> Curve {
-        Curve { wave: Wave::rotation(self.rotation, 0, Double::ONE).raised(-Double::PI), ..self.angle() }
+        let wave = Wave::rotation(self.rotation, 0, Double::ONE).raised(-Double::PI);
+        Curve { wave, pulses: None, ..self.angle() }
     }
 }
 
@@ -285,7 +319,8 @@ impl Curves for RotationCurves<'_> {
     fn angle(&self) -> Curve {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
         let slopes = [self.rotation.fastest.to_f64(), self.moments().angle];
-        self.wave(wave, std::f64::consts::PI, slopes, 1.0)
+        let pulses = Pulses::angle(&self.rotation.elliptic, std::f64::consts::PI, 1.0);
+        self.curve(wave, pulses, std::f64::consts::PI, slopes, 1.0)
     }
 
     /// |θ̇|; its derivative is at most ω².
@@ -293,22 +328,26 @@ impl Curves for RotationCurves<'_> {
         let omega = self.omega.to_f64();
         let wave = Wave::rotation(self.rotation, 1, self.rate());
         let slopes = [omega * omega, omega * self.moments().velocity];
-        self.wave(wave, self.rotation.fastest.to_f64(), slopes, omega)
+        let pulses = Pulses::velocity(&self.rotation.elliptic, self.front(), omega);
+        self.curve(wave, pulses, self.rotation.fastest.to_f64(), slopes, omega)
     }
 
     fn acceleration(&self) -> Curve {
         let square = self.omega.square().to_f64();
         let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
         let slopes = [self.rotation.fastest.to_f64(), self.moments().acceleration].map(|slope| square * slope);
-        self.wave(wave, square, slopes, square)
+        let pulses = Pulses::acceleration(&self.rotation.elliptic, self.front(), square);
+        self.curve(wave, pulses, square, slopes, square)
     }
 
     fn half_sine(&self) -> Curve {
-        self.wave(Wave::from_top(self.rotation, Parity::Even), 1.0, [f64::INFINITY; 2], 1.0)
+        let pulses = Pulses::half_sine(&self.rotation.elliptic, self.front());
+        self.curve(Wave::from_top(self.rotation, Parity::Even), pulses, 1.0, [f64::INFINITY; 2], 1.0)
     }
 
     fn half_cosine(&self) -> Curve {
-        self.wave(Wave::from_top(self.rotation, Parity::Odd), 1.0, [f64::INFINITY; 2], 1.0)
+        let pulses = Pulses::half_cosine(&self.rotation.elliptic, self.front());
+        self.curve(Wave::from_top(self.rotation, Parity::Odd), pulses, 1.0, [f64::INFINITY; 2], 1.0)
     }
 }
 

@@ -22,6 +22,7 @@ mod part;
 mod passage;
 mod pieces;
 pub(crate) mod polynomial;
+mod pulses;
 pub(crate) mod reduction;
 mod refusal;
 mod search;

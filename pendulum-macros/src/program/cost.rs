@@ -52,8 +52,8 @@ pub(crate) const QUOTIENT: f64 = 2.5;
 /// in `f64`; in `f32` twice the lanes are lost.
 pub(crate) fn lanes_lost(float: Float) -> f64 {
     match float {
-        Float::F64 => 2.4,
-        Float::F32 => 4.8,
+        Float::F64 => 2.2,
+        Float::F32 => 4.4,
     }
 }
 

@@ -16,10 +16,10 @@
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
 /// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.2e-14 of rounding); 29 operations
-/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.293e-10 rad·ω (4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of rounding); 23 operations
+/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.273e-10 rad·ω (4.0e-10 of truncation, 2.4e-11 of phase, 3.1e-15 of rounding); 23 operations
 /// * not a polynomial in s² over poles, adapted in blocks of 16 for `theta`: it costs about 0.5 operations more
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
-/// * not pieces, phase by one product with the rate: it costs about 88 operations
+/// * not pieces, phase by one product with the rate: it costs about 81 operations
 /// * not `harmonic`: it is wrong by about 5e-1
 /// * not `series`: 12 harmonics, about 58 operations
 /// * not `fourier`: about 13 harmonics, the arcsine of whose sum bends more than θ does
@@ -65,9 +65,9 @@ impl Clock {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 29;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219322595868374e-10;
+    pub const MAX_ERROR: f64 = 6.219322619259669e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.2927611346389174e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.273497004213818e-10;
     /// θ(t), rad; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]
@@ -104,9 +104,9 @@ impl Clock {
         let d = -0.06804324686527252 - v_2 * v_2;
         let w = y * y;
         signed / d
-            * (((6.124467045511238 - 9.21111275994427 * y + 4.809998015125404 * w)
-                * (w - 0.5192764700599335) - 2.3417654646378345)
-                * (w + 0.3238838467127561) + 2.527994356454545)
+            * (((6.124465567387538 - 9.211109378250262 * y + 4.809994123216009 * w)
+                * (w - 0.5192766012494591) - 2.3417655541724822)
+                * (w + 0.32388388397501167) + 2.527994602833727)
     }
     /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 45 operations.
     #[inline(always)]
@@ -132,9 +132,9 @@ impl Clock {
         let v_3 = v - 0.18198639154434204;
         let d_2 = -0.06804324686527252 - v_3 * v_3;
         let second_result = signed / d_2
-            * (((6.124467045511238 - 9.21111275994427 * y + 4.809998015125404 * w)
-                * (w - 0.5192764700599335) - 2.3417654646378345)
-                * (w + 0.3238838467127561) + 2.527994356454545);
+            * (((6.124465567387538 - 9.211109378250262 * y + 4.809994123216009 * w)
+                * (w - 0.5192766012494591) - 2.3417655541724822)
+                * (w + 0.32388388397501167) + 2.527994602833727);
         (first_result, second_result)
     }
 }

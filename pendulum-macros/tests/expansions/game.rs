@@ -62,9 +62,9 @@ impl Lamp {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 17;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f32 = 6.9166614e-5;
+    pub const MAX_ERROR: f32 = 6.916677e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
-    pub const MAX_POSITION_ERROR: f32 = 7.699699e-5;
+    pub const MAX_POSITION_ERROR: f32 = 7.699701e-5;
     /// θ(t), rad; NaN if t is not finite. 17 operations.
     #[inline(always)]
     #[must_use]

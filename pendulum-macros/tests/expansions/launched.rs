@@ -16,7 +16,7 @@
 /// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.705e-7 rad·ω² (4.7e-7 of truncation, 6.6e-15 of phase, 6.6e-16 of rounding); 55 operations
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it costs about 0.5 operations more
 /// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
-/// * not pieces, phase by exact products with the rate in 3 words: it costs about 150 operations
+/// * not pieces, phase by exact products with the rate in 3 words: it costs about 138 operations
 /// * not `harmonic`: it is wrong by about 1e-2
 /// * not `series`: 3 harmonics, about 67 operations
 /// * not `fourier`: about 4 harmonics, the arcsine of whose sum bends more than θ does
@@ -62,9 +62,9 @@ impl Pushed {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 52;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 3.7296648750992823e-7;
+    pub const MAX_ERROR: f64 = 3.7296648750992834e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.705310000376457e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 4.705310000376468e-7;
     /// θ(t), rad; NaN if t is not finite. 52 operations.
     #[inline(always)]
     #[must_use]

@@ -13,7 +13,7 @@ use super::nearest::Corrections;
 use super::pole::{Pole, Quotient};
 use super::tail;
 use super::{Divided, Polynomial, Remainder};
-use crate::chebyshev::{CosineTable, Interpolation, rounding_of_powers, scale, shift, to_powers};
+use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers, scale, shift, to_powers};
 use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices, magnitude};
 use crate::plan::curve::Curve;
@@ -126,9 +126,10 @@ impl Approximation {
         };
         let values: Vec<Double> = table.points().map(sample).collect();
         let mut series = table.coefficients(&values);
-        // What is interpolated is the sum of the terms that aren't omitted; those that are change the value itself, which
-        // an error of the series does by half as much at most where the curve is odd.
-        let mut remainder = error + 2.0 * curve.omitted() * pole.map_or(1.0, |pole| pole.most(0.5));
+        // Terms that the sum omits change the value itself, which an error of the series does by half as much at most where
+        // the curve is odd.
+        let mut remainder =
+            error + (2.0 * curve.omitted() + missed(curve, points)) * pole.map_or(1.0, |pole| pole.most(0.5));
         // What is far below the aim isn't worth carrying.
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
@@ -449,21 +450,26 @@ fn at_most_cosh(x: f64) -> f64 {
     if x < 0.1 { 1.0 + 0.5005 * x * x } else { libm::cosh(x) }
 }
 
+/// What terms that a curve's sum omits change of its interpolation, where that is of the whole curve: of samples by their
+/// slope at most, since the first of them oscillates, and over s if the curve is odd.
+fn missed(curve: &Curve, points: usize) -> f64 {
+    if curve.is_arc() { 0.0 } else { lebesgue(points) * curve.omitted_slope() }
+}
+
 /// As many points as make the interpolation error negligible.
 fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<Interpolation> {
-    let ellipse = |height: f64| {
+    let ellipse = |(angle, bound): (f64, f64)| {
         // s = ½ cos φ with |Im φ| = ½ ln ρ, or ln ρ where the polynomial is one in s itself.
-        let angle = libm::asinh(2.0 * height);
         let log_rho = if curve.parity() == Parity::Neither { angle } else { 2.0 * angle };
-        let radius = 0.5 * libm::cosh(angle);
-        let mut bound = curve.bound(height) * pole.map_or(1.0, |pole| pole.most(radius));
+        let (height, radius) = (0.5 * libm::sinh(angle), 0.5 * libm::cosh(angle));
+        let mut bound = bound * pole.map_or(1.0, |pole| pole.most(radius));
         if curve.parity() == Parity::Odd {
             // |s| ≥ height on the ellipse's image.
             bound /= height;
         }
         (bound, libm::exp(log_rho))
     };
-    Interpolation::fewest(curve.heights().into_iter().map(ellipse), negligible, FEWEST_POINTS, MOST_POINTS)
+    Interpolation::fewest(curve.ellipses().map(ellipse), negligible, FEWEST_POINTS, MOST_POINTS)
 }
 
 #[cfg(test)]
