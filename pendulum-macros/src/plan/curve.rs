@@ -221,7 +221,7 @@ impl<'a> SwingCurves<'a> {
         if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { libm::sin(amplitude) }
     }
 
-    fn curve(&self, wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
+    fn curve(wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
         let size = Size { largest, slope: slope * (1.0 + 1e-12), moment, unit };
         Curve { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
@@ -239,7 +239,7 @@ impl Curves for SwingCurves<'_> {
         let largest = self.swing.amplitude.to_f64();
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().angle];
         let pulses = Pulses::angle(&self.swing.elliptic, largest, 0.0);
-        Curve { rises: true, ..self.curve(wave, pulses, largest, slopes, 1.0) }
+        Curve { rises: true, ..Self::curve(wave, pulses, largest, slopes, 1.0) }
     }
 
     fn velocity(&self) -> Curve {
@@ -247,7 +247,7 @@ impl Curves for SwingCurves<'_> {
         let slopes = [self.largest_sine() / self.rate().hi, self.moments().velocity].map(|slope| omega.hi * slope);
         let pulses = Pulses::velocity(&self.swing.elliptic, 1.0, omega.hi);
         let wave = Wave::swing(self.swing, 1, self.rate() * omega);
-        self.curve(wave, pulses, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
+        Self::curve(wave, pulses, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
     }
 
     /// −ω² sin θ; its derivative is largest at the lowest point.
@@ -256,19 +256,19 @@ impl Curves for SwingCurves<'_> {
         let square = self.omega.square().to_f64();
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().acceleration].map(|slope| square * slope);
         let pulses = Pulses::acceleration(&self.swing.elliptic, 1.0, square);
-        self.curve(Wave::swing(self.swing, 2, rate * rate), pulses, square * self.largest_sine(), slopes, square)
+        Self::curve(Wave::swing(self.swing, 2, rate * rate), pulses, square * self.largest_sine(), slopes, square)
     }
 
     /// k sn.
     fn half_sine(&self) -> Curve {
         let pulses = Pulses::half_sine(&self.swing.elliptic, 1.0);
-        self.curve(Wave::half_sine(self.swing), pulses, self.modulus(), [f64::INFINITY; 2], 1.0)
+        Self::curve(Wave::half_sine(self.swing), pulses, self.modulus(), [f64::INFINITY; 2], 1.0)
     }
 
     /// dn.
     fn half_cosine(&self) -> Curve {
         let pulses = Pulses::half_cosine(&self.swing.elliptic, 1.0);
-        Curve { alternates: false, ..self.curve(Wave::half_cosine(self.swing), pulses, 1.0, [f64::INFINITY; 2], 1.0) }
+        Curve { alternates: false, ..Self::curve(Wave::half_cosine(self.swing), pulses, 1.0, [f64::INFINITY; 2], 1.0) }
     }
 }
 

@@ -48,7 +48,7 @@ pub(crate) const MINIMUM: f64 = 1.3;
 pub(crate) const QUOTIENT: f64 = 2.5;
 
 /// What an operation costs in a program with a table, of which loops over arrays vectorise only where the machine
-/// gathers. By measured times it is 1.6 to 2.2 without AVX2, about 2.5 with its gathers, and 3.7 where a loop has none,
+/// gathers. By measured times it is 1.6 to 2.2 without AVX2, 2.1 to 2.7 with its gathers, and 3.7 where a loop has none,
 /// in `f64`; in `f32` twice the lanes are lost.
 pub(crate) fn lanes_lost(float: Float) -> f64 {
     match float {
