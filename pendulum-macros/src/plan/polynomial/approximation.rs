@@ -49,6 +49,8 @@ pub(crate) struct Approximation {
     leeway: Option<Leeway>,
     /// The series of so many terms, and whether they make up for the others.
     shortened: Memo<(usize, bool), Rc<Shortened>>,
+    /// The terms for a limit and an overshoot.
+    enough: Memo<[f64; 2], Option<usize>>,
 }
 
 /// A series of so many terms that stands for a longer one.
@@ -143,12 +145,13 @@ impl Approximation {
             growth: Growth::Points { points, log_rho: libm::log(rho) },
             leeway: None,
             shortened: Memo::default(),
+            enough: Memo::default(),
         }
     }
 
     /// The same of a phase that leaves a leeway.
     pub(crate) fn with(&self, leeway: Leeway) -> Self {
-        Self { leeway: Some(leeway), shortened: Memo::default(), ..self.clone() }
+        Self { leeway: Some(leeway), shortened: Memo::default(), enough: Memo::default(), ..self.clone() }
     }
 
     /// An even function of which the series and its error are known, and by which power of an ellipse's parameter that
@@ -163,6 +166,7 @@ impl Approximation {
             growth: Growth::Power(growth),
             leeway: None,
             shortened: Memo::default(),
+            enough: Memo::default(),
         }
     }
 
@@ -240,6 +244,10 @@ impl Approximation {
 
     /// The fewest terms, at least two, whose truncation error is at most `limit`.
     pub(crate) fn terms_for(&self, limit: f64, overshoot: f64) -> Option<usize> {
+        self.enough.get([limit, overshoot], || self.fewest_for(limit, overshoot))
+    }
+
+    fn fewest_for(&self, limit: f64, overshoot: f64) -> Option<usize> {
         let mut truncation = self.least_truncation(overshoot);
         let mut enough = None;
         for terms in (2..=self.series.len()).rev() {
