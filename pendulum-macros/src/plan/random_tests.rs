@@ -274,6 +274,9 @@ fn bounds_are_close_to_errors() {
         ("theta0 = π - 1.289e-8, tol = 2.3e-5, t_max = 342.9, float = f32, outputs = [position]", 4.0),
         ("theta0 = π - 5.264e-5, tol = 2e-12, t_max = 4.1e4, outputs = [velocity]", 1.5),
         ("theta0 = π - 2.755e-7, tol = 5.7e-5, t_max = 38, float = f32, outputs = [acceleration]", 3.0),
+        // Over poles next to the lowest point sums are small there and large elsewhere, and coefficients may be larger still.
+        ("theta0 = π - 1.667e-10, tol = 6.3e-12, t_max = 53.018, outputs = [acceleration]", 2.0),
+        ("theta0 = π - 7.987e-08, tol = 3.3e-07, t_max = 197.701, outputs = [position]", 2.0),
         // A cosine's error counts by the slope of the sum, of which there is next to none about a turning point there.
         ("theta0 = π - 1e-3, tol = 1e-2, method = fourier, float = f32", 3.0),
         ("theta0 = 3.1, tol = 1e-4, method = fourier, float = f32, outputs = [velocity]", 2.5),

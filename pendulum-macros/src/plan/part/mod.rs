@@ -28,6 +28,15 @@ pub(super) fn observed(float: Float) -> f64 {
     }
 }
 
+/// From these tolerances on a bound had better not be mostly of rounding, which is hardly ever at its worst: `MAX_ERROR` is
+/// to be at most four times what can be observed.
+fn close_from(float: Float) -> f64 {
+    match float {
+        Float::F64 => 1e-12,
+        Float::F32 => 1e-5,
+    }
+}
+
 impl Aim {
     /// The kernel of the first of three rounds that keeps the promise, or the least bound reached, in units of the
     /// tolerance. A round is told what the phase and the rounding of the kernel of the one before leave, and gives a
@@ -78,8 +87,22 @@ impl Aim {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        let share = (judged.total() + self.beyond_bound(scene, reduction, bound.phase)) / self.limit;
+        let doubt = if self.is_mostly_rounding(scene, &judged) { self.limit } else { 0.0 };
+        let share = (judged.total() + self.beyond_bound(scene, reduction, bound.phase) + doubt) / self.limit;
         Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest, share })
+    }
+
+    /// Whether rounding takes much of a tolerance and more of the bound than the rest does, as with coefficients that are
+    /// many times as large as what they add up to. Then it counts as more than the whole of its limit, which serves where
+    /// nothing else does.
+    fn is_mostly_rounding(&self, scene: &Scene, bound: &Bound) -> bool {
+        const MUCH: f64 = 0.125;
+        const MOSTLY: f64 = 1.5;
+        let Goal::Tolerance(tolerance) = scene.goal else { return false };
+        let rounding = bound.evaluation;
+        tolerance >= close_from(scene.float)
+            && rounding > MUCH * self.limit
+            && rounding > MOSTLY * (bound.truncation + bound.phase)
     }
 
     /// By how much more than its bound an error takes of the limit: less what is hardly ever met of the phase's, and what
