@@ -139,8 +139,7 @@ impl Checker<'_> {
         // A velocity with a mistake was meant as one.
         let moving = !velocity0.is_zero() || self.request.mentions("velocity0") && velocity.is_none();
         let rest = Rest::of(theta0);
-        let unit = angle.and_then(|given| given.value.angle_unit());
-        let reduced = rest.shown(matches!(unit, Some(("deg", _))));
+        let reduced = rest.shown(angle.is_some_and(|given| given.value.is_in_degrees()));
         // Full turns away from where nothing moves, nothing moves either.
         let why = match (why, rest) {
             (NoMotion::BeyondTop, Rest::Lowest) if !moving => NoMotion::Hanging,

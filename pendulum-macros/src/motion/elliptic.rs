@@ -1,6 +1,7 @@
 //! The modulus and what follows from it: quarter periods and nomes.
 
 use crate::exact::Real;
+use pendulum_runtime::double::Double;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 /// A modulus and its integrals.
@@ -21,9 +22,15 @@ pub(crate) struct Elliptic {
 }
 
 impl Elliptic {
-    /// Of the series of sn (Eq. 20).
+    /// Of the series of sn (Eq. 20). Nearer to the top than floats tell it is that of the nearest that they do: arguments
+    /// of the arcsine exceed 1 by as much there, whatever the number of terms.
     pub(crate) fn fourier_analysis(&self) -> FourierAnalysis {
-        FourierAnalysis::new(self.modulus.to_double(), self.complementary.to_double())
+        let complementary = self.complementary.to_double();
+        let nearest = Double::new(f64::MIN_POSITIVE);
+        FourierAnalysis::new(
+            self.modulus.to_double(),
+            if complementary.hi < nearest.hi { nearest } else { complementary },
+        )
     }
 
     /// From k and k′, both given so that neither has to be found as √(1 − the other²), which cancels at one end.

@@ -1,17 +1,15 @@
-//! What the methods of the paper would have cost: for the documentation of the plan that was chosen.
+//! Why the methods of the paper lost: for the documentation of the plan that was chosen.
 
-use super::curve::{Curves, SwingCurves};
-use super::reduction::Reduction;
+use super::curve::{Curve, Curves, SwingCurves};
 use crate::motion::Regime;
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
-
-/// Operations of the cosine that a sum of harmonics starts from, and of one harmonic.
-const COSINE: usize = 18;
-const HARMONIC: usize = 3;
+use crate::supremum::worst;
+use pendulum_runtime::double::Double;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Why each method of the paper lost, where θ was planned for a swing by choice.
-pub(super) fn costs(scene: &Scene, reduction: &Reduction) -> Vec<String> {
+pub(super) fn reasons(scene: &Scene) -> Vec<String> {
     let Regime::Swing(swing) = &scene.motion.regime else { return Vec::new() };
     if scene.method.is_some() || !scene.outputs.contains(&Output::Theta) {
         return Vec::new();
@@ -21,21 +19,31 @@ pub(super) fn costs(scene: &Scene, reduction: &Reduction) -> Vec<String> {
         Goal::Tolerance(tol) => tol,
         _ => scene.float.unit() * swing.amplitude.to_f64(),
     };
-    // The first neglected term is nearly all of the error.
-    let needed = |after: usize| theta.terms().iter().skip(after).all(|(_, a)| a.hi.abs() <= aim);
-    let terms = (1..theta.terms().len()).find(|&terms| needed(terms)).unwrap_or(theta.terms().len());
-    let base = reduction.operations() + COSINE;
     let mut lost = Vec::new();
-    if terms > 1 {
-        let error = theta.terms().get(1).map_or(0.0, |(_, a)| 2.0 * a.hi.abs());
+    if theta.terms().len() > 1 {
+        let error = error_of_cosine(&theta);
         lost.push(format!("`{}`: it is wrong by about {error:.0e}", Method::Harmonic.word()));
     }
-    let series = base + HARMONIC * terms;
-    lost.push(format!("`{}`: {terms} harmonics, about {series} operations", Method::Series.word()));
+    // The mean of |error·cos| is half of the first coefficient that is left out, and at most 2/π of the largest error.
+    let needed = |after: usize| theta.terms().iter().skip(after).all(|(_, a)| a.hi.abs() * FRAC_PI_4 <= aim);
+    let harmonics = (1..theta.terms().len()).find(|&terms| needed(terms)).unwrap_or(theta.terms().len());
     lost.push(format!(
-        "`{}`: about {} harmonics, the arcsine of whose sum bends more than θ does",
-        Method::Fourier.word(),
-        terms + 1
+        "`{}`: {harmonics} harmonics at least, of three operations each beside a cosine",
+        Method::Series.word()
+    ));
+    lost.push(format!(
+        "`{}`: what stands for the arcsine of its sum bends no less than θ, and the sum has an error of its own",
+        Method::Fourier.word()
     ));
     lost
+}
+
+/// About sup |θ − θ0 cos πs|, s being the phase from the turning point.
+fn error_of_cosine(theta: &Curve) -> f64 {
+    const SAMPLES: u32 = 16;
+    let error = |index: u32| {
+        let s = 0.5 * f64::from(index) / f64::from(SAMPLES);
+        (theta.at(Double::new(s)).hi - theta.size.largest * libm::cos(PI * s)).abs()
+    };
+    worst((0..=SAMPLES).map(error))
 }

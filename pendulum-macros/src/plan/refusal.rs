@@ -79,7 +79,8 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
         }
         (Goal::Tolerance(_), Float::F64) if best.is_finite() => "leave `tol` out for full precision",
         (_, Float::F32) => "use `float = f64`, which comes closer",
-        _ => "choose numbers nearer to 1, or fewer outputs",
+        _ if scene.outputs.len() > 1 => "choose numbers nearer to 1, or fewer outputs",
+        _ => "choose numbers nearer to 1",
     }
 }
 

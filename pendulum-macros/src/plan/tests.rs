@@ -297,8 +297,11 @@ fn refusals_are_explained() {
     // What can't be had at all, or bounded.
     let infinite = || Some(Refusal::Unreachable { best: f64::INFINITY });
     for (text, part) in [
-        ("theta0 = 1, tol = 1e-17", "here: choose numbers nearer to 1, or fewer outputs"),
-        ("velocity0 = 3, tol = 1e-17", "here: choose numbers nearer to 1, or fewer outputs"),
+        ("theta0 = 1, tol = 1e-17", "here: choose numbers nearer to 1"),
+        (
+            "velocity0 = 3, tol = 1e-17, outputs = [theta, velocity]",
+            "here: choose numbers nearer to 1, or fewer outputs",
+        ),
         ("theta0 = 1", "the full precision of `f64` is finer than can be promised here"),
         (
             "theta0 = 1, n = 2, outputs = [velocity]",

@@ -41,7 +41,7 @@ pub(crate) const ROW: f64 = 3.0;
 /// What keeping a number within an interval costs.
 pub(crate) const CLAMP: f64 = 2.0 * MINIMUM;
 
-/// What a minimum, a maximum or a sign costs.
+/// What a minimum, a maximum or a comparison costs.
 pub(crate) const MINIMUM: f64 = 1.3;
 
 /// What a division costs beside a multiplication.

@@ -43,9 +43,9 @@ impl Number {
         self.tree.digits(false)
     }
 
-    /// The first literal that carries a unit of angle (`deg` or `rad`).
-    pub(crate) fn angle_unit(&self) -> Option<(&'static str, Span)> {
-        self.tree.angle_unit()
+    /// Whether the first literal that is an angle is one in degrees.
+    pub(crate) fn is_in_degrees(&self) -> bool {
+        self.tree.angle_unit() == Some(tree::Unit::Degree)
     }
 
     /// The value, in radians if it is an angle.
@@ -283,6 +283,16 @@ mod tests {
     }
 
     /// The point is no digit.
+    /// In a sum as many as the exponents of its terms are apart, also where these are products.
+    #[test]
+    fn digits_of_sums() {
+        for (text, least) in [("π - 1e-400", 401), ("π - 1e-200*1e-200", 402), ("1 + 2e-100/3e200", 302), ("1e-300", 1)]
+        {
+            let digits = parse(text).unwrap().digits();
+            assert!((least..least + 4).contains(&digits), "{text}: {digits}");
+        }
+    }
+
     #[test]
     fn literals_have_500_digits_at_most() {
         let literal = |digits: usize| format!("0.{}", "3".repeat(digits - 1));

@@ -42,16 +42,18 @@ impl Tree {
             Self::Pi => 0,
             Self::Negative(inner) | Self::Root(inner, _) => inner.digits(in_sum),
             Self::Binary { left, operator, right, .. } => {
-                let in_sum = in_sum || matches!(operator, Operator::Add | Operator::Subtract);
-                left.digits(in_sum).max(right.digits(in_sum))
+                let is_sum = matches!(operator, Operator::Add | Operator::Subtract);
+                let [left, right] = [left, right].map(|side| side.digits(in_sum || is_sum));
+                // Exponents of factors add up.
+                if in_sum && !is_sum { left + right } else { left.max(right) }
             }
         }
     }
 
-    pub(super) fn angle_unit(&self) -> Option<(&'static str, Span)> {
+    /// The unit of the first literal that is an angle.
+    pub(super) fn angle_unit(&self) -> Option<Unit> {
         match self {
-            Self::Literal { unit: Unit::Degree, span, .. } => Some(("deg", *span)),
-            Self::Literal { unit: Unit::Radian, span, .. } => Some(("rad", *span)),
+            Self::Literal { unit: unit @ (Unit::Degree | Unit::Radian), .. } => Some(*unit),
             Self::Literal { .. } | Self::Pi => None,
             Self::Negative(inner) | Self::Root(inner, _) => inner.angle_unit(),
             Self::Binary { left, right, .. } => left.angle_unit().or_else(|| right.angle_unit()),

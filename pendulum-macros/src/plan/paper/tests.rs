@@ -327,6 +327,17 @@ fn the_smallest_number_next_to_the_top() {
     assert!(matches!(asked(smallest - 1), Err(Refusal::Overshoot { .. })), "{smallest}");
 }
 
+/// Where k′ has no float any more the argument of the arcsine exceeds 1 by as much as where it still has one.
+#[test]
+fn overshoots_next_to_the_top() {
+    let overshoot = |theta0: &str| match planned(&format!("theta0 = {theta0}, n = 5")) {
+        Err(Refusal::Overshoot { overshoot, .. }) => overshoot,
+        other => panic!("{other:?}"),
+    };
+    let [far, near] = ["π - 1e-300", "π - 1e-400"].map(overshoot);
+    assert!((near / far - 1.0).abs() < 0.01 && far > 0.17, "{near} {far}");
+}
+
 /// However small θ0 is, rounding takes no more than 11 units in its last place of θ̂, and 16 of its velocity, by a longer
 /// formula; beside that one term leaves θ0³/64, and of the velocity three times as much and more.
 #[test]

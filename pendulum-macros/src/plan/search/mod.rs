@@ -119,7 +119,7 @@ fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     }
     let next = candidates[index..].iter().find(|next| next.way != candidate.way);
     rejected.extend(next.map(|next| format!("{}: it costs about {:.0} operations", next.describe(), next.cost)));
-    rejected.extend(alternatives::costs(scene, candidate.reduction));
+    rejected.extend(alternatives::reasons(scene));
     Ok(Plan { rejected, ..plan })
 }
 
