@@ -170,6 +170,9 @@ struct Readme;
 /// assert!(Load::AMPLITUDE > 0.3); // launched in mid-swing: it goes higher than it started
 /// ```
 ///
+/// A loop over an array of times becomes vector instructions if the function is called in it or in its closure, as in
+/// `times.iter().map(|&t| Load::theta(t))`. Passed by its name in more than one place, a long one may stay a call.
+///
 /// Swing, rotation or separatrix is decided by the exact parameters. `theta` of a rotation counts its turns, and
 /// without `t_max` its `MAX_ERROR` includes the rounding of 2⁵⁴ of them, tens of radians, in `f32` billions: give
 /// `t_max`, or use `wrapped`, which keeps its digits however many they are.
