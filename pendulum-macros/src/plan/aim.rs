@@ -108,7 +108,7 @@ impl Task {
         let direction = direction(separatrix.mirrored);
         let context = scene.motion.omega.context();
         let rate = (context.integer(1) / context.ln_2()).to_double();
-        let passage = Orbit { rate, sigma: 0.0, image: Double::ZERO, image_exponent: 0, alternates: false, direction };
+        let passage = Orbit { rate, sigma: 0.0, image: Double::ZERO, image_exponent: 0, direction };
         Self {
             aims: aims.collect(),
             rate: scene.motion.omega.clone(),
@@ -242,7 +242,7 @@ fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Orbit> {
     }
     let image_exponent = (-rate.hi).floor() as i32;
     let image = elliptic.nome_complementary.scale(-i64::from(image_exponent)).to_double();
-    Some(Orbit { rate, sigma, image, image_exponent, alternates: sigma > 0.0, direction })
+    Some(Orbit { rate, sigma, image, image_exponent, direction })
 }
 
 impl Aim {

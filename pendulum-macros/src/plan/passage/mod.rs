@@ -42,13 +42,11 @@ use std::f64::consts::LN_2;
 pub(crate) struct Orbit {
     /// log₂ e·|w| per unit of the phase.
     pub(crate) rate: Double,
-    /// σ.
+    /// σ: 1 of a swing, −1 of a rotation, 0 of the separatrix.
     pub(crate) sigma: f64,
     /// q′ = mantissa·2^exponent; 0 on the separatrix.
     pub(crate) image: Double,
     pub(crate) image_exponent: i32,
-    /// Set where the direction changes from passage to passage: a swing.
-    pub(crate) alternates: bool,
     /// −1 for the mirror image.
     pub(crate) direction: f64,
 }
@@ -89,6 +87,11 @@ enum Images {
 const NEGLIGIBLE_BINADE: i32 = 24;
 
 impl Orbit {
+    /// Whether the direction changes from passage to passage.
+    fn alternates(&self) -> bool {
+        self.sigma > 0.0
+    }
+
     fn q(&self) -> f64 {
         self.image.hi * 2f64.powi(self.image_exponent)
     }
@@ -153,7 +156,7 @@ impl Passage {
         let quotient = self.quotient(b, magnitude);
         // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the
         // negative.
-        let direction = self.orbit.direction * if self.orbit.alternates { 1.0 } else { -1.0 };
+        let direction = self.orbit.direction * if self.orbit.alternates() { 1.0 } else { -1.0 };
         let mut values = match self.output {
             Output::Theta | Output::Wrapped => vec![self.angle(b, &quotient, direction)],
             Output::Velocity => vec![self.velocity(b, &quotient)],
@@ -167,13 +170,13 @@ impl Passage {
             b.name(value, name);
         }
         // The height changes its sign nowhere.
-        values[0] = variables.signed(b, values[0], self.orbit.alternates, self.parity());
+        values[0] = variables.signed(b, values[0], self.orbit.alternates(), self.parity());
         values
     }
 
     /// About an anchor: an angle, θ̈ and x are even about a turning point and odd about the top, θ̇ the other way round.
     fn parity(&self) -> Parity {
-        if self.orbit.alternates == (self.output == Output::Velocity) { Parity::Odd } else { Parity::Even }
+        if self.orbit.alternates() == (self.output == Output::Velocity) { Parity::Odd } else { Parity::Even }
     }
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.

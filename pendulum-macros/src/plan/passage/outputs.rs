@@ -40,7 +40,7 @@ impl Passage {
             top = b.mul(top, series);
         }
         let bottom = quotient.parts(b).norm;
-        let sign = self.orbit.direction * if self.orbit.alternates { -1.0 } else { 1.0 };
+        let sign = self.orbit.direction * if self.orbit.alternates() { -1.0 } else { 1.0 };
         let factor = self.factor * self.lowest() * sign;
         let factor = b.exact(factor);
         let ratio = b.div(top, bottom);

@@ -151,14 +151,8 @@ fn velocities_at_the_lowest_point() {
 #[test]
 fn the_last_binade_stands_for_all_that_follow() {
     let kernel = |q: f64, image_exponent: i32| {
-        let orbit = Orbit {
-            rate: Double::new(60.0),
-            sigma: 1.0,
-            image: Double::new(q),
-            image_exponent,
-            alternates: true,
-            direction: 1.0,
-        };
+        let orbit =
+            Orbit { rate: Double::new(60.0), sigma: 1.0, image: Double::new(q), image_exponent, direction: 1.0 };
         Passage::new(Output::Theta, orbit, (0.0, 0.5), Double::ONE, 1e-16)
     };
     for (name, factor, constant) in [("power", 2f64.powi(30), 0.0), ("image_power", -(2f64.powi(15)), 1.0)] {
