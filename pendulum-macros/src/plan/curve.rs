@@ -134,6 +134,11 @@ impl Curve {
         self.wave.omitted_slope()
     }
 
+    /// What a value is rounded by.
+    pub(crate) fn rounding(&self) -> f64 {
+        self.wave.rounding()
+    }
+
     /// Stands for another curve, from which it strays by at most that.
     pub(crate) fn stray(&mut self, by: f64) {
         self.wave.stray(by);

@@ -67,7 +67,7 @@ impl Clock {
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 6.219322619259669e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.273497004213818e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.273497004213819e-10;
     /// θ(t), rad; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]

@@ -185,3 +185,28 @@ fn omitted_slopes() {
         assert_eq!(Curve::sine().omitted_slope(), 0.0);
     }
 }
+
+/// Sums of harmonics are rounded by no more than they say, and by next to nothing.
+#[test]
+fn values_are_sums() {
+    for theta0 in ["0.1", "7π/8", "π - 1e-9", "π - 1e-40"] {
+        let scene = scene(&format!("theta0 = {theta0}"));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        let context = swing.amplitude.context();
+        for curve in [curves.angle(), curves.velocity(), curves.acceleration(), curves.half_sine()] {
+            for s in [0.0, 0.0625, 0.3, 0.49, 0.5, -0.2] {
+                let turn = context.pi() * context.float(s).unwrap();
+                let term = |&(m, a): &(u32, Double)| {
+                    let (sine, cosine) = (&turn * context.integer(i64::from(m))).sin_cos();
+                    let wave = if curve.parity() == Parity::Even { cosine } else { sine };
+                    wave * (context.float(a.hi).unwrap() + context.float(a.lo).unwrap())
+                };
+                let exact = curve.terms().iter().map(term).fold(context.integer(0), |sum, term| sum + term);
+                let error = (curve.at(Double::new(s)) - exact.to_double()).hi.abs();
+                let (most, sum) = (curve.rounding(), curve.size.largest);
+                assert!(error <= most && most < 1e-22 * sum, "{theta0} {s}: {error:e}, at most {most:e} of {sum}");
+            }
+        }
+    }
+}

@@ -5,7 +5,7 @@
 //! errors are at most 4Bρ^(1−M)/(ρ − 1), as in [`crate::plan::polynomial`]. What is dropped is known.
 
 use super::Pieces;
-use crate::chebyshev::{CosineTable, Interpolation, rounding_of_powers, scale, to_powers};
+use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers, scale, to_powers};
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Reduction;
 use crate::series::Parity;
@@ -43,7 +43,7 @@ impl Piecewise {
         };
         Some(Self {
             series: (0..=pieces / 2).map(series).collect(),
-            error: error + curve.omitted(),
+            error: error + curve.omitted() + lebesgue(points) * curve.rounding(),
             parity: curve.parity(),
             alternates: curve.alternates,
             met: None,

@@ -458,10 +458,13 @@ fn at_most_cosh(x: f64) -> f64 {
     if x < 0.1 { 1.0 + 0.5005 * x * x } else { libm::cosh(x) }
 }
 
-/// What terms that a curve's sum omits change of its interpolation, where that is of the whole curve: of samples by their
-/// slope at most, since the first of them oscillates, and over s if the curve is odd.
+/// What an interpolation is off by where samples are: by what they are rounded by, over the least phase if the curve is
+/// odd, which is above 1/(8·points); and, where the whole curve is interpolated, by terms that its sum omits, of samples by
+/// their slope at most, since the first of them oscillates, and over s if the curve is odd.
 fn missed(curve: &Curve, points: usize) -> f64 {
-    if curve.is_arc() { 0.0 } else { lebesgue(points) * curve.omitted_slope() }
+    let omitted = if curve.is_arc() { 0.0 } else { curve.omitted_slope() };
+    let divisor = if curve.parity() == Parity::Odd { 8.0 * points as f64 } else { 1.0 };
+    lebesgue(points) * (omitted + curve.rounding() * divisor)
 }
 
 /// As many points as make the interpolation error negligible.
