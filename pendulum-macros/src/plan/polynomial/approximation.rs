@@ -28,7 +28,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 /// More points than this take too long.
-const MOST_POINTS: usize = 240;
+const MOST_POINTS: usize = 160;
 
 /// Of fewer the bound of the error says little where a polynomial of two terms is as good as exact.
 const FEWEST_POINTS: usize = 12;
