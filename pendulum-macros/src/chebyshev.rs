@@ -13,7 +13,7 @@ pub(crate) struct CosineTable {
 impl CosineTable {
     /// For m sampling points.
     pub(crate) fn new(m: usize) -> Self {
-        let quarter = (0..=m).map(|j| cos_pi(Double::new(j as f64) / Double::new(2.0 * m as f64))).collect();
+        let quarter = (0..=m).map(|j| cos_pi(Double::new(j as f64) / (2.0 * m as f64))).collect();
         Self { m, quarter }
     }
 
@@ -32,7 +32,7 @@ impl CosineTable {
     pub(crate) fn coefficients(&self, values: &[Double]) -> Vec<Double> {
         let coefficient = |j: usize| {
             let sum = (0..self.m).fold(Double::ZERO, |sum, i| sum + values[i] * self.get(j * (2 * i + 1)));
-            sum * (if j == 0 { 1.0 } else { 2.0 }) / Double::new(self.m as f64)
+            sum * (if j == 0 { 1.0 } else { 2.0 }) / self.m as f64
         };
         (0..self.m).map(coefficient).collect()
     }
@@ -127,7 +127,7 @@ fn alternating(x: Double, first: Double, k: u32) -> Double {
     let square = x * x;
     let (mut term, mut sum, mut n) = (first, first, f64::from(k));
     while term.hi.abs() > 1e-34 * sum.hi.abs() {
-        term = -(term * square) / Double::new((n + 1.0) * (n + 2.0));
+        term = -(term * square) / ((n + 1.0) * (n + 2.0));
         sum = sum + term;
         n += 2.0;
     }
@@ -165,16 +165,19 @@ pub(crate) fn rounding_of_powers(series: &[Double], reach: f64) -> f64 {
 
 /// Coefficients in powers of x of Σ cⱼ (x + by)ʲ, by repeated synthetic division.
 pub(crate) fn shift<T: Copy + Add<Output = T> + Mul<Output = T>>(powers: &[T], by: T) -> Vec<T> {
-    let mut shifted = powers.to_vec();
-    let Some((&last, others)) = powers.split_last() else { return shifted };
-    for i in 0..others.len() {
-        let mut higher = last;
-        for coefficient in shifted[i..others.len()].iter_mut().rev() {
-            higher = *coefficient + higher * by;
-            *coefficient = higher;
+    let mut all = powers.to_vec();
+    let shifted = &mut all[..];
+    // By index, since unoptimised iterators would take the planner twice as long.
+    for i in 0..powers.len() {
+        let mut j = powers.len() - 1;
+        let mut higher = shifted[j];
+        while j > i {
+            j -= 1;
+            higher = shifted[j] + higher * by;
+            shifted[j] = higher;
         }
     }
-    shifted
+    all
 }
 
 /// Coefficients in powers of x of Σ cⱼ (scale·x)ʲ.
@@ -193,7 +196,7 @@ mod tests {
 
     #[test]
     fn cosine_of_known_angles() {
-        let half = cos_pi(Double::ONE / Double::new(3.0)) - Double::new(0.5);
+        let half = cos_pi(Double::ONE / 3.0) - Double::new(0.5);
         assert!(half.hi.abs() < 1e-31);
         let root = cos_pi(Double::new(0.25));
         assert!((root * root - Double::new(0.5)).hi.abs() < 1e-31);

@@ -56,11 +56,6 @@ impl Context {
         Real(Big::pi(self.bits))
     }
 
-    /// ln 2.
-    pub(crate) fn ln_2(self) -> Real {
-        Real(Big::from(2).with_precision(self.bits).value().ln())
-    }
-
     /// A decimal literal without suffix or underscores; `None` if malformed. Its digits are read as an integer, which
     /// is fifty times faster than the library's conversion of a decimal to a binary float.
     pub(crate) fn decimal(self, text: &str) -> Option<Real> {

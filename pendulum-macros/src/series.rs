@@ -57,8 +57,7 @@ impl Wave {
             let odd = m % 4 == 3;
             let size = power * 8.0 / (Double::ONE + power * power) * scale;
             power = power * nome;
-            let rate =
-                (0..order).fold(Double::ONE, |rate, _| rate * Double::PI * f64::from(m)) / Double::new(f64::from(m));
+            let rate = (0..order).fold(Double::ONE, |rate, _| rate * Double::PI * f64::from(m)) / f64::from(m);
             // Derivatives of the cosine: −sin, −cos, sin, cos.
             let negative = odd ^ matches!(order % 4, 1 | 2);
             (m, if negative { -(size * rate) } else { size * rate })
@@ -107,7 +106,7 @@ impl Wave {
         };
         let mut power = nome;
         let terms = (1..).map(|n: u32| {
-            let size = power * 4.0 / (Double::ONE + power * power) / Double::new(f64::from(n)) * scale;
+            let size = power * 4.0 / (Double::ONE + power * power) / f64::from(n) * scale;
             power = power * nome;
             let rate = (0..order).fold(Double::ONE, |rate, _| rate * Double::PI * f64::from(2 * n));
             let negative = (n % 2 == 1) ^ matches!(order % 4, 2 | 3);

@@ -32,7 +32,7 @@ fn spread(x: f64, y: f64, z: f64) -> f64 {
 }
 
 fn mean_of(x: Double, y: Double, z: Double) -> Double {
-    (x + y + z) / Double::new(3.0)
+    (x + y + z) / 3.0
 }
 
 /// RF · √mean as a series in the relative deviations from the mean.
@@ -47,7 +47,7 @@ fn near_mean(x: Double, y: Double, z: Double) -> Double {
     let small = f2 * f2 / 24.0 - 3.0 * f2 * f3 / 44.0 - 5.0 * f2 * f2 * f2 / 208.0
         + 3.0 * f3 * f3 / 104.0
         + f2 * f2 * f3 / 16.0;
-    Double::ONE + (Double::new(small) + e3 / Double::new(14.0) - e2 / Double::new(10.0))
+    Double::ONE + (Double::new(small) + e3 / 14.0 - e2 / 10.0)
 }
 
 /// ωt since the angle passed 0: ∫₀^(θ/2) dψ/√(k² − sin² ψ) = (sin(θ/2)/k) RF(a²/k², cos²(θ/2), 1).

@@ -188,6 +188,19 @@ impl Div for Double {
     }
 }
 
+impl Div<f64> for Double {
+    type Output = Self;
+    /// Relative error ≤ 3u² (algorithm 15 there).
+    #[inline(always)]
+    fn div(self, other: f64) -> Self {
+        let first = self.hi / other;
+        let (p, e) = two_prod(first, other);
+        let rest = ((self.hi - p) - e) + self.lo;
+        let (hi, lo) = quick_two_sum(first, rest / other);
+        Self { hi, lo }
+    }
+}
+
 /// |x/exact − 1|, for tests.
 #[cfg(test)]
 pub(crate) fn relative_error(x: Double, exact: Double) -> f64 {
@@ -223,6 +236,7 @@ mod tests {
             assert!(relative_error(y / x * x, y) <= 20.0 * U * U);
             assert!(relative_error(y.sqrt() * y.sqrt(), y) <= 16.0 * U * U);
             assert!(relative_error((y - Double::ONE) / Double::PI, x) <= 30.0 * U * U);
+            assert!(relative_error(y / x.hi * x.hi, y) <= 6.0 * U * U);
             x = Double::ONE / y + x.scale(0.5);
         }
         assert_eq!(Double::ZERO.sqrt(), Double::ZERO);

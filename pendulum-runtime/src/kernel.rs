@@ -173,7 +173,7 @@ mod tests {
             let x = LARGEST_EXPONENT * (f64::from(i) / 4000.0) * (f64::from(i) / 4000.0);
             let whole = x as i32;
             let y = ln_2 * (x - f64::from(whole));
-            let small = (1..28).rev().fold(Double::ZERO, |sum, n| (sum + Double::ONE) * y / Double::new(f64::from(n)));
+            let small = (1..28).rev().fold(Double::ZERO, |sum, n| (sum + Double::ONE) * y / f64::from(n));
             let power = crate::theta_polynomial::power(2.0, whole);
             let exact = small * power + Double::new(power - 1.0);
             let error = (Double::new(exp2_m1(x)) - exact).to_f64().abs();

@@ -126,14 +126,14 @@ mod tests {
 
     /// 1/3 in two words: 3n periods' worth of time are whole turns, exactly known.
     fn third() -> Phase {
-        Phase::new(Double::ONE / Double::new(3.0), 1.0, Double::ZERO)
+        Phase::new(Double::ONE / 3.0, 1.0, Double::ZERO)
     }
 
     /// 1,000,003·2ᵉ is 1 more than a multiple of 3 for even e, 1 less for odd; its product with the rate is not exact.
     #[test]
     fn far_times_lose_what_the_two_words_leave_out() {
         for offset in [0.0, 0.125] {
-            let phase = Phase::new(Double::ONE / Double::new(3.0), 1.0, Double::new(offset));
+            let phase = Phase::new(Double::ONE / 3.0, 1.0, Double::new(offset));
             for e in 30..78 {
                 let whole = 1_000_003_u128 << e;
                 let (t, sign) = (whole as f64, if e % 2 == 0 { 1.0 } else { -1.0 });

@@ -17,8 +17,6 @@ pub(crate) struct Elliptic {
     pub(crate) quarter_complementary: Real,
     /// q = exp(−πK′/K).
     pub(crate) nome: Real,
-    /// q′ = exp(−πK/K′).
-    pub(crate) nome_complementary: Real,
 }
 
 impl Elliptic {
@@ -31,6 +29,16 @@ impl Elliptic {
             self.modulus.to_double(),
             if complementary.hi < nearest.hi { nearest } else { complementary },
         )
+    }
+
+    /// πK/K′, of which q′ is exp of the negative.
+    pub(crate) fn span(&self) -> Real {
+        self.modulus.context().pi() * &self.quarter / &self.quarter_complementary
+    }
+
+    /// q′ = exp(−πK/K′).
+    pub(crate) fn nome_complementary(&self) -> Real {
+        (-self.span()).exp()
     }
 
     /// From k and k′, both given so that neither has to be found as √(1 − the other²), which cancels at one end.
@@ -46,8 +54,7 @@ impl Elliptic {
         Self {
             quarter: &half_pi / &mean,
             quarter_complementary: half_pi / &mean_complementary,
-            nome: (-(&pi * &mean / &mean_complementary)).exp(),
-            nome_complementary: (-(pi * mean_complementary / mean)).exp(),
+            nome: (-(pi * &mean / &mean_complementary)).exp(),
             modulus,
             complementary,
         }

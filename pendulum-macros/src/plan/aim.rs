@@ -56,6 +56,9 @@ const FARTHEST_BESIDE_SEPARATRIX: f64 = 4.0;
 /// Above this complementary nome the images of a passage are too many for [`Passage`].
 const LARGEST_IMAGE: f64 = 0.05;
 
+/// ln 2 to 107 bits.
+const LN_2: Double = Double { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
+
 impl Task {
     pub(super) fn new(scene: &Scene) -> Self {
         match &scene.motion.regime {
@@ -106,8 +109,7 @@ impl Task {
             Aim::with(scene, output, Size { largest, slope: 2.0 * unit, moment: moment * unit, unit })
         });
         let direction = direction(separatrix.mirrored);
-        let context = scene.motion.omega.context();
-        let rate = (context.integer(1) / context.ln_2()).to_double();
+        let rate = Double::ONE / LN_2;
         let passage = Orbit { rate, sigma: 0.0, image: Double::ZERO, image_exponent: 0, direction };
         Self {
             aims: aims.collect(),
@@ -233,15 +235,12 @@ fn aims(scene: &Scene, curves: &impl Curves) -> Vec<Aim> {
 
 /// The passage through the lowest point: w = (πK/K′)·phase, in units of ln 2.
 fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Orbit> {
-    let context = elliptic.quarter.context();
-    let span = context.pi() * &elliptic.quarter / &elliptic.quarter_complementary;
-    let ln_2 = context.ln_2();
-    let rate = (&span / &ln_2).to_double();
-    if elliptic.nome_complementary.to_f64() > LARGEST_IMAGE {
+    let rate = elliptic.span().to_double() / LN_2;
+    if libm::exp2(-rate.hi) > LARGEST_IMAGE {
         return None;
     }
     let image_exponent = (-rate.hi).floor() as i32;
-    let image = elliptic.nome_complementary.scale(-i64::from(image_exponent)).to_double();
+    let image = elliptic.nome_complementary().scale(-i64::from(image_exponent)).to_double();
     Some(Orbit { rate, sigma, image, image_exponent, direction })
 }
 

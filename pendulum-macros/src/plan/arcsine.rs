@@ -68,9 +68,9 @@ impl Arcsine {
 fn ratio(z: Double) -> Double {
     let (mut weight, mut sum, mut j) = (Double::ONE, Double::ONE, 0.0);
     while weight.hi > 1e-34 {
-        weight = weight * z * (2.0 * j + 1.0) / Double::new(2.0 * j + 2.0);
+        weight = weight * z * (2.0 * j + 1.0) / (2.0 * j + 2.0);
         j += 1.0;
-        sum = sum + weight / Double::new(2.0 * j + 1.0);
+        sum = sum + weight / (2.0 * j + 1.0);
     }
     sum
 }

@@ -42,7 +42,7 @@ impl Fit {
         let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error;
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
         let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));
-        let coefficients = scale(powers, Double::new(2.0) / Double::new(end));
+        let coefficients = scale(powers, Double::new(2.0) / end);
         Self { coefficients, truncation: dropped(terms) + rounding_of_powers(&series[..terms], 3.0) }
     }
 

@@ -71,7 +71,7 @@ fn swung(swing: &Swing, omega: &Real, t: &Real) -> State {
         let rising = y.exp();
         let falling = context.integer(1) / &rising;
         let cosh = |n: i64| (rising.power(n as usize) + falling.power(n as usize)).scale(-1);
-        let [odd, even] = sums(&elliptic.nome_complementary.sqrt(), cosh);
+        let [odd, even] = sums(&elliptic.nome_complementary().sqrt(), cosh);
         (&even - &odd).atan2(&(even + odd))
     };
     let theta = quotient.scale(2);
@@ -123,7 +123,7 @@ fn amplitude(elliptic: &Elliptic, s: &Real) -> Real {
     let one = context.integer(1);
     // ϑ₁(z), ϑ₂(z), ϑ₃(0), ϑ₄(0) of q; with z = iy, ϑ₁(iy)/i, ϑ₄(iy), ϑ₃(0), ϑ₂(0) of q′.
     let direct = elliptic.nome.to_f64() < 0.05;
-    let nome = if direct { &elliptic.nome } else { &elliptic.nome_complementary };
+    let nome = &if direct { elliptic.nome.clone() } else { elliptic.nome_complementary() };
     let root = nome.sqrt().sqrt();
     let (mut sine, mut cosine) = (context.integer(0), if direct { context.integer(0) } else { one.clone() });
     let (mut third, mut other) = (one.clone(), if direct { one.clone() } else { context.integer(0) });

@@ -271,7 +271,7 @@ mod tests {
         (0..terms)
             .map(|j| {
                 let this = term;
-                term = -(term * 5.0) / Double::new(1.0 + j as f64);
+                term = -(term * 5.0) / (1.0 + j as f64);
                 this
             })
             .collect()

@@ -30,12 +30,13 @@ impl Choices {
             return None;
         }
         let rough: Vec<f64> = powers.iter().map(|c| c.hi).collect();
-        let choice = |step: i32| {
+        let choice = |step: i32, most: f64| {
             let shift = f64::from(step) / 32.0;
-            Some(Choice { shift, rounding: rounding(&rough, shift, chunk)? })
+            Some(Choice { shift, rounding: rounding(&rough, shift, chunk, most)? })
         };
-        let best = Self::SHIFTS.filter_map(choice).min_by(|a, b| a.rounding.total_cmp(&b.rounding))?;
-        Some(Self { best, unshifted: choice(0) })
+        let better =
+            |best: Option<Choice>, step: i32| choice(step, best.map_or(f64::INFINITY, |best| best.rounding)).or(best);
+        Some(Self { best: Self::SHIFTS.fold(None, better)?, unshifted: choice(0, f64::INFINITY) })
     }
 
     /// The cheapest whose rounding, in units of rounding, is below `limit`. Without a shift it has to be far below:
@@ -46,8 +47,9 @@ impl Choices {
     }
 }
 
-/// Estimates the rounding of the value, by a running error analysis of the first order at some points.
-fn rounding(powers: &[f64], shift: f64, chunk: usize) -> Option<f64> {
+/// Estimates the rounding of the value, by a running error analysis of the first order at some points; `None` unless it
+/// is less than `most`.
+fn rounding(powers: &[f64], shift: f64, chunk: usize, most: f64) -> Option<f64> {
     const POINTS: u32 = 12;
     let shifted = crate::chebyshev::shift(powers, -shift);
     let blocks: Option<Vec<_>> = shifted.chunks(chunk).map(rough_block).collect();
@@ -60,7 +62,14 @@ fn rounding(powers: &[f64], shift: f64, chunk: usize) -> Option<f64> {
             (own + value * power, own_error + power * (error + 4.0 * value.abs()) + own.abs())
         })
     };
-    Some((0..=POINTS).map(|index| at(index).1).fold(0.0, f64::max))
+    let mut largest: f64 = 0.0;
+    for index in 0..=POINTS {
+        largest = largest.max(at(index).1);
+        if largest >= most {
+            return None;
+        }
+    }
+    Some(largest)
 }
 
 /// A block, no more accurate than an estimate needs.
@@ -133,8 +142,15 @@ fn real_roots(powers: &[f64]) -> Option<Vec<f64>> {
     ends.windows(2).map(|ends| root_between(powers, ends[0], ends[1])).collect()
 }
 
+/// By index, since unoptimised iterators would take the planner three times as long.
 fn value(powers: &[f64], x: f64) -> f64 {
-    powers.iter().rev().fold(0.0, |sum, c| sum * x + c)
+    let mut sum = 0.0;
+    let mut index = powers.len();
+    while index > 0 {
+        index -= 1;
+        sum = sum * x + powers[index];
+    }
+    sum
 }
 
 /// The root between two points where the signs differ, by the Illinois variant of the false position.

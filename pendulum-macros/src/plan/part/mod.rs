@@ -1,6 +1,7 @@
 //! One output's kernel: by polynomials, by the passage through the lowest point or in pieces, the first that keeps the
 //! promise.
 
+mod draft;
 mod passage;
 mod pieces;
 mod polynomials;
@@ -14,9 +15,13 @@ use super::{Bound, Part};
 use crate::motion::Regime;
 use crate::parse::{Float, Output};
 use crate::scene::{Goal, Scene};
+use draft::Draft;
+#[cfg(test)]
+pub(super) use draft::Drafts;
 use pendulum_runtime::double::Double;
 pub(super) use polynomials::Approximations;
 use std::f64::consts::PI;
+use std::rc::Rc;
 
 /// The largest part of what is proven that is observed where that is most of 2⁻⁴⁹ or 2⁻²⁰, but for errors that are met in
 /// full: of 4000 swings 0.79 in `f64` (which had 0.65 of it proven), and 0.835 in `f32`, in which a plan has fewer
@@ -40,7 +45,7 @@ fn close_from(float: Float) -> f64 {
 impl Aim {
     /// The kernel of the first of three rounds that keeps the promise, or the least bound reached, in units of the
     /// tolerance. A round is told what the phase and the rounding of the kernel of the one before leave, and gives a
-    /// kernel and its truncation; or what can be reached at best, which ends the search. One that takes more than `most`
+    /// draft; or what can be reached at best, which ends the search. One that takes more than `most`
     /// of the limit is of no use: neither is a second round then, nor what it would reach.
     fn first_kept(
         &self,
@@ -48,7 +53,7 @@ impl Aim {
         reduction: &Reduction,
         phase: f64,
         most: f64,
-        mut round: impl FnMut(f64) -> Result<(Kernel, f64), f64>,
+        mut round: impl FnMut(f64) -> Result<Rc<Draft>, f64>,
     ) -> Result<Part, f64> {
         let room = (most * self.limit - self.beyond_bound(scene, reduction, phase)).min(self.limit);
         let rounds = if room < self.limit { 1 } else { 3 };
@@ -57,9 +62,10 @@ impl Aim {
         }
         let (mut rounding, mut reached) = (0.0, f64::INFINITY);
         for _ in 0..rounds {
-            let (kernel, truncation) = round(self.limit - phase - rounding).map_err(|best| best.min(reached))?;
-            let evaluation = kernel.rounding(reduction, room - phase - truncation);
-            let bound = Bound { truncation, phase, evaluation };
+            let draft = round(self.limit - phase - rounding).map_err(|best| best.min(reached))?;
+            let Draft { kernel, truncation, .. } = &*draft;
+            let evaluation = draft.rounding(reduction, room - phase - truncation);
+            let bound = Bound { truncation: *truncation, phase, evaluation };
             let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
             rounding = bound.evaluation + turns;
             match self.accept(scene, kernel, bound, reduction) {
@@ -76,7 +82,7 @@ impl Aim {
     pub(super) fn accept(
         &self,
         scene: &Scene,
-        kernel: Kernel,
+        kernel: &Kernel,
         bound: Bound,
         reduction: &Reduction,
     ) -> Result<Part, f64> {
@@ -89,7 +95,7 @@ impl Aim {
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
         let doubt = if self.is_mostly_rounding(scene, &judged) { self.limit } else { 0.0 };
         let share = (judged.total() + self.beyond_bound(scene, reduction, bound.phase) + doubt) / self.limit;
-        Ok(Part { output, description: kernel.describe(), kernel, bound: whole, unit, largest, share })
+        Ok(Part { output, description: kernel.describe(), kernel: kernel.clone(), bound: whole, unit, largest, share })
     }
 
     /// Whether rounding takes much of a tolerance and more of the bound than the rest does, as with coefficients that are

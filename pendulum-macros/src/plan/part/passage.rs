@@ -1,5 +1,6 @@
 //! An output by the passage through the lowest point.
 
+use super::draft::{Brief, Draft, Drafts};
 use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
@@ -8,6 +9,7 @@ use crate::plan::passage::{Orbit, Passage};
 use crate::plan::reduction::Reduction;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
+use std::rc::Rc;
 
 impl Aim {
     /// The cost of the passage's kernel: an exponential, an arctangent for an angle, and what joins them, one waiting for
@@ -28,6 +30,7 @@ impl Aim {
         &self,
         scene: &Scene,
         task: &Task,
+        drafts: &Drafts,
         reduction: &Reduction,
         passage: &Orbit,
         most: f64,
@@ -42,10 +45,14 @@ impl Aim {
         let mut limit = self.limit.min(self.truncation) / factor.hi;
         let met = task.met_from_lowest(scene, reduction);
         self.first_kept(scene, reduction, phase, most, |_| {
-            let kernel = Passage::new(self.output, scaled.clone(), met, factor, limit);
+            let left = limit;
             limit *= 0.125;
-            let truncation = kernel.truncation * factor.hi;
-            Ok((self.turned(scene, task, Kernel::Passage(Box::new(kernel)), None), truncation))
+            drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
+                let kernel = Passage::new(self.output, scaled.clone(), met, factor, left);
+                let truncation = kernel.truncation * factor.hi;
+                let kernel = self.turned(scene, task, Kernel::Passage(Box::new(kernel)), None);
+                Ok(Rc::new(Draft::new(kernel, truncation)))
+            })
         })
     }
 }

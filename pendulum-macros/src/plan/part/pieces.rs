@@ -1,5 +1,6 @@
 //! An output in pieces.
 
+use super::draft::Draft;
 use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
 use crate::plan::curve::Curve;
@@ -7,6 +8,7 @@ use crate::plan::kernel::Kernel;
 use crate::plan::pieces::Piecewise;
 use crate::plan::reduction::Reduction;
 use crate::scene::Scene;
+use std::rc::Rc;
 
 impl Aim {
     /// Whether it can be had in pieces: one curve, all of which is met.
@@ -46,7 +48,8 @@ impl Aim {
             if task.direction < 0.0 {
                 pieces.negate();
             }
-            Ok((self.turned(scene, task, Kernel::Pieces(Box::new(pieces)), None), truncation))
+            let kernel = self.turned(scene, task, Kernel::Pieces(Box::new(pieces)), None);
+            Ok(Rc::new(Draft::new(kernel, truncation)))
         })
     }
 }

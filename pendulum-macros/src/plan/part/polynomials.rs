@@ -1,5 +1,6 @@
 //! An output by polynomials: its variants by cost, and the fewest terms of each that keep the promise.
 
+use super::draft::{Brief, Draft, Drafts};
 use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
@@ -20,6 +21,7 @@ pub(in crate::plan) struct Approximations {
     plain: Rc<[Approximation]>,
     divided: Rc<[Approximation]>,
     lenient: Memo<Lenient, Rc<[Approximation]>>,
+    pub(in crate::plan) drafts: Drafts,
 }
 
 /// What tells approximations with a leeway from others: the error of the phase and its share, and whether they are
@@ -35,7 +37,8 @@ impl Approximations {
             None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
         };
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
-        let without_poles = Self { plain: over(None), divided: Rc::new([]), lenient: Memo::default() };
+        let (lenient, drafts) = (Memo::default(), Memo::default());
+        let without_poles = Self { plain: over(None), divided: Rc::new([]), lenient, drafts };
         // The first is the cheapest.
         let reduction = reductions.iter().find(|reduction| aim.left(reduction) > 0.0);
         let poles = reduction
@@ -166,24 +169,36 @@ impl Aim {
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
         self.first_kept(scene, reduction, phase, most, |left| {
-            let lost = self.limit - left;
-            let left = self.share(left);
-            let mut polynomials = Vec::new();
-            for (curve, approximation) in self.curves.iter().zip(&*all.choose(self, variant.poles, reduction)) {
-                let Some(terms) = approximation.terms_for(left, reduction.overshoot) else {
-                    let least = approximation.truncation(approximation.terms(), reduction.overshoot);
-                    return Err((lost + least) / self.size.unit);
-                };
-                let Variant { form, poles } = variant;
-                let polynomial = match poles {
-                    Poles::Beside => approximation.beside_poles(terms, form, reduction, curve.alternates),
-                    _ => approximation.polynomial(terms, form, reduction, curve.alternates, self.limit),
-                };
-                polynomials.push(polynomial.ok_or(f64::INFINITY)?);
-            }
-            let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
-            Ok((self.kernel(scene, task, reduction, polynomials), truncation))
+            let brief = Brief { variant: Some(variant), reduction: reduction.clone(), left };
+            all.drafts.get(brief, || {
+                let polynomials = self.polynomials(all, reduction, variant, left)?;
+                let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
+                Ok(Rc::new(Draft::new(self.kernel(scene, task, reduction, polynomials), truncation)))
+            })
         })
+    }
+
+    /// Those with the fewest terms whose truncation is within what is left, or what would be reached.
+    fn polynomials(
+        &self,
+        all: &Approximations,
+        reduction: &Reduction,
+        Variant { form, poles }: Variant,
+        left: f64,
+    ) -> Result<Vec<Polynomial>, f64> {
+        let share = self.share(left);
+        let polynomial = |(curve, approximation): (&Curve, &Approximation)| {
+            let Some(terms) = approximation.terms_for(share, reduction.overshoot) else {
+                let least = approximation.truncation(approximation.terms(), reduction.overshoot);
+                return Err((self.limit - left + least) / self.size.unit);
+            };
+            let polynomial = match poles {
+                Poles::Beside => approximation.beside_poles(terms, form, reduction, curve.alternates),
+                _ => approximation.polynomial(terms, form, reduction, curve.alternates, self.limit),
+            };
+            polynomial.ok_or(f64::INFINITY)
+        };
+        self.curves.iter().zip(&*all.choose(self, poles, reduction)).map(polynomial).collect()
     }
 
     /// Puts the polynomials together.

@@ -11,7 +11,7 @@ pub(super) fn series(v: Double, k: u32) -> Double {
     let mut term = if k == 2 { ln * ln * 0.5 } else { ln };
     let (mut sum, mut n) = (term, f64::from(k));
     while term.hi > 1e-34 {
-        term = term * square / Double::new((n + 1.0) * (n + 2.0));
+        term = term * square / ((n + 1.0) * (n + 2.0));
         sum = sum + term;
         n += 2.0;
     }
@@ -21,7 +21,7 @@ pub(super) fn series(v: Double, k: u32) -> Double {
 /// arctan √v/√v, by one Newton step from the `f64` value.
 pub(super) fn arctangent_ratio(v: Double) -> Double {
     if v.hi < 1e-12 {
-        return Double::ONE - v / Double::new(3.0);
+        return Double::ONE - v / 3.0;
     }
     let x = v.sqrt();
     let start = libm::atan(x.hi);

@@ -6,6 +6,7 @@ use crate::motion::Regime;
 use crate::plan::aim::Task;
 use crate::plan::curve::{Curve, Curves, RotationCurves, SwingCurves};
 use crate::plan::kernel::{Kernel, function};
+use crate::plan::part::Drafts;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::tests::scene;
 use crate::program::Op;
@@ -209,11 +210,11 @@ fn series_of_exponentials() {
 #[test]
 fn arctangents() {
     let quarter = arctangent_ratio(Double::ONE) * 4.0 - Double::PI;
-    let third = Double::ONE / Double::new(3.0);
+    let third = Double::ONE / 3.0;
     let sixth = arctangent_ratio(third) * third.sqrt() * 6.0 - Double::PI;
     assert!(quarter.hi.abs() < 1e-30 && sixth.hi.abs() < 1e-30, "{quarter:?} {sixth:?}");
     for v in [0.0, 1e-13, 1e-11] {
-        let series = Double::ONE - Double::new(v) / Double::new(3.0) + Double::new(v * v) / Double::new(5.0);
+        let series = Double::ONE - Double::new(v) / 3.0 + Double::new(v * v) / 5.0;
         assert!((arctangent_ratio(Double::new(v)) - series).hi.abs() < 1e-24, "{v}");
     }
 }
@@ -248,7 +249,8 @@ fn passages_in_other_units() {
     let orbit = task.passage.as_ref().unwrap();
     let mut units = 0;
     for reduction in task.reductions(&scene).iter().filter(|reduction| reduction.origin == Origin::Lowest) {
-        let part = task.aims[0].passage_part(&scene, &task, reduction, orbit, f64::INFINITY).unwrap();
+        let part =
+            task.aims[0].passage_part(&scene, &task, &Drafts::default(), reduction, orbit, f64::INFINITY).unwrap();
         let Kernel::Passage(kernel) = part.kernel else { panic!("another kernel") };
         let (rate, half) = (kernel.orbit.rate, kernel.met.1);
         assert!((rate / (orbit.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");

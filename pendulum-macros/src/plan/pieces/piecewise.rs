@@ -97,7 +97,7 @@ impl Piecewise {
         let width = half(self.pieces());
         let within = reduction.half() * reduction.unit.hi <= width * (1.0 - MARGIN / 64.0);
         let terms = self.terms_for(limit, reduction).filter(|_| within)?;
-        let unit = reduction.unit / Double::new(width);
+        let unit = reduction.unit / width;
         // Beyond the horizon: a value of the motion, whatever the remainder.
         let constant = |own: &[Double]| {
             let mut row = vec![Double::ZERO; terms];

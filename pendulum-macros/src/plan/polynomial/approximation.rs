@@ -24,6 +24,7 @@ use crate::plan::reduction::Reduction;
 use crate::program::rounding::UNDERFLOW;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
+use std::cell::OnceCell;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -64,16 +65,26 @@ struct Shortened {
     suprema: Memo<f64, f64>,
     /// The shifts found, by chunk.
     choices: Memo<usize, Option<Choices>>,
+    /// Its coefficients in powers of 8p − 1.
+    powers: OnceCell<Vec<Double>>,
 }
 
 impl Shortened {
     fn new(series: Vec<Double>, left: Vec<f64>, first: usize) -> Self {
-        Self { series, left, first, suprema: Memo::default(), choices: Memo::default() }
+        let (suprema, choices) = (Memo::default(), Memo::default());
+        Self { series, left, first, suprema, choices, powers: OnceCell::new() }
+    }
+
+    /// Its coefficients in powers of p/`area` + `c`.
+    fn powers_of(&self, c: Double, area: Double) -> Vec<Double> {
+        let eighth = area * 8.0;
+        let powers = self.powers.get_or_init(|| to_powers(&self.series));
+        scale(shift(powers, -Double::ONE - eighth * c), eighth)
     }
 
     /// The shifts, looked for once.
     fn choices(&self, chunk: usize) -> Option<Choices> {
-        let look = || Choices::new(&shifted(&self.series, Double::ZERO, Double::ONE), chunk);
+        let look = || Choices::new(&self.powers_of(Double::ZERO, Double::ONE), chunk);
         self.choices.get(chunk, look)
     }
 }
@@ -406,15 +417,9 @@ impl Approximation {
     fn powers_of(&self, terms: usize, Variable { shift: c, area, .. }: Variable, reduction: &Reduction) -> Vec<Double> {
         let odd = if self.parity == Parity::Odd { reduction.unit } else { Double::ONE };
         let factor = odd / self.pole.map_or(Double::ONE, |pole| pole.unit(self.area(reduction)));
-        let series = &self.shortened(terms, reduction.overshoot).series;
-        shifted(series, c, area).into_iter().map(|c| c * factor).collect()
+        let powers = self.shortened(terms, reduction.overshoot).powers_of(c, area);
+        powers.into_iter().map(|c| c * factor).collect()
     }
-}
-
-/// A series in powers of p/`area` + `c`.
-fn shifted(series: &[Double], c: Double, area: Double) -> Vec<Double> {
-    let eighth = area * 8.0;
-    scale(shift(&to_powers(series), -Double::ONE - eighth * c), eighth)
 }
 
 /// The variable of a polynomial: p/`area` + `shift`, and its largest magnitude.

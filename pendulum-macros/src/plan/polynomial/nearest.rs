@@ -102,8 +102,13 @@ fn sign(index: usize) -> f64 {
 
 /// T₀(u), T₁(u), …
 fn chebyshev(terms: usize, u: f64) -> Vec<f64> {
-    let pairs = std::iter::successors(Some((1.0, u)), |&(this, next)| Some((next, 2.0 * u * next - this)));
-    pairs.take(terms).map(|(this, _)| this).collect()
+    let mut all = Vec::with_capacity(terms);
+    let (mut this, mut next) = (1.0, u);
+    while all.len() < terms {
+        all.push(this);
+        (this, next) = (next, 2.0 * u * next - this);
+    }
+    all
 }
 
 /// Where errors are looked at, and what they count there.
@@ -178,19 +183,30 @@ impl Points {
     }
 }
 
+/// What is left of an equation without its first unknown, by one that has it. By index, since unoptimised iterators would
+/// take the planner three times as long.
+fn subtract(row: &mut [f64], pivot: &[f64]) {
+    let factor = row[0] / pivot[0];
+    let mut index = 0;
+    while index < row.len() {
+        row[index] -= factor * pivot[index];
+        index += 1;
+    }
+}
+
 /// The solution of linear equations, each given with its right-hand side last, by elimination; `None` if there isn't one.
 fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let count = rows.len();
     for column in 0..count {
-        let pivot = (column..count).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
-        rows.swap(column, pivot);
         let (done, below) = rows.split_at_mut(column + 1);
-        let pivot = &done[column];
-        for row in below {
-            let factor = row[column] / pivot[column];
-            for (entry, above) in row[column..].iter_mut().zip(&pivot[column..]) {
-                *entry -= factor * above;
+        let pivot = &mut done[column];
+        for row in &mut *below {
+            if row[column].abs() >= pivot[column].abs() {
+                std::mem::swap(row, pivot);
             }
+        }
+        for row in below {
+            subtract(&mut row[column..], &pivot[column..]);
         }
     }
     let mut solution = vec![0.0; count];

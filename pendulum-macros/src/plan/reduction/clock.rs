@@ -78,7 +78,7 @@ impl<'a> Clock<'a> {
         let (scale, cap) = self.within_range(&method);
         let unit = match method {
             Method::CodyWaite { .. } => self.rate.to_double(),
-            Method::Scaled { anchor, .. } => Double::ONE / Double::new(anchor * scale),
+            Method::Scaled { anchor, .. } => Double::ONE / (anchor * scale),
             _ => Double::new(1.0 / scale),
         };
         // The launch phase is added in two words where there are any. Where it is a rounded time, that has been

@@ -126,7 +126,7 @@ impl Reduction {
         let most: f64 = if float == Float::F64 { 1e280 } else { 1e30 };
         let scale = if MODERATE.contains(&reach) { 1.0 } else { 2f64.powi(-1 - exponent(reach)) };
         (1.0 / most..most).contains(&reach).then(|| Self {
-            unit: Double::new(0.5 / scale) / Double::new(reach),
+            unit: Double::new(0.5 / scale) / reach,
             scale,
             ..Self::exact(Method::Time { lopsided }, Origin::Anchor, float)
         })

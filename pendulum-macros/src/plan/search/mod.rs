@@ -207,7 +207,8 @@ fn parts<'a>(
     let polynomial = move |variant: Variant| aim.part(scene, task, all, reduction, variant, f64::INFINITY).ok();
     let polynomials = aim.variants(all, reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
     let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
-    polynomials.chain(passage.and_then(|passage| aim.passage_part(scene, task, reduction, passage, f64::INFINITY).ok()))
+    let by_passage = |passage| aim.passage_part(scene, task, &all.drafts, reduction, passage, f64::INFINITY).ok();
+    polynomials.chain(passage.and_then(by_passage))
 }
 
 /// All plans of a scene with one output that keep the promise, whatever they cost.
@@ -344,7 +345,7 @@ impl Candidate<'_> {
         for (output, (aim, all)) in task.aims.iter().zip(approximations).enumerate() {
             let passage = || match &task.passage {
                 Some(passage) if self.reduction.origin == Origin::Lowest && scene.method.is_none() => {
-                    let part = aim.passage_part(scene, task, self.reduction, passage, most)?;
+                    let part = aim.passage_part(scene, task, &all.drafts, self.reduction, passage, most)?;
                     Ok((part, waiting(scene.float) * aim.passage_estimate()))
                 }
                 _ => Err(f64::INFINITY),

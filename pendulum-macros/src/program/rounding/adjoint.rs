@@ -4,7 +4,7 @@
 //! derivatives taken somewhere between the computed and the exact values (mean value theorem). Intervals that hold both
 //! make the bound rigorous.
 
-use super::{INFLATION, Known, products};
+use super::{INFLATION, Known, of_given, products};
 use crate::program::{Id, Op, Program};
 
 /// An interval of derivatives.
@@ -60,9 +60,7 @@ impl Program {
             if known[id].local > 0.0 {
                 error += slope.magnitude() * known[id].local;
             }
-            if given.iter().all(|(given, _)| *given != id)
-                && !pass_back(id, self.nodes[id].op, slope, known, &mut slopes)
-            {
+            if of_given(given, id).is_none() && !pass_back(id, self.nodes[id].op, slope, known, &mut slopes) {
                 return f64::INFINITY;
             }
         }

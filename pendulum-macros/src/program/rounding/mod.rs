@@ -96,21 +96,12 @@ pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
     (binade * float.unit()).max(smallest)
 }
 
-/// The rounding of results whose exact magnitude is at most `magnitude`: at a power of two the binade below counts.
-fn rounding_up_to(magnitude: f64, float: Float) -> f64 {
-    half_ulp(if is_power_of_two(magnitude) { magnitude / 2.0 } else { magnitude }, float)
-}
-
 impl Program {
     /// The error bound of each result where the nodes `given` hold values in the intervals stated.
     pub(crate) fn rounding(&self, given: &[(Id, Known)]) -> Vec<Known> {
         let mut known: Vec<Known> = Vec::with_capacity(self.nodes.len());
         for (id, node) in self.nodes.iter().enumerate() {
-            let value = match given.iter().find(|(given, _)| *given == id) {
-                Some(&(_, value)) => value,
-                None => inflate(step(node.op, node.float, &known)),
-            };
-            known.push(value);
+            known.push(of_given(given, id).unwrap_or_else(|| inflate(step(node.op, node.float, &known))));
         }
         let result = |&id: &Id| {
             let forward = known[id];
@@ -118,6 +109,18 @@ impl Program {
         };
         self.results.iter().map(result).collect()
     }
+}
+
+/// What is given of a node, if anything. By index, since unoptimised iterators would take the planner three times as long.
+fn of_given(given: &[(Id, Known)], id: Id) -> Option<Known> {
+    let mut index = 0;
+    while index < given.len() {
+        if given[index].0 == id {
+            return Some(given[index].1);
+        }
+        index += 1;
+    }
+    None
 }
 
 fn inflate(known: Known) -> Known {
@@ -168,16 +171,16 @@ fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
 /// The operands are numbers of the type themselves: none is nearer to the sum than either, so that what is lost is at
 /// most the smaller one.
 fn sum(a: Known, b: Known, float: Float) -> Known {
-    let (low, high) = rounded(a.corners(b, |x, y| x + y), float);
-    let exact = [(a.low, b.low), (a.high, b.high)].into_iter().all(|(x, y)| is_exact(two_sum(x, y), float));
-    let local = rounding(low, high, exact, float).min(a.magnitude()).min(b.magnitude());
-    Known::result((low, high), a.error + b.error, of_numbers(a, b, two_sum, float).unwrap_or(local))
+    let (low, high) = rounded((a.low + b.low, a.high + b.high), float);
+    let exact = || is_exact(two_sum(a.low, b.low), float) && is_exact(two_sum(a.high, b.high), float);
+    let of_intervals = || rounding(low, high, exact, float).min(a.magnitude()).min(b.magnitude());
+    Known::result((low, high), a.error + b.error, of_numbers(a, b, two_sum, float).unwrap_or_else(of_intervals))
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded(a.corners(b, |x, y| x * y), float);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
-    let exact = ends.into_iter().all(|(x, y)| is_exact(two_prod(x, y), float));
+    let exact = || ends.into_iter().all(|(x, y)| is_exact(two_prod(x, y), float));
     let power = |x: Known| x.is_number() && x.error == 0.0 && is_power_of_two(x.low.abs());
     let local = match (power(a), power(b)) {
         (false, false) => of_numbers(a, b, two_prod, float).unwrap_or_else(|| rounding(low, high, exact, float)),
@@ -213,10 +216,12 @@ fn square(x: Known, float: Float) -> Known {
     Known { low: least, ..product }
 }
 
-/// The rounding of results between `low` and `high`, which are the exact ends if `exact`.
-fn rounding(low: f64, high: f64, exact: bool, float: Float) -> f64 {
+/// The rounding of results between `low` and `high`, if these are the ends of the exact ones; else of all that may be
+/// rounded to them.
+fn rounding(low: f64, high: f64, exact: impl FnOnce() -> bool, float: Float) -> f64 {
     let magnitude = low.abs().max(high.abs());
-    if exact { rounding_up_to(magnitude, float) } else { half_ulp(magnitude, float) }
+    // Up to a power of two the binade below counts.
+    half_ulp(if is_power_of_two(magnitude) && exact() { magnitude / 2.0 } else { magnitude }, float)
 }
 
 fn quotient(a: Known, b: Known, float: Float) -> Known {

@@ -37,7 +37,7 @@ fn halves_of_units_in_the_last_place() {
     }
     // Up to a power of two the numbers below it count.
     for (magnitude, half) in [(1.0, U / 2.0), (1.25, U), (4.0, 2.0 * U)] {
-        assert_eq!(rounding_up_to(magnitude, Float::F64), half, "{magnitude}");
+        assert_eq!(rounding(0.0, magnitude, || true, Float::F64), half, "{magnitude}");
     }
     for (x, is) in [(1.0, true), (0.125, true), (1.5, false), (0.0, false), (f64::INFINITY, false), (3.0, false)] {
         assert_eq!(is_power_of_two(x), is, "{x}");
