@@ -58,6 +58,20 @@ fn f64_near_the_top() {
     judge(&near, wrong(&F64));
 }
 
+/// Where no single polynomial can, one for each part of the period.
+#[test]
+fn forced_polynomials_near_the_top() {
+    let f64 = findings!(600; [[(1π-1e-6) 0 1] [(1π-1e-9) 0 1]] [
+        {; f64; theta; method = polynomial}
+        {; f64; velocity acceleration; method = polynomial}
+    ]);
+    judge(&f64, wrong(&F64));
+    let f32 = findings!(600; [[(1π-1e-6) 0 1] [(1π-1e-9) 0 1]] [
+        {; f32; theta velocity; method = polynomial}
+    ]);
+    judge(&f32, wrong(&F32));
+}
+
 #[test]
 fn f64_launched_in_mid_swing() {
     let launched = findings!(600; [

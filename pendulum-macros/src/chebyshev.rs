@@ -154,13 +154,18 @@ pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
 }
 
 /// Bounds what a polynomial changes by where its Chebyshev series becomes powers of another variable by [`to_powers`],
-/// [`shift`] and [`scale`], each coefficient within 10·2⁻¹⁰⁶ a step; `reach` bounds |τ| with τ = a·y + b as |a|·|y| + |b|.
+/// [`shift`] and [`scale`], the two words of whose numbers are wrong by 7·2⁻¹⁰⁶; `reach` ≥ 1 bounds |τ| with τ = a·y + b
+/// as |a|·|y| + |b|.
 ///
-/// Without signs the coefficients of Tⱼ, and of Uⱼ over j + 1, add up to at most (reach + √(reach² + 1))ʲ.
+/// Without their signs the coefficients of Tⱼ add up to at most gʲ with g = reach + √(reach² + 1), those of Uⱼ, too, and
+/// the coefficients in powers of y of Σ aⱼTⱼ to S = Σ|aⱼ|gʲ. What bⱼ is rounded by in `to_powers`, 4·2⁻¹⁰⁶ of its Σ|aₖ|Uₖ₋ⱼ,
+/// counts as if it were aⱼ's: n times 4·2⁻¹⁰⁶S. To where a coefficient goes in `shift` are n products and n sums at most:
+/// 10n; b, wrong by 22·2⁻¹⁰⁶·reach, counts by the derivative, reach times which is nS/2 at most: 11n. A power of a that is
+/// wrong itself, and its product: 14n. Together less than 2⁶n of 2⁻¹⁰⁶S.
 pub(crate) fn rounding_of_powers(series: &[Double], reach: f64) -> f64 {
     let growth = reach + (reach * reach + 1.0).sqrt();
     let (sum, _) = series.iter().fold((0.0, 1.0), |(sum, power), c| (sum + c.hi.abs() * power, power * growth));
-    (series.len() as f64).powi(2) * 2f64.powi(-100) * sum
+    series.len() as f64 * 2f64.powi(-100) * sum
 }
 
 /// Coefficients in powers of x of Σ cⱼ (x + by)ʲ, by repeated synthetic division.

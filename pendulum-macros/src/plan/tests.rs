@@ -60,6 +60,11 @@ fn each_scene_gets_its_way() {
         ("theta0 = 1, method = harmonic", "harmonic"),
         ("theta0 = 1, method = small_angle, t_max = 1", "small_angle"),
         ("theta0 = 1, method = polynomial", "polynomial"),
+        // Cheaper as they are.
+        ("theta0 = pi - 1e-6, method = polynomial", "polynomial"),
+        ("theta0 = pi - 1e-9, method = polynomial", "pieces"),
+        ("theta0 = pi - 1e-9, method = polynomial, float = f32, outputs = [theta, velocity]", "pieces"),
+        ("theta0 = pi - 1e-6, method = polynomial, outputs = [acceleration]", "pieces"),
     ] {
         assert_eq!(planned(text).method, method, "{text}");
     }

@@ -60,7 +60,7 @@ impl Forever {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 58;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.9008233907466665e-15;
+    pub const MAX_ERROR: f64 = 1.900823390746143e-15;
     /// θ(t), rad; NaN if t is not finite. 58 operations.
     #[inline(always)]
     #[must_use]

@@ -29,7 +29,7 @@ impl InPieces {
 
     /// `None` where an output has no pieces, or no reduction counts pieces.
     pub(super) fn new(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Option<Self> {
-        let serves = scene.method.is_none() && task.aims.iter().all(|aim| aim.has_pieces(task));
+        let serves = task.aims.iter().all(|aim| aim.has_pieces(task));
         let all = |pieces: usize| {
             let reductions: Vec<Reduction> =
                 reductions.iter().filter_map(|reduction| reduction.in_pieces(pieces as f64)).collect();

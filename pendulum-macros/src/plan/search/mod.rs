@@ -105,13 +105,14 @@ fn tasks(scene: &Scene) -> Vec<Task> {
 
 fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     let candidates = candidates(scene, prospects);
-    let tolerable = match scene.goal {
-        Goal::Full => choose(scene, &candidates, tolerable).ok(),
-        _ => None,
+    // Who asks for a polynomial gets one for each of many parts only where one alone doesn't serve.
+    let is_last_resort = |candidate: &Candidate| scene.method.is_some() && candidate.way == Way::Pieces;
+    let (in_pieces, candidates): (Vec<Candidate>, Vec<Candidate>) = candidates.into_iter().partition(is_last_resort);
+    let (candidates, chosen) = match choose(scene, &candidates) {
+        Err(best) => (&in_pieces, choose(scene, &in_pieces).map_err(|reached| reached.min(best))),
+        chosen => (&candidates, chosen),
     };
-    let any = || choose(scene, &candidates, |_, _| f64::INFINITY);
-    let Chosen { candidate: index, parts, mut rejected } =
-        tolerable.map_or_else(any, Ok).map_err(|best| Refusal::Unreachable { best })?;
+    let Chosen { candidate: index, parts, mut rejected } = chosen.map_err(|best| Refusal::Unreachable { best })?;
     let candidate = &candidates[index];
     let plan = joined(candidate.reduction, candidate.together(scene, parts, &mut rejected));
     if let Some(output) = verify::broken(scene, &candidate.prospect.task, &plan) {
@@ -131,8 +132,17 @@ struct Chosen {
     rejected: Vec<String>,
 }
 
+/// The choice, at full precision of those with room for its promise if there are any; or the least that any can promise.
+fn choose(scene: &Scene, candidates: &[Candidate]) -> Result<Chosen, f64> {
+    let tolerable = match scene.goal {
+        Goal::Full => choose_within(scene, candidates, tolerable).ok(),
+        _ => None,
+    };
+    tolerable.map_or_else(|| choose_within(scene, candidates, |_, _| f64::INFINITY), Ok)
+}
+
 /// The choice of those that take no more than a part of their limit, or the least that any can promise.
-fn choose(scene: &Scene, candidates: &[Candidate], most: fn(&Scene, &Reduction) -> f64) -> Result<Chosen, f64> {
+fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(&Scene, &Reduction) -> f64) -> Result<Chosen, f64> {
     let mut choice = Choice::new();
     let mut lost = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
