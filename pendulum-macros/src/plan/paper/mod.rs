@@ -18,7 +18,6 @@ use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
 use parts::Wanted;
 use pendulum_runtime::double::Double;
-use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 /// More terms than this aren't chosen for a tolerance: the analysis of longer sums takes the compiler longer than a
 /// second.
@@ -27,10 +26,14 @@ const MOST_CHOSEN: usize = 128;
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
     let mut reached = f64::INFINITY;
-    let mut terms = None;
+    let fewest = if method == Method::Fourier { fewest(scene, swing) } else { 1 };
     // The terms are chosen for θ; its derivative may need some more, as long as these help.
     for more in MORE {
-        let sum = Sum::choose(scene, swing, method, more, &mut terms)?;
+        let sum = match method {
+            Method::Fourier => Sum::fourier(scene, swing, fewest + more)?,
+            Method::Series => Sum::series(scene, swing, more),
+            _ => Sum::of_one(scene, swing, method),
+        };
         if sum.weights.len() >= MOST_CHOSEN && !matches!(scene.goal, Goal::Terms(_)) {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
         }
@@ -65,37 +68,20 @@ struct Sum {
 }
 
 impl Sum {
-    fn choose(
-        scene: &Scene,
-        swing: &Swing,
-        method: Method,
-        more: usize,
-        terms: &mut Option<usize>,
-    ) -> Result<Self, Refusal> {
-        match method {
-            Method::Fourier => Self::fourier(scene, swing, more, terms),
-            Method::Series => Ok(Self::series(scene, swing, more)),
-            _ => {
-                let omega = &scene.motion.omega;
-                let rate = if method == Method::SmallAngle { omega / omega.context().pi() } else { swing.rate() };
-                Ok(Self::of_weights(method, rate, vec![swing.amplitude.to_double()]))
-            }
-        }
+    /// The amplitude times a cosine.
+    fn of_one(scene: &Scene, swing: &Swing, method: Method) -> Self {
+        let omega = &scene.motion.omega;
+        let rate = if method == Method::SmallAngle { omega / omega.context().pi() } else { swing.rate() };
+        Self::of_weights(method, rate, vec![swing.amplitude.to_double()])
     }
 
     fn of_weights(method: Method, rate: Real, weights: Vec<Double>) -> Self {
         Self { method, rate, weights, coefficients: Vec::new() }
     }
 
-    /// k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22). `terms` keeps how many θ needs.
-    fn fourier(scene: &Scene, swing: &Swing, more: usize, terms: &mut Option<usize>) -> Result<Self, Refusal> {
-        let elliptic = &swing.elliptic;
-        let analysis = elliptic.fourier_analysis();
-        let n = match scene.goal {
-            Goal::Terms(n) => n,
-            Goal::Tolerance(tol) => more + *terms.get_or_insert_with(|| fewest(&analysis, scene, swing, tol * 0.99)),
-            Goal::Full => fewest(&analysis, scene, swing, scene.float.unit() * swing.amplitude.to_f64()),
-        };
+    /// n terms k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
+    fn fourier(scene: &Scene, swing: &Swing, n: usize) -> Result<Self, Refusal> {
+        let analysis = swing.elliptic.fourier_analysis();
         if let Some(overshoot) = analysis.overshoot(n) {
             let smallest = swing.smallest_working_terms(scene.float.unit());
             let smallest = smallest.and_then(|smallest| planned(scene, swing, smallest));
@@ -145,10 +131,16 @@ fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
     (smallest..=swing.most_useful_terms(scene.float.unit())).take(3).find(|&n| ask(n).is_ok())
 }
 
-/// The fewest terms that don't overshoot and come within `tol`, by bisection: more terms are better. Where none are,
-/// one.
-fn fewest(analysis: &FourierAnalysis, scene: &Scene, swing: &Swing, tol: f64) -> usize {
+/// The terms of Eq. 22 that are asked for, or the fewest that don't overshoot and come within the tolerance, by bisection:
+/// more terms are better. Where none are, one.
+fn fewest(scene: &Scene, swing: &Swing) -> usize {
+    let tol = match scene.goal {
+        Goal::Terms(n) => return n,
+        Goal::Tolerance(tol) => tol * 0.99,
+        Goal::Full => scene.float.unit() * swing.amplitude.to_f64(),
+    };
     let Some(mut fails) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
+    let analysis = swing.elliptic.fourier_analysis();
     let mut serves = fails;
     while serves < MOST_CHOSEN && analysis.supremum(serves) >= tol {
         (fails, serves) = (serves, (serves * 2).min(MOST_CHOSEN));

@@ -7,6 +7,7 @@ use crate::plan::plan;
 use crate::plan::random_tests::Probe;
 use crate::plan::tests::scene;
 use crate::plan::truth::State;
+use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 fn planned(text: &str) -> Result<Plan, Refusal> {
     plan(&scene(text))
