@@ -14,6 +14,8 @@ pub(crate) struct Wave {
     terms: Vec<(u32, Double)>,
     /// Bounds what the omitted terms can add, and what it strays by, for real s.
     omitted: f64,
+    /// The m of the first that is omitted, if any is.
+    first_omitted: u32,
     /// Of the omitted terms, of which there are none, or none that doesn't underflow, where `omitted` is 0.
     envelope: Envelope,
 }
@@ -187,6 +189,7 @@ impl Wave {
             constant: Double::ZERO,
             terms: vec![(1, scale)],
             omitted: 0.0,
+            first_omitted: 1 + STEP,
             envelope,
         }
     }
@@ -199,8 +202,9 @@ impl Wave {
     ) -> Self {
         let mut kept: Vec<(u32, Double)> = Vec::new();
         let mut largest = linear.hi.abs().max(constant.hi.abs());
-        let mut omitted = 0.0;
+        let (mut omitted, mut first_omitted) = (0.0, 0);
         for (m, amplitude) in terms {
+            first_omitted = m;
             largest = largest.max(amplitude.hi.abs());
             let tail = envelope.tail(m, 0.0);
             // Where amplitudes overflow, or their products in two words do and are NaN, no comparison holds, nor a
@@ -215,7 +219,7 @@ impl Wave {
             }
             kept.push((m, amplitude));
         }
-        Self { parity, linear, constant, terms: kept, omitted, envelope }
+        Self { parity, linear, constant, terms: kept, omitted, first_omitted, envelope }
     }
 
     /// Stands for another, from which it strays by at most that for real s.
@@ -271,7 +275,7 @@ impl Wave {
     pub(crate) fn bound(&self, height: f64) -> f64 {
         let growth = std::f64::consts::PI * height;
         let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * libm::cosh(growth * f64::from(m))).sum();
-        let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(self.first_omitted(), growth) };
+        let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(self.first_omitted, growth) };
         (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
     }
 
@@ -294,7 +298,7 @@ impl Wave {
     pub(crate) fn omitted_slope(&self) -> f64 {
         let Envelope { size, power, .. } = self.envelope;
         let slope = Envelope { size: size * std::f64::consts::PI, power: power + 1, ..self.envelope };
-        if self.omitted == 0.0 { 0.0 } else { slope.tail(self.first_omitted(), 0.0) }
+        if self.omitted == 0.0 { 0.0 } else { slope.tail(self.first_omitted, 0.0) }
     }
 
     /// Bounds what a value is rounded by. The phase's cosine and sine are within 2⁻¹⁰⁰, so the turn from term to term is
@@ -303,10 +307,6 @@ impl Wave {
         let added = self.terms.len() as f64 * 2f64.powi(-103);
         let of = |&(m, a): &(u32, Double)| a.hi.abs() * (f64::from(m + 1) * 2f64.powi(-97) + added);
         self.terms.iter().map(of).sum::<f64>() + (self.constant.hi.abs() + self.linear.hi.abs()) * 2f64.powi(-100)
-    }
-
-    fn first_omitted(&self) -> u32 {
-        self.terms.last().map_or(1, |&(m, _)| m + STEP)
     }
 }
 

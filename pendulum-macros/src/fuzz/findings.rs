@@ -32,6 +32,15 @@ fn tolerances_far_out_of_reach() {
     refused("velocity0 = -(2 - 1e-207), tol = 1e-39, float = f32", "the best is");
 }
 
+/// Where all terms of a rotation's series are negligible, those of the odd multiples, which it hasn't, counted.
+#[test]
+fn rotations_that_hardly_know_of_the_weight() {
+    for omega in ["1e-10", "1e-13", "1e-14", "1e-16", "1e-20"] {
+        planned(&format!("velocity0 = 3.3754, omega = {omega}"));
+    }
+    planned("struct A; theta0 = 1.03, velocity0 = 1e12, outputs = [velocity, acceleration, wrapped, theta]");
+}
+
 /// A phase too coarse for pieces was taken as a proof that no finer one would do.
 #[test]
 fn pieces_of_a_finer_phase() {
