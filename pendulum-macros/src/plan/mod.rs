@@ -113,10 +113,11 @@ impl Function {
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let planned = cheapest(scene);
     let Err(Refusal::Unreachable { best }) = planned else { return planned };
-    let (full, tol) = match scene.goal {
+    let least = if is_of_paper(scene) { f64::INFINITY } else { search::least_error(scene) };
+    let (best, full, tol) = match scene.goal {
         Goal::Terms(_) => return planned,
         // It is that of which `best` tells.
-        Goal::Full => (f64::INFINITY, 0.0),
+        Goal::Full => (best, f64::INFINITY, 0.0),
         // Of an angle that grows without bound, full precision promises what its turns cost.
         Goal::Tolerance(tol) => {
             let full = match cheapest(&Scene { goal: Goal::Full, ..scene.clone() }) {
@@ -124,7 +125,7 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
                 Err(Refusal::Unreachable { best }) => best,
                 Err(_) => f64::INFINITY,
             };
-            (full, tol)
+            (best.min(least), full, tol)
         }
     };
     let reached = if best < full { [best, full] } else { [full, best] };
@@ -132,7 +133,7 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let decades = if is_quick(scene) { 1..10 } else { 1..1 };
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
-    let best = first_kept(scene, &offers).map_or(f64::INFINITY, |kept| finest(scene, kept));
+    let best = first_kept(scene, &offers, least).map_or(f64::INFINITY, |kept| finest(scene, kept));
     Err(Refusal::Unreachable { best })
 }
 
@@ -157,8 +158,8 @@ fn kept(scene: &Scene, tolerance: f64) -> Result<Kept, Refusal> {
 }
 
 /// The first of the tolerances that can be promised; those below what was reached where another was refused come last.
-/// Where polynomials take too many points for one, they do for a little more, too.
-fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
+/// Where polynomials take too many points for one, they do for a little more, too. Whatever is asked, `least` is reached.
+fn first_kept(scene: &Scene, offers: &[f64], least: f64) -> Option<Kept> {
     let (mut reached, mut hopeless) = (0.0, 0.0);
     let mut unlikely = Vec::new();
     for &offer in offers {
@@ -171,7 +172,7 @@ fn first_kept(scene: &Scene, offers: &[f64]) -> Option<Kept> {
         }
         match kept(scene, offer) {
             Ok(kept) => return Some(kept),
-            Err(Refusal::Unreachable { best }) if best.is_finite() => reached = best,
+            Err(Refusal::Unreachable { best }) if best.min(least).is_finite() => reached = best.min(least),
             Err(Refusal::Unreachable { .. }) if scene.method == Some(Method::Polynomial) => hopeless = 3.0 * offer,
             Err(_) => {}
         }
@@ -208,11 +209,18 @@ fn three_digits(x: f64) -> f64 {
 }
 
 pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
-    match (&scene.motion.regime, scene.method, scene.goal) {
-        (Regime::Swing(swing), Some(method), _) if method != Method::Polynomial => paper::plan(scene, swing, method),
-        (Regime::Swing(swing), _, Goal::Terms(_)) => paper::plan(scene, swing, Method::Fourier),
+    match &scene.motion.regime {
+        Regime::Swing(swing) if is_of_paper(scene) => {
+            paper::plan(scene, swing, scene.method.unwrap_or(Method::Fourier))
+        }
         _ => search::plan(scene),
     }
+}
+
+/// Whether it is to be planned by a method of the paper's, or the series of θ.
+fn is_of_paper(scene: &Scene) -> bool {
+    let forced = scene.method.is_some_and(|method| method != Method::Polynomial);
+    matches!(scene.motion.regime, Regime::Swing(_)) && (forced || matches!(scene.goal, Goal::Terms(_)))
 }
 
 impl Plan {

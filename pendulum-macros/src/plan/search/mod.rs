@@ -81,20 +81,25 @@ enum Way {
     Pieces,
 }
 
-/// The cheapest plan.
+/// The cheapest plan, or the best that was reached; of several outputs to a tolerance nothing, since what the first came
+/// to says nothing of the others.
 pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let prospects: Vec<Prospect> = tasks(scene).into_iter().map(|task| Prospect::new(scene, task)).collect();
-    match (cheapest(scene, &prospects), scene.goal) {
-        // The best that can be promised is what full precision promises.
-        (Err(Refusal::Unreachable { best }), Goal::Tolerance(_)) => {
-            let finest = prospects.into_iter().map(|prospect| prospect.at_full_precision(scene));
-            let reached = finest.map(|prospect| most_accurate(scene, &prospect));
-            // What the first of several outputs came to says nothing of the others.
-            let best = if scene.outputs.len() > 1 { f64::INFINITY } else { best };
-            Err(Refusal::Unreachable { best: reached.fold(best, f64::min) })
+    cheapest(scene, &prospects).map_err(|refusal| match (refusal, scene.goal) {
+        (Refusal::Unreachable { .. }, Goal::Tolerance(_)) if scene.outputs.len() > 1 => {
+            Refusal::Unreachable { best: f64::INFINITY }
         }
-        (result, _) => result,
-    }
+        (refusal, _) => refusal,
+    })
+}
+
+/// The least that can be promised of the worst output, whatever it costs.
+pub(super) fn least_error(scene: &Scene) -> f64 {
+    let least = |mut task: Task| {
+        task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
+        most_accurate(scene, &Prospect::new(scene, task))
+    };
+    tasks(scene).into_iter().map(least).fold(f64::INFINITY, f64::min)
 }
 
 /// The whole motion, and the part of it that a short horizon meets.
@@ -183,7 +188,7 @@ fn largest_share(parts: &[Part]) -> f64 {
     worst(parts.iter().map(|part| part.share))
 }
 
-/// The least that can be promised of the worst output.
+/// The same of a task.
 fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
     let Prospect { task, approximations, reductions, .. } = prospect;
     let worst_output = |reduction: &Reduction| {
@@ -257,12 +262,6 @@ impl Prospect {
         let reach = task.reach(scene);
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         Self { task, approximations, reductions, pieces, found: Memo::default() }
-    }
-
-    fn at_full_precision(self, scene: &Scene) -> Self {
-        let mut task = self.task;
-        task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
-        Self::new(scene, task)
     }
 
     fn candidates(&self, scene: &Scene) -> Vec<Candidate<'_>> {
