@@ -221,7 +221,8 @@ fn parts<'a>(
 ) -> impl Iterator<Item = Part> + 'a {
     let polynomial = move |variant: Variant| aim.part(scene, task, all, reduction, variant, f64::INFINITY).ok();
     let polynomials = aim.variants(all, reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
-    let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
+    let passes = scene.method.is_none() && reduction.origin == Origin::Lowest;
+    let passage = task.passage.as_ref().filter(|_| passes);
     let by_passage = |passage| aim.passage_part(scene, task, &all.drafts, reduction, passage, f64::INFINITY).ok();
     polynomials.chain(passage.and_then(by_passage))
 }
