@@ -3,7 +3,7 @@
 use super::arc::Arc;
 use super::curve::{Curve, Curves, RotationCurves, Size, SwingCurves};
 use super::met::{self, Met};
-use super::passage::{Orbit, Passage};
+use super::passage::{LN_2, Orbit, Passage};
 use super::reduction::{Clock, Reduction, UNLIMITED};
 use crate::exact::Real;
 use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing, direction};
@@ -55,9 +55,6 @@ const FARTHEST_BESIDE_SEPARATRIX: f64 = 4.0;
 
 /// Above this complementary nome the images of a passage are too many for [`Passage`].
 const LARGEST_IMAGE: f64 = 0.05;
-
-/// ln 2 to 107 bits.
-const LN_2: Double = Double { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
 
 impl Task {
     pub(super) fn new(scene: &Scene) -> Self {

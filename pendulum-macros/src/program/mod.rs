@@ -128,16 +128,6 @@ impl Op {
         }
     }
 
-    /// The latest of the nodes it reads.
-    fn last_operand(self) -> Option<Id> {
-        let mut last = None;
-        self.map(|id| {
-            last = last.max(Some(id));
-            id
-        });
-        last
-    }
-
     /// The nodes it reads.
     pub(crate) fn operands(self) -> Vec<Id> {
         let mut all = Vec::new();

@@ -1,5 +1,6 @@
 //! Which shift makes the roots of the odd parts real, and with how much rounding: estimates, which proofs follow.
 
+use crate::supremum::largest;
 use pendulum_runtime::double::Double;
 use std::ops::{Add, Mul};
 
@@ -62,14 +63,7 @@ fn rounding(powers: &[f64], shift: f64, chunk: usize, most: f64) -> Option<f64> 
             (own + value * power, own_error + power * (error + 4.0 * value.abs()) + own.abs())
         })
     };
-    let mut largest: f64 = 0.0;
-    for index in 0..=POINTS {
-        largest = largest.max(at(index).1);
-        if largest >= most {
-            return None;
-        }
-    }
-    Some(largest)
+    Some(largest((0..=POINTS).map(|index| at(index).1), most)).filter(|&rounding| rounding < most)
 }
 
 /// A block, no more accurate than an estimate needs.

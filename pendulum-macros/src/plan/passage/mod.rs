@@ -35,7 +35,9 @@ use crate::supremum::largest;
 use functions::{arctangent_ratio, series};
 use pendulum_runtime::double::Double;
 use quotient::{FRACTION, IMAGE_POWER, POWER};
-use std::f64::consts::LN_2;
+
+/// ln 2 to 107 bits.
+pub(super) const LN_2: Double = Double { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
 
 /// What is the same for all outputs of one motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,7 +105,7 @@ impl Passage {
         let q = orbit.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
         // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83: less than the bound that is given.
-        let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * LN_2) * 2.0);
+        let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * LN_2.hi) * 2.0);
         let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
