@@ -161,7 +161,8 @@ pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
 /// the coefficients in powers of y of Σ aⱼTⱼ to S = Σ|aⱼ|gʲ. What bⱼ is rounded by in `to_powers`, 4·2⁻¹⁰⁶ of its Σ|aₖ|Uₖ₋ⱼ,
 /// counts as if it were aⱼ's: n times 4·2⁻¹⁰⁶S. To where a coefficient goes in `shift` are n products and n sums at most:
 /// 10n; b, wrong by 22·2⁻¹⁰⁶·reach, counts by the derivative, reach times which is nS/2 at most: 11n. A power of a that is
-/// wrong itself, and its product: 14n. Together less than 2⁶n of 2⁻¹⁰⁶S.
+/// wrong itself, and its product: 14n. A product and a quotient of all with the same numbers: 17. Together less than 2⁶n
+/// of 2⁻¹⁰⁶S, n being two at least.
 pub(crate) fn rounding_of_powers(series: &[Double], reach: f64) -> f64 {
     let growth = reach + (reach * reach + 1.0).sqrt();
     let (sum, _) = series.iter().fold((0.0, 1.0), |(sum, power), c| (sum + c.hi.abs() * power, power * growth));

@@ -66,6 +66,11 @@ impl Curve {
         self.wave.parity_about(self.arc.halves())
     }
 
+    /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
+    pub(crate) fn mirrors(&self, from_top: bool) -> bool {
+        if from_top { self.parity() == Parity::Odd } else { self.alternates }
+    }
+
     pub(crate) fn at(&self, s: Double) -> Double {
         self.wave.at(self.arc.phase(s))
     }

@@ -87,9 +87,9 @@ pub(crate) enum Division {
     None,
     /// The phase that it is multiplied with is divided.
     OfPhase,
-    /// It is multiplied with the inverse.
+    /// It is multiplied with its leading coefficient over them, and does without that itself ([`blocks::saved`]).
     Inverse,
-    /// It is multiplied with the inverse, as another one is.
+    /// The same, of one of two polynomials of which each is multiplied with that.
     Shared,
     /// Two terms are divided, and added.
     OfRemainder,
@@ -102,7 +102,7 @@ impl Division {
             Self::None => 0.0,
             Self::OfPhase => QUOTIENT + 3.0,
             Self::Inverse => QUOTIENT + 4.0,
-            Self::Shared => 0.5 * (QUOTIENT + 3.0) + 1.0,
+            Self::Shared => 0.5 * (QUOTIENT + 2.0) + 1.0,
             Self::OfRemainder => QUOTIENT + 6.0,
         }
     }
@@ -138,7 +138,12 @@ impl Form {
 
     /// Whether the largest terms are added last.
     pub(crate) fn largest_last(self) -> bool {
-        !matches!(self, Self::Powers { .. })
+        matches!(self, Self::Careful { .. } | Self::Normalised)
+    }
+
+    /// Terms of a block.
+    fn chunk(self) -> usize {
+        if let Self::Adapted { chunk } = self { chunk } else { blocks::LEAST }
     }
 
     /// Whether it suits so many terms: where no smaller blocks hold as many, and where powers of numbers up to an
@@ -164,23 +169,18 @@ impl Form {
 
     /// Estimated cost of a polynomial of that many terms, given the variables.
     pub(crate) fn cost(self, terms: usize, division: Division) -> f64 {
-        let operations = match self {
-            // The first block isn't adapted, which of fewer terms wouldn't be, either.
-            Self::Powers { .. } | Self::Careful { .. } | Self::Normalised => {
-                blocks::operations(terms, blocks::LEAST) + usize::from(terms >= blocks::LEAST)
-            }
-            Self::Adapted { chunk } => blocks::operations(terms, chunk),
-        };
+        let chunk = self.chunk();
+        // The first block isn't adapted by powers, which of fewer terms wouldn't be, either.
+        let plain = !matches!(self, Self::Adapted { .. }) && terms >= blocks::LEAST;
+        let saved = if division == Division::Inverse { blocks::saved(terms, chunk) } else { 0 };
+        let operations = blocks::operations(terms, chunk) + usize::from(plain) - saved;
         operations as f64 + division.cost() + self.waiting(terms)
     }
 
     /// The part of this that is no operation.
     pub(crate) fn waiting(self, terms: usize) -> f64 {
-        let chain = match self {
-            Self::Powers { .. } => blocks::chain(terms, blocks::LEAST),
-            Self::Careful { .. } | Self::Normalised => blocks::chain(terms, blocks::LEAST) + blocks::STEP / 2,
-            Self::Adapted { chunk } => blocks::chain(terms, chunk),
-        };
+        let last = if self.largest_last() { blocks::STEP / 2 } else { 0 };
+        let chain = blocks::chain(terms, self.chunk()) + last;
         WAITING * chain.saturating_sub(HIDDEN) as f64
     }
 

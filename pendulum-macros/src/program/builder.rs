@@ -67,8 +67,13 @@ impl Builder {
         self.push(Op::Div(a, b))
     }
 
+    /// The product, which with 1 is no operation.
     pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
-        self.push(Op::Mul(a, b))
+        match [a, b].map(|id| self.nodes[id].op == Op::Constant { value: 1.0, rest: 0.0 }) {
+            [true, _] => b,
+            [_, true] => a,
+            _ => self.push(Op::Mul(a, b)),
+        }
     }
 
     /// Gives `id` a name in the emitted code.

@@ -15,9 +15,9 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.2e-14 of rounding); 29 operations
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.8e-14 of rounding); 27 operations
 /// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.273e-10 rad·ω (4.0e-10 of truncation, 2.4e-11 of phase, 3.1e-15 of rounding); 23 operations
-/// * not a polynomial in s² over poles, adapted in blocks of 16 for `theta`: it costs about 0.5 operations more
+/// * not a polynomial in s² over poles for `theta`: it costs about 1.0 operations more
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
 /// * not pieces, phase by one product with the rate: it costs about 81 operations
 /// * not `harmonic`: it is wrong by about 3e-1
@@ -63,12 +63,12 @@ impl Clock {
     /// The number of terms of the approximation.
     pub const TERMS: usize = 9;
     /// Operations of one call of the first function.
-    pub const OPERATIONS: usize = 29;
+    pub const OPERATIONS: usize = 27;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219322619259669e-10;
+    pub const MAX_ERROR: f64 = 6.219383162724061e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
     pub const MAX_VELOCITY_ERROR: f64 = 4.273497004213819e-10;
-    /// θ(t), rad; NaN if t is not finite. 29 operations.
+    /// θ(t), rad; NaN if t is not finite. 27 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
@@ -78,16 +78,18 @@ impl Clock {
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
-        let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
+        let signed = f64::from_bits(
+            83.29963463217591_f64.to_bits() ^ (magic.to_bits() << 63),
+        );
         let v_2 = v - 0.18865548074245453;
         let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
-        sign / d
-            * ((-2.9541040010692745 + 0.8373567016445581 * y) * (w + 2.27240519049656)
-                + 6.376553678365396 + 83.29963463217591 * (w2 * w2)
-                + ((-7.313147708307213 - 62.55276437369798 * y)
-                    * (w - 0.08778952917722718) + 7.340443960480892) * w2)
+        signed / d
+            * ((-0.03546358893545737 + 0.010052345431550246 * y) * (w + 2.27240519049656)
+                + 0.07654959960535461
+                + ((-0.08779327473163231 - 0.7509368396381406 * y)
+                    * (w - 0.08778952917722718) + (0.08812096226944938 + w2)) * w2)
     }
     /// θ̇(t), rad per unit of t; NaN if t is not finite. 23 operations.
     #[inline(always)]
@@ -108,7 +110,7 @@ impl Clock {
                 * (w - 0.5192766012494591) - 2.3417655541724822)
                 * (w + 0.32388388397501167) + 2.527994602833727)
     }
-    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 45 operations.
+    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 43 operations.
     #[inline(always)]
     #[must_use]
     pub const fn state(t: f64) -> (f64, f64) {
@@ -118,20 +120,22 @@ impl Clock {
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
-        let sign = f64::from_bits(1.0_f64.to_bits() ^ (magic.to_bits() << 63));
+        let signed = f64::from_bits(
+            83.29963463217591_f64.to_bits() ^ (magic.to_bits() << 63),
+        );
         let v_2 = v - 0.18865548074245453;
         let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
-        let first_result = sign / d
-            * ((-2.9541040010692745 + 0.8373567016445581 * y) * (w + 2.27240519049656)
-                + 6.376553678365396 + 83.29963463217591 * (w2 * w2)
-                + ((-7.313147708307213 - 62.55276437369798 * y)
-                    * (w - 0.08778952917722718) + 7.340443960480892) * w2);
-        let signed = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
+        let first_result = signed / d
+            * ((-0.03546358893545737 + 0.010052345431550246 * y) * (w + 2.27240519049656)
+                + 0.07654959960535461
+                + ((-0.08779327473163231 - 0.7509368396381406 * y)
+                    * (w - 0.08778952917722718) + (0.08812096226944938 + w2)) * w2);
+        let signed_2 = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
         let v_3 = v - 0.18198639154434204;
         let d_2 = -0.06804324686527252 - v_3 * v_3;
-        let second_result = signed / d_2
+        let second_result = signed_2 / d_2
             * (((6.124465567387538 - 9.211109378250262 * y + 4.809994123216009 * w)
                 * (w - 0.5192766012494591) - 2.3417655541724822)
                 * (w + 0.32388388397501167) + 2.527994602833727);

@@ -12,10 +12,10 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
 /// * phase: one product with the rate, wrong by at most 8.2e-6 anchors
-/// * theta: polynomial of 6 terms in s² + c, coefficients adapted; proven error ≤ 6.917e-5 rad (6.8e-6 of truncation, 5.8e-5 of phase, 4.8e-6 of rounding); 17 operations
-/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.700e-5 lengths (1.7e-5 of truncation, 5.8e-5 of phase, 2.4e-6 of rounding); 29 operations
-/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it costs about 0.5 operations more
-/// * not a polynomial in s², adapted in blocks of 8 for `position`: it costs about 1.5 operations more
+/// * theta: polynomial of 3 terms in s² over one of 3; proven error ≤ 9.140e-5 rad (3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of rounding); 15 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.718e-5 lengths (1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of rounding); 28 operations
+/// * not a polynomial in s² over poles for `theta`: it costs about 0.0 operations more
+/// * not a polynomial in s² over poles for `position`: it costs about 2.0 operations more
 /// * not the passage through the lowest point, phase by Cody and Waite's remainder of 2 words from the lowest point: it costs about 263 operations
 /// * not `harmonic`: it is wrong by about 9e-2
 /// * not `series`: 4 harmonics at least, of three operations each beside a cosine
@@ -58,14 +58,14 @@ impl Lamp {
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
-    pub const TERMS: usize = 6;
+    pub const TERMS: usize = 3;
     /// Operations of one call of the first function.
-    pub const OPERATIONS: usize = 17;
+    pub const OPERATIONS: usize = 15;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f32 = 6.916677e-5;
+    pub const MAX_ERROR: f32 = 9.139537e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
-    pub const MAX_POSITION_ERROR: f32 = 7.699701e-5;
-    /// θ(t), rad; NaN if t is not finite. 17 operations.
+    pub const MAX_POSITION_ERROR: f32 = 7.717634e-5;
+    /// θ(t), rad; NaN if t is not finite. 15 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f32) -> f32 {
@@ -75,13 +75,14 @@ impl Lamp {
         let s = x - n;
         let v = s * s;
         let p = if 0.25_f32 < v { 0.25_f32 } else { v };
-        let y = p - 0.40625;
-        let w = y * y;
-        let result = ((-84.6799 - 51.405857 * y) * (w + 0.48984522) + 60.010612)
-            * (w + 0.214246) - 4.9149246;
-        f32::from_bits(result.to_bits() ^ (magic.to_bits() << 31))
+        let signed = f32::from_bits(
+            (-0.24901083_f32).to_bits() ^ (magic.to_bits() << 31),
+        );
+        let v_2 = v - 0.024392076;
+        let d = -0.42334524 - v_2 * v_2;
+        signed / d * ((p - 13.869426) * p + 3.404919)
     }
-    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 29 operations.
+    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 28 operations.
     #[inline(always)]
     #[must_use]
     pub const fn position(t: f32) -> (f32, f32) {
@@ -93,12 +94,11 @@ impl Lamp {
         let y = if 0.25_f32 < v { 0.25_f32 } else { v };
         let v_2 = y - 0.087378345;
         let d = -0.16257937 - v_2 * v_2;
-        let v_3 = 1.0 / d;
+        let v_3 = -0.35542947 / d;
         let w = y * y;
         let half_sine = v_3
-            * ((0.12556459 + 0.47948632 * y) * (w + 1.0669101) - 0.2771971);
-        let half_cosine = v_3
-            * ((0.42917255 - 0.35542947 * y) * (w + 1.3316723) - 0.66348326);
+            * ((-0.35327572 - 1.3490337 * y) * (w + 1.0669101) + 0.77989346);
+        let half_cosine = v_3 * ((-1.207476 + y) * (w + 1.3316723) + 1.8667088);
         let v_4 = half_sine * half_cosine;
         let x_2 = v_4 + v_4;
         let y_2 = half_sine * half_sine - half_cosine * half_cosine;

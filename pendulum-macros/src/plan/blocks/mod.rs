@@ -67,6 +67,12 @@ pub(crate) fn operations(terms: usize, chunk: usize) -> usize {
     whole * block(chunk) + block(rest) + 2 * (blocks - 1) + powers as usize
 }
 
+/// Operations that a leading coefficient of 1 saves: its product, and that with a power of w where it is by itself.
+pub(crate) fn saved(terms: usize, chunk: usize) -> usize {
+    let (others, rest) = (terms / chunk, terms % chunk);
+    1 + usize::from(rest == 1 && others > 1 && others.is_power_of_two())
+}
+
 impl Blocks {
     /// Adapts a polynomial, given in powers of y, for |y| ≤ `reach`.
     pub(crate) fn adapted(powers: &[Double], chunk: usize, reach: f64) -> Option<Self> {
@@ -96,6 +102,12 @@ impl Blocks {
     pub(crate) fn terms(&self) -> usize {
         let of_rest = self.rest.iter().map(|block| block.head.len() + 2 * block.factors.len());
         self.lead.len() + of_rest.sum::<usize>()
+    }
+
+    /// The coefficient of the highest power of y.
+    pub(crate) fn leading(&self) -> Double {
+        let of_rest = self.rest.last().and_then(|block| block.head.last());
+        of_rest.or(self.lead.last()).copied().unwrap_or(Double::ZERO)
     }
 
     /// Powers of y.
@@ -140,36 +152,41 @@ impl Blocks {
         b.name(y, POWERS[0]);
         let w = b.mul(y, y);
         b.name(w, POWERS[1]);
-        let mut values: Vec<Id> = self.rest.iter().map(|block| block.lower(b, y, w)).collect();
-        if lead.is_some() {
-            values[0] = b.mul(values[0], w);
-        }
         let level = self.chunk.ilog2() as usize;
-        let mut sum = values[0];
-        if values.len() > 1 {
-            let power = POWERS[2..=level].iter().fold(w, |power, name| {
-                let square = b.mul(power, power);
-                b.name(square, name)
-            });
-            self.early(b, power, &mut values);
-            sum = estrin(b, power, &values, &POWERS[level..]);
+        let mut power = w;
+        if self.rest.len() > 1 {
+            for name in &POWERS[2..=level] {
+                power = b.mul(power, power);
+                b.name(power, name);
+            }
         }
+        let values = self.values(b, [y, w, power]);
+        let sum = estrin(b, power, &values, &POWERS[level..]);
         lead.map_or(sum, |lead| b.add(lead, sum))
     }
 
-    /// Adds a short last block, which is there before the others are, to the first, where a power of `power` by squaring
-    /// serves.
-    fn early(&self, b: &mut Builder, power: Id, values: &mut Vec<Id>) {
-        let short = self.rest.last().is_some_and(|block| block.factors.is_empty() && block.head.len() < LEAST);
-        let others = values.len() - 1;
-        if !short || others < 2 || !others.is_power_of_two() {
-            return;
+    /// The values of the blocks. A short last one is there before the others are: where these are as many as a power of
+    /// two, it becomes part of one of them. A number 1 is added to what the one before it ends with, anything else to the
+    /// first, for which nothing waits.
+    fn values(&self, b: &mut Builder, [y, w, power]: [Id; 3]) -> Vec<Id> {
+        let short = |block: &&Block| block.factors.is_empty() && block.head.len() < LEAST;
+        let others = self.rest.len() - 1;
+        let early = self.rest.last().filter(|_| others > 1 && others.is_power_of_two()).filter(short);
+        let one = early.is_some_and(|last| last.head == [Double::ONE]);
+        let blocks = &self.rest[..self.rest.len() - usize::from(early.is_some())];
+        let ends = |index: usize| (one && index + 1 == others).then_some(power);
+        let lower = |(index, block): (usize, &Block)| block.lower(b, y, w, ends(index));
+        let mut values: Vec<Id> = blocks.iter().enumerate().map(lower).collect();
+        if !self.lead.is_empty() {
+            values[0] = b.mul(values[0], w);
         }
-        if let Some(last) = values.pop() {
+        if let Some(last) = early.filter(|_| !one) {
+            let last = last.lower(b, y, w, None);
             let power = (0..others.ilog2()).fold(power, |power, _| b.mul(power, power));
             let last = b.mul(last, power);
             values[0] = b.add(values[0], last);
         }
+        values
     }
 }
 
@@ -234,14 +251,24 @@ impl Block {
         })
     }
 
-    fn lower(&self, b: &mut Builder, y: Id, w: Id) -> Id {
+    /// Evaluates it, and adds `more` to what it ends with, which waits for nothing.
+    fn lower(&self, b: &mut Builder, y: Id, w: Id, more: Option<Id>) -> Id {
         let z = by_pairs(b, y, &self.head);
-        self.factors.iter().fold(z, |value, &(alpha, beta)| {
-            let [minus_alpha, beta] = [-alpha, beta].map(|c| b.exact(c));
+        let Some((last, others)) = self.factors.split_last() else { return more.map_or(z, |more| b.add(z, more)) };
+        let product = |b: &mut Builder, value: Id, alpha: Double| {
+            let minus_alpha = b.exact(-alpha);
             let factor = b.add(w, minus_alpha);
-            let product = b.mul(value, factor);
+            b.mul(value, factor)
+        };
+        let value = others.iter().fold(z, |value, &(alpha, beta)| {
+            let product = product(b, value, alpha);
+            let beta = b.exact(beta);
             b.add(product, beta)
-        })
+        });
+        let product = product(b, value, last.0);
+        let beta = b.exact(last.1);
+        let end = more.map_or(beta, |more| b.add(beta, more));
+        b.add(product, end)
     }
 }
 

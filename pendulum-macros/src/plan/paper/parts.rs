@@ -10,7 +10,7 @@ use crate::plan::form::{Division, Form};
 use crate::plan::harmonics::Harmonics;
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::pieces::Piecewise;
-use crate::plan::polynomial::{Approximation, Polynomial};
+use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
 use crate::plan::reduction::Reduction;
 use crate::plan::{Bound, Part};
 use crate::program::rounding::half_ulp;
@@ -152,7 +152,7 @@ impl Sum {
             // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
             let most = if let Form::Adapted { .. } = form { 6.0 } else { 12.0 };
             let cap = most * size * scene.float.unit();
-            let polynomial = approximation.polynomial(terms, form, reduction, true, cap)?;
+            let polynomial = approximation.polynomial(terms, form, reduction, true, Numerator::One, cap)?;
             (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
         })
     }
@@ -218,7 +218,7 @@ impl Whole {
         let cost = |form: &Form| form.cost(terms, Division::None) + form.variables(terms);
         forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
         forms.into_iter().find_map(|form| {
-            let mut polynomial = approximation.polynomial(terms, form, reduction, true, left)?;
+            let mut polynomial = approximation.polynomial(terms, form, reduction, true, Numerator::One, left)?;
             let truncation = polynomial.truncation;
             if direction < 0.0 {
                 polynomial.negate();

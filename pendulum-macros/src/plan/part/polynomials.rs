@@ -8,7 +8,7 @@ use crate::plan::curve::Curve;
 use crate::plan::form::{Division, Form, Poles, Variant};
 use crate::plan::kernel::Kernel;
 use crate::plan::memo::Memo;
-use crate::plan::polynomial::{Approximation, Leeway, Pole, Polynomial, pade};
+use crate::plan::polynomial::{Approximation, Leeway, Numerator, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::program::cost::{CLAMP, MINIMUM};
 use crate::scene::Scene;
@@ -171,7 +171,7 @@ impl Aim {
         self.first_kept(scene, reduction, phase, most, |left| {
             let brief = Brief { variant: Some(variant), reduction: reduction.clone(), left };
             all.drafts.get(brief, || {
-                let polynomials = self.polynomials(all, reduction, variant, left)?;
+                let polynomials = self.polynomials(task, all, reduction, variant, left)?;
                 let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
                 Ok(Rc::new(Draft::new(self.kernel(scene, task, reduction, polynomials), truncation)))
             })
@@ -181,33 +181,47 @@ impl Aim {
     /// Those with the fewest terms whose truncation is within what is left, or what would be reached.
     fn polynomials(
         &self,
+        task: &Task,
         all: &Approximations,
         reduction: &Reduction,
         Variant { form, poles }: Variant,
         left: f64,
     ) -> Result<Vec<Polynomial>, f64> {
         let share = self.share(left);
-        let polynomial = |(curve, approximation): (&Curve, &Approximation)| {
+        let polynomial = |(curve, approximation): (&Curve, &Approximation), numerator: Numerator| {
             let Some(terms) = approximation.terms_for(share, reduction.overshoot) else {
                 let least = approximation.truncation(approximation.terms(), reduction.overshoot);
                 return Err((self.limit - left + least) / self.size.unit);
             };
             let polynomial = match poles {
                 Poles::Beside => approximation.beside_poles(terms, form, reduction, curve.alternates),
-                _ => approximation.polynomial(terms, form, reduction, curve.alternates, self.limit),
+                _ => approximation.polynomial(terms, form, reduction, curve.alternates, numerator, self.limit),
             };
             polynomial.ok_or(f64::INFINITY)
         };
-        self.curves.iter().zip(&*all.choose(self, poles, reduction)).map(polynomial).collect()
+        let all = all.choose(self, poles, reduction);
+        let curves: Vec<(&Curve, &Approximation)> = self.curves.iter().zip(&*all).collect();
+        if let [sine, cosine] = curves[..] {
+            let mirrored = sine.0.mirrors(task.turning);
+            let [first, second] = if mirrored { [cosine, sine] } else { [sine, cosine] };
+            let first = polynomial(first, Numerator::Leading)?;
+            let second = polynomial(second, first.numerator())?;
+            return Ok(if mirrored { vec![second, first] } else { vec![first, second] });
+        }
+        let single = |curve: (&Curve, &Approximation)| {
+            let odd = curve.0.parity() == Parity::Odd;
+            polynomial(curve, if odd { Numerator::One } else { Numerator::Leading })
+        };
+        curves.into_iter().map(single).collect()
     }
 
     /// Puts the polynomials together.
     fn kernel(&self, scene: &Scene, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
         if task.direction < 0.0 {
             // A mirror image leaves the height as it is, and cos(θ/2) with it, or sin where the angle is from the top.
-            let mirrored =
-                |polynomial: &Polynomial| self.output != Output::Position || polynomial.mirrors(task.turning);
-            polynomials.iter_mut().filter(|polynomial| mirrored(polynomial)).for_each(Polynomial::negate);
+            let mirrored = |curve: &Curve| self.output != Output::Position || curve.mirrors(task.turning);
+            let both = polynomials.iter_mut().zip(&self.curves);
+            both.filter(|(_, curve)| mirrored(curve)).for_each(|(polynomial, _)| polynomial.negate());
         }
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok(factors) => Kernel::Circle(Box::new(factors)),

@@ -12,7 +12,7 @@ use super::leeway::Leeway;
 use super::nearest::Corrections;
 use super::pole::{Pole, Quotient};
 use super::tail;
-use super::{Divided, Polynomial, Remainder};
+use super::{Divided, Numerator, Polynomial, Remainder};
 use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers, scale, shift, to_powers};
 use crate::parse::Float;
 use crate::plan::blocks::{Blocks, Choices, magnitude};
@@ -305,30 +305,32 @@ impl Approximation {
         }
     }
 
-    /// The polynomial with that many terms, evaluated as `form` says; `None` if its coefficients can't be adapted
-    /// without rounding by more than about `limit`.
+    /// The polynomial with that many terms, evaluated as `form` says, over its poles with that numerator; `None` if its
+    /// coefficients can't be adapted without rounding by more than about `limit`.
     pub(crate) fn polynomial(
         &self,
         terms: usize,
         form: Form,
         reduction: &Reduction,
         alternates: bool,
+        numerator: Numerator,
         limit: f64,
     ) -> Option<Polynomial> {
         let Form::Adapted { chunk } = form else {
-            return Some(self.in_powers(terms, form, reduction, alternates));
+            return Some(self.over_poles(terms, form, reduction, alternates, numerator));
         };
         let choice = self
             .shortened(terms, reduction.overshoot)
             .choices(chunk)?
             .within(limit / (reduction.float.unit() * self.weight(0.0)))?;
         let variable = self.variable(form, choice.shift, reduction);
-        let coefficients = self.powers_of(terms, variable, reduction);
+        let mut coefficients = self.powers_of(terms, variable, reduction);
         if !is_moderate(&coefficients, self.quarter(reduction), reduction.float) {
             return None;
         }
+        let numerator = self.numerator(numerator, &mut coefficients);
         let blocks = Blocks::adapted(&coefficients, chunk, variable.reach)?;
-        Some(self.evaluated(coefficients.len(), form, variable, blocks, reduction, alternates))
+        Some(self.evaluated(coefficients.len(), form, variable, (blocks, numerator), reduction, alternates))
     }
 
     /// The same by powers of p, with the poles beside them: N/D = Q + R/D. `None` if there are none.
@@ -351,31 +353,70 @@ impl Approximation {
         let mut blocks = Blocks::careful(&polynomial, form.largest_last(), variable.reach);
         // Of the polynomial that was divided.
         blocks.mismatch = blocks.mismatch * pole.most(reduction.half()) + magnitude(&lost, variable.reach);
-        let whole = self.evaluated(powers.len(), form, variable, blocks, reduction, alternates);
+        let whole = self.evaluated(powers.len(), form, variable, (blocks, Double::ONE), reduction, alternates);
         Some(Polynomial { divided: Divided::Rest(pole, Remainder { powers: remainder, dispensable }), ..whole })
     }
 
     /// The same by powers, which always are: of p if no other form is asked for.
     pub(crate) fn in_powers(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
-        let variable = self.variable(form, form.shift(), reduction);
-        let coefficients = self.powers_of(terms, variable, reduction);
-        let blocks = Blocks::careful(&coefficients, form.largest_last(), variable.reach);
-        self.evaluated(coefficients.len(), form, variable, blocks, reduction, alternates)
+        self.over_poles(terms, form, reduction, alternates, Numerator::One)
     }
 
-    /// A polynomial of so many terms, of which the blocks may lack some.
+    /// The same, over its poles, if any, with that numerator.
+    fn over_poles(
+        &self,
+        terms: usize,
+        form: Form,
+        reduction: &Reduction,
+        alternates: bool,
+        numerator: Numerator,
+    ) -> Polynomial {
+        let variable = self.variable(form, form.shift(), reduction);
+        let mut coefficients = self.powers_of(terms, variable, reduction);
+        let numerator = self.numerator(numerator, &mut coefficients);
+        let blocks = Blocks::careful(&coefficients, form.largest_last(), variable.reach);
+        self.evaluated(coefficients.len(), form, variable, (blocks, numerator), reduction, alternates)
+    }
+
+    /// The numerator of the poles, if any, by which it divides the coefficients: by the leading one only where the others
+    /// stay numbers of a moderate size.
+    fn numerator(&self, numerator: Numerator, coefficients: &mut [Double]) -> Double {
+        const WIDEST: f64 = 1e12;
+        let leading = || {
+            let last = coefficients.last()?;
+            let moderate = |c: &Double| c.hi.abs() <= WIDEST * last.hi.abs();
+            (last.hi != 0.0 && coefficients.iter().all(moderate)).then_some(*last)
+        };
+        let divisor = match numerator {
+            _ if self.pole.is_none() => None,
+            Numerator::One => None,
+            Numerator::Leading => leading(),
+            Numerator::Same(numerator) => Some(numerator),
+        };
+        let divisor = divisor.unwrap_or(Double::ONE);
+        if divisor != Double::ONE {
+            for c in coefficients {
+                *c = *c / divisor;
+            }
+        }
+        divisor
+    }
+
+    /// A polynomial of so many terms, of which the blocks may lack some, and the numerator of its poles.
     fn evaluated(
         &self,
         terms: usize,
         form: Form,
         Variable { shift, area, reach }: Variable,
-        blocks: Blocks,
+        (blocks, numerator): (Blocks, Double),
         reduction: &Reduction,
         alternates: bool,
     ) -> Polynomial {
         let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
         let poles = self.pole.map_or(1.0, |pole| pole.unit(self.area(reduction)).hi);
-        let lost = blocks.mismatch + lost_to_underflow(terms, area);
+        // Coefficients that were divided may underflow where those that they are of don't.
+        let size = numerator.hi.abs();
+        let lost = size * blocks.mismatch + (1.0 + size) * lost_to_underflow(terms, area);
         // Farther from 1 the second word of a pole's unit would lose bits.
         let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
         let lost = if bounded { lost * self.weight(reduction.overshoot) * poles / unit } else { f64::INFINITY };
@@ -384,7 +425,7 @@ impl Approximation {
         let converted = rounding_of_powers(&shortened.series, eighth * reach + (1.0 + eighth * shift.hi).abs());
         let truncation =
             self.truncation(terms, reduction.overshoot) + converted * self.weight(reduction.overshoot) + lost;
-        let whole = |pole: Pole| Divided::Whole(pole.scaled(self.area(reduction)));
+        let whole = |pole: Pole| Divided::Whole { numerator, pole: pole.scaled(self.area(reduction)) };
         let divided = self.pole.map_or(Divided::Nothing, whole);
         let (parity, map) = (self.parity, self.map);
         Polynomial { form, shift, divided, parity, map, alternates, blocks, truncation }

@@ -44,8 +44,11 @@ pub(crate) struct Polynomial {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Divided {
     Nothing,
-    /// The polynomial.
-    Whole(Pole),
+    /// The polynomial, times a number; of a single odd curve that is 1.
+    Whole {
+        numerator: Double,
+        pole: Pole,
+    },
     /// What is added to it.
     Rest(Pole, Remainder),
 }
@@ -59,11 +62,15 @@ struct Remainder {
     dispensable: bool,
 }
 
-impl Divided {
-    /// The poles that the polynomial is over.
-    fn under(self) -> Option<Pole> {
-        if let Self::Whole(pole) = self { Some(pole) } else { None }
-    }
+/// What is over the poles that a polynomial is multiplied with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Numerator {
+    /// 1, or the phase of an odd curve.
+    One,
+    /// The leading coefficient, which the polynomial then does without: one multiplication less.
+    Leading,
+    /// That of another polynomial over the same poles.
+    Same(Double),
 }
 
 impl Polynomial {
@@ -80,10 +87,12 @@ impl Polynomial {
         self.product(b, &variables.unsigned()).0
     }
 
-    /// The same, one of two with the same poles: one division serves both.
+    /// The same, one of two with the same poles and the same number over them: one division serves both.
     pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
-        let one = b.constant(1.0);
-        let inverse = self.divided.under().map(|pole| pole.divide(b, one, variables));
+        let inverse = self.over().map(|(numerator, pole)| {
+            let numerator = b.exact(numerator);
+            pole.divide(b, numerator, variables)
+        });
         let phase = (self.parity == Parity::Odd).then_some(variables.distance);
         let both = phase.zip(inverse).map(|(phase, inverse)| b.mul(phase, inverse));
         self.times(b, variables, both.or(phase).or(inverse), None)
@@ -96,20 +105,25 @@ impl Polynomial {
         (self.times(b, variables, factor, unlimited), factor.is_some())
     }
 
-    /// What the polynomial is multiplied with, if anything: an odd curve's phase, or 1, with the sign and over the poles.
+    /// The poles that the polynomial is over, and the number that is over them, too.
+    fn over(&self) -> Option<(Double, Pole)> {
+        if let Divided::Whole { numerator, pole } = self.divided { Some((numerator, pole)) } else { None }
+    }
+
+    /// What the polynomial is multiplied with, if anything: an odd curve's phase, or a number, with the sign and over poles.
     /// It is divided while the polynomial is evaluated.
     fn factor(&self, b: &mut Builder, variables: &Variables, unlimited: Option<Unlimited>) -> Option<Id> {
         let odd = self.parity == Parity::Odd;
-        let Some(pole) = self.divided.under() else {
+        let Some((numerator, pole)) = self.over() else {
             return odd.then(|| self.signed(b, variables, variables.distance));
         };
         let variables = unlimited.map_or(*variables, |unlimited| variables.without(unlimited));
-        let magnitude = if odd { variables.distance } else { b.constant(1.0) };
-        let numerator = self.signed(b, &variables, magnitude);
-        if numerator != magnitude {
-            b.name(numerator, if odd { "signed" } else { "sign" });
+        let magnitude = if odd { variables.distance } else { b.exact(numerator) };
+        let signed = self.signed(b, &variables, magnitude);
+        if signed != magnitude {
+            b.name(signed, "signed");
         }
-        Some(pole.divide(b, numerator, &variables))
+        Some(pole.divide(b, signed, &variables))
     }
 
     fn signed(&self, b: &mut Builder, variables: &Variables, value: Id) -> Id {
@@ -125,7 +139,7 @@ impl Polynomial {
     fn unlimited(&self, variables: &Variables) -> Option<Unlimited> {
         let (pole, dispensable) = match self.divided {
             Divided::Nothing => return None,
-            Divided::Whole(pole) => (pole, true),
+            Divided::Whole { pole, .. } => (pole, true),
             Divided::Rest(pole, Remainder { dispensable, .. }) => (pole, dispensable),
         };
         let used_once = self.terms() < 3 || self.form == Form::Normalised;
@@ -163,16 +177,11 @@ impl Polynomial {
         Some(fraction)
     }
 
-    /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
-    pub(crate) fn mirrors(&self, from_top: bool) -> bool {
-        if from_top { self.parity == Parity::Odd } else { self.alternates }
-    }
-
     /// How it approximates its curve.
     pub(crate) fn variant(&self) -> Variant {
         let poles = match self.divided {
             Divided::Nothing => Poles::Absent,
-            Divided::Whole(_) => Poles::Under,
+            Divided::Whole { .. } => Poles::Under,
             Divided::Rest(..) => Poles::Beside,
         };
         Variant { form: self.form, poles }
@@ -189,11 +198,24 @@ impl Polynomial {
         self.form.waiting(self.blocks.terms())
     }
 
+    /// Its negative. A leading coefficient that was divided out stays 1.
     pub(crate) fn negate(&mut self) {
-        self.blocks.negate();
-        if let Divided::Rest(_, Remainder { powers, .. }) = &mut self.divided {
-            *powers = powers.map(|c| -c);
+        match &mut self.divided {
+            Divided::Whole { numerator, .. } if self.parity != Parity::Odd && self.blocks.leading() == Double::ONE => {
+                *numerator = -*numerator;
+            }
+            divided => {
+                self.blocks.negate();
+                if let Divided::Rest(_, Remainder { powers, .. }) = divided {
+                    *powers = powers.map(|c| -c);
+                }
+            }
         }
+    }
+
+    /// For another polynomial over the same poles, of which one division serves both.
+    pub(crate) fn numerator(&self) -> Numerator {
+        self.over().map_or(Numerator::One, |(numerator, _)| Numerator::Same(numerator))
     }
 
     /// For the reader.
@@ -201,7 +223,7 @@ impl Polynomial {
         let terms = self.blocks.terms();
         let over = match self.divided {
             Divided::Nothing => String::new(),
-            Divided::Whole(pole) => format!(" over one of {}", pole.terms()),
+            Divided::Whole { pole, .. } => format!(" over one of {}", pole.terms()),
             Divided::Rest(pole, rest) => format!(" plus one of {} over one of {}", rest.powers.len(), pole.terms()),
         };
         let adapted = matches!(self.form, Form::Adapted { .. });

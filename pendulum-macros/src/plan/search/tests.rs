@@ -60,7 +60,7 @@ fn comfortable_plans() {
         "theta0 = 2, outputs = [acceleration]",
         "theta0 = 0.97π",
         "theta0 = 0.97π, outputs = [velocity]",
-        "theta0 = 0.97π, outputs = [acceleration], float = f32",
+        "theta0 = 0.98π, outputs = [acceleration], float = f32",
         "theta0 = 0.9999π, outputs = [velocity]",
         "velocity0 = 2.1, outputs = [acceleration]",
         "velocity0 = 2.01",

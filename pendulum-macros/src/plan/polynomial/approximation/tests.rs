@@ -14,7 +14,7 @@ impl Polynomial {
         let p = s * s;
         let x = if self.form == Form::Normalised { p * 8.0 } else { p } + self.shift;
         let sum = self.blocks.powers().iter().rev().fold(Double::ZERO, |sum, c| sum * x + *c);
-        let over = self.divided.under().map_or(Double::ONE, |pole| pole.at(p * 8.0 - Double::ONE));
+        let over = self.over().map_or(Double::ONE, |(numerator, pole)| pole.at(p * 8.0 - Double::ONE) / numerator);
         sum / over * if self.parity == Parity::Odd { s } else { Double::ONE }
     }
 }
@@ -344,6 +344,7 @@ fn adapted_polynomials() {
                     Form::Adapted { chunk },
                     &reduction,
                     true,
+                    Numerator::One,
                     if chunk == 16 { 1e-3 } else { f64::INFINITY },
                 )
                 .unwrap()

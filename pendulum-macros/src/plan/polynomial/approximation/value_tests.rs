@@ -5,17 +5,21 @@ use super::*;
 use crate::plan::form::{Poles, Variant};
 use crate::plan::reduction::Phase;
 use crate::plan::variables::{Source, Variables};
-use crate::program::Builder;
+use crate::program::{Builder, Program};
 
 /// The value of a polynomial at the phase s from an anchor, in anchors.
 fn evaluated(polynomial: &Polynomial, unit: Double, s: f64) -> f64 {
+    program(polynomial, unit).run(s / unit.hi)[0]
+}
+
+fn program(polynomial: &Polynomial, unit: Double) -> Program {
     let mut b = Builder::new(Float::F64);
     let input = b.input();
     let square = b.mul(input, input);
     let phase = Phase { remainder: input, magic: input, count: input };
     let variables = Variables::of_one_kernel([input, square], unit, Source::Square, phase);
     let result = polynomial.magnitude(&mut b, &variables);
-    b.finish(vec![result]).run(s / unit.hi)[0]
+    b.finish(vec![result])
 }
 
 /// With another unit of the phase, and in any form, polynomials over poles have the same values.
@@ -28,7 +32,8 @@ fn values_in_other_units() {
         for form in Form::ALL {
             for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
                 let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-                let polynomial = approximation.polynomial(approximation.terms(), form, &reduction, false, 1.0);
+                let terms = approximation.terms();
+                let polynomial = approximation.polynomial(terms, form, &reduction, false, Numerator::One, 1.0);
                 let Some(polynomial) = polynomial else {
                     assert!(matches!(form, Form::Adapted { .. }), "{text} {index} {form:?}");
                     continue;
@@ -73,6 +78,42 @@ fn values_beside_poles() {
     }
 }
 
+/// With its leading coefficient over the poles a polynomial has the same values and bound, by an operation less; so it has
+/// with another number there, by as many operations; and negated the first is still the one with less.
+#[test]
+fn numerators() {
+    for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 2), ("theta0 = 0.3", 0), ("theta0 = 3.14", 0)] {
+        let (curves, reduction) = curves(text);
+        let curve = &curves[index].0;
+        let pole = Some(Pole::new(curve.strip(), if index == 2 { 2 } else { 1 }));
+        let approximation = Approximation::new(curve, pole, 1e-12).unwrap();
+        for (form, unit) in Form::ALL.into_iter().flat_map(|form| [1.0, 0.25].map(|unit| (form, unit))) {
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let over = |numerator| approximation.polynomial(5, form, &reduction, false, numerator, 1.0);
+            let Some(one) = over(Numerator::One) else { continue };
+            let [mut leading, same] =
+                [Numerator::Leading, Numerator::Same(Double::new(-3.0))].map(|numerator| over(numerator).unwrap());
+            let operations = |polynomial: &Polynomial| program(polynomial, reduction.unit).operations();
+            assert_eq!(operations(&leading) + 1, operations(&one), "{text} {index} {form:?} {unit}");
+            assert_eq!(operations(&same), operations(&one), "{text} {index} {form:?} {unit}");
+            for s in [0.0, 0.3, 0.49] {
+                let [first, second, third] =
+                    [&one, &leading, &same].map(|polynomial| evaluated(polynomial, reduction.unit, s));
+                let most = 1e-11 * curve.size.largest;
+                assert!((first - second).abs() <= most && (first - third).abs() <= most, "{text} {index} {form:?} {s}");
+            }
+            for other in [&leading, &same] {
+                let times = other.truncation / one.truncation;
+                assert!((1.0 - 1e-6..1.0 + 1e-6).contains(&times), "{text} {index} {form:?}: {times}");
+            }
+            let before = evaluated(&leading, reduction.unit, 0.3);
+            leading.negate();
+            assert_eq!(evaluated(&leading, reduction.unit, 0.3), -before);
+            assert_eq!(operations(&leading) + 1, operations(&one), "{text} {index} {form:?} {unit}");
+        }
+    }
+}
+
 /// Without poles there is nothing to put beside.
 #[test]
 fn nothing_beside() {
@@ -90,7 +131,8 @@ fn values_of_the_image() {
     for form in Form::ALL {
         for (unit, s) in [(1.0, 0.3), (0.25, 0.4), (8.0, 0.45), (1.0, 0.0)] {
             let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            let Some(polynomial) = approximation.polynomial(6, form, &reduction, false, 1.0) else { continue };
+            let polynomial = approximation.polynomial(6, form, &reduction, false, Numerator::Leading, 1.0);
+            let Some(polynomial) = polynomial else { continue };
             let image = s * s * 0.75 / (s * s + 0.5);
             let angle = (8.0 * image - 1.0_f64).acos();
             let expected: f64 = (0..6).map(|j| (f64::from(j) * angle).cos()).sum();
