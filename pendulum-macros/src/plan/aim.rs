@@ -34,7 +34,7 @@ pub(super) struct Aim {
     /// The functions of the phase that make it; none on the separatrix.
     pub(super) curves: Vec<Curve>,
     /// The power of the nearest poles in the curves, 0 if they are logarithms.
-    pub(super) power: i32,
+    pub(super) power: usize,
     /// Of the output itself.
     pub(super) size: Size,
     /// For the total error, in the output's own unit, and for truncation alone.
@@ -242,7 +242,7 @@ fn passage(elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Orbit> {
 }
 
 impl Aim {
-    fn new(scene: &Scene, output: Output, curves: Vec<Curve>, power: i32, steepest: &Curve) -> Self {
+    fn new(scene: &Scene, output: Output, curves: Vec<Curve>, power: usize, steepest: &Curve) -> Self {
         let largest = if output == Output::Position { 1.0 } else { steepest.size.largest };
         let aim = Self::with(scene, output, Size { largest, ..steepest.size });
         Self { curves, power, ..aim }

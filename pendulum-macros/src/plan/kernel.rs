@@ -113,6 +113,16 @@ impl Kernel {
         }
     }
 
+    /// Those of each polynomial, if it is made of some.
+    pub(super) fn terms_of_each(&self) -> Vec<usize> {
+        match self {
+            Self::Polynomial(polynomial) => vec![polynomial.terms()],
+            Self::Circle(factors) => factors.iter().map(Polynomial::terms).collect(),
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms_of_each(),
+            Self::Pieces(_) | Self::Harmonics(_) | Self::Passage(_) => Vec::new(),
+        }
+    }
+
     /// What [`Self::rounding`] leaves out: the turns of a rotation's angle.
     pub(crate) fn rounding_of_turns(&self, reduction: &Reduction) -> f64 {
         if let Self::Turning(turning) = self { turning.own_rounding(reduction) } else { 0.0 }

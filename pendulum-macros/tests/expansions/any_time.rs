@@ -12,12 +12,10 @@
 /// Planned for the full precision of `f64`, over 2⁵³ periods:
 ///
 /// * phase: exact products with the rate in 4 words, wrong by at most 1.7e-16 anchors
-/// * theta: polynomial of 12 terms in s² plus one of 2 over one of 3, the small coefficients adapted; proven error ≤ 1.568e-15 rad (4.3e-18 of truncation, 8.7e-16 of phase, 6.9e-16 of rounding); 56 operations
-/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
-/// * not a polynomial in s² over poles for `theta`: it can promise only 2.0e-15
-/// * not a polynomial in s² − 0.125 over poles for `theta`: it can promise only 2.2e-15
-/// * not a polynomial in s² − 0.15625 over poles for `theta`: it can promise only 2.1e-15
-/// * not a polynomial in s², adapted in blocks of 4 for `theta`: it costs about 1.0 operations more
+/// * theta: polynomial of 17 terms in s² + c, coefficients adapted in blocks of 4; proven error ≤ 1.880e-15 rad (7.3e-17 of truncation, 8.7e-16 of phase, 9.3e-16 of rounding); 59 operations
+/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.1e-15
+/// * not a polynomial in s² over two pairs of poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
+/// * not a polynomial in s² over poles for `theta`: it costs about 0.5 operations more
 /// * not pieces, phase by exact products with the rate in 4 words: it costs about 107 operations
 /// * not `harmonic`: it is wrong by about 4e-2
 /// * not `series`: 11 harmonics at least, of three operations each beside a cosine
@@ -60,12 +58,12 @@ impl Forever {
     /// How the motion is approximated.
     pub const METHOD: &'static str = "polynomial";
     /// The number of terms of the approximation.
-    pub const TERMS: usize = 14;
+    pub const TERMS: usize = 17;
     /// Operations of one call of the first function.
-    pub const OPERATIONS: usize = 56;
+    pub const OPERATIONS: usize = 59;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.568298512105315e-15;
-    /// θ(t), rad; NaN if t is not finite. 56 operations.
+    pub const MAX_ERROR: f64 = 1.88036359392597e-15;
+    /// θ(t), rad; NaN if t is not finite. 59 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
@@ -80,19 +78,20 @@ impl Forever {
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_2 = s * s;
-        let y = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
-        let v_3 = v_2 + 0.00954559538513422;
-        let d = -0.2894105315208435 - v_3 * v_3;
-        let fraction = (0.4283795802822268 * y - 0.054197505029406706) / d;
+        let p = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
+        let y = p + 0.0625;
         let w = y * y;
         let w2 = w * w;
         let w4 = w2 * w2;
-        let result = 1.3835866682459301 - 5.383126495668413 * y
-            + (0.5482679267403641 + 5.642539657557171 * y) * w
-            + ((4.170501500337143 + 10.586924808481383 * y) * (w - 0.7152214545932583)
-                + 1.4312561919537126) * w2
-            + ((21.919979986138195 - 10.31420102223766 * y) * (w + 1.0542625456871144)
-                - 33.38509794218164) * w4 + fraction;
+        let result = (-1.9700361621449383 + 9.870332365009808 * y)
+            * (w - 0.6838842409352377) + 0.6505982283628713
+            + 5114.066594397547 * (w4 * w4)
+            + ((-26.943459626833842 + 37.602887202667496 * y) * (w - 0.5338282033013554)
+                - 6.978032909318127) * w2
+            + ((1233.8144668762131 - 5669.869790088942 * y) * (w + 0.0755108587252532)
+                + 62.73136128703999
+                + ((32443.822950358128 - 19496.568206774846 * y)
+                    * (w + 1.5588442004284895) - 33508.49429783891) * w2) * w4;
         f64::from_bits(result.to_bits() ^ (magic.to_bits() << 63))
     }
 }

@@ -15,8 +15,8 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.8e-14 of rounding); 27 operations
-/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.273e-10 rad·ω (4.0e-10 of truncation, 2.4e-11 of phase, 3.1e-15 of rounding); 23 operations
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.4e-14 of rounding); 27 operations
+/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.308e-10 rad·ω (4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of rounding); 23 operations
 /// * not a polynomial in s² over poles for `theta`: it costs about 1.0 operations more
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
 /// * not pieces, phase by one product with the rate: it costs about 81 operations
@@ -65,9 +65,9 @@ impl Clock {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 27;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219383162724061e-10;
+    pub const MAX_ERROR: f64 = 6.219215248937354e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.273497004213819e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.3075098582183034e-10;
     /// θ(t), rad; NaN if t is not finite. 27 operations.
     #[inline(always)]
     #[must_use]
@@ -79,17 +79,17 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let signed = f64::from_bits(
-            83.29963463217591_f64.to_bits() ^ (magic.to_bits() << 63),
+            83.29961943583332_f64.to_bits() ^ (magic.to_bits() << 63),
         );
-        let v_2 = v - 0.18865548074245453;
-        let d = -0.0867738276720047 - v_2 * v_2;
+        let v_2 = v - 0.18865548496559117;
+        let d = -0.08677382856443816 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
         signed / d
-            * ((-0.03546358893545737 + 0.010052345431550246 * y) * (w + 2.27240519049656)
-                + 0.07654959960535461
-                + ((-0.08779327473163231 - 0.7509368396381406 * y)
-                    * (w - 0.08778952917722718) + (0.08812096226944938 + w2)) * w2)
+            * ((-0.03546359551967026 + 0.010052345498440852 * y)
+                * (w + 2.2724056386564206) + 0.0765496296420204
+                + ((-0.0877932428709024 - 0.750936938668289 * y)
+                    * (w - 0.0877895220016202) + (0.08812098103975433 + w2)) * w2)
     }
     /// θ̇(t), rad per unit of t; NaN if t is not finite. 23 operations.
     #[inline(always)]
@@ -102,13 +102,13 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let signed = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
-        let v_2 = v - 0.18198639154434204;
-        let d = -0.06804324686527252 - v_2 * v_2;
+        let v_2 = v - 0.1819863955260788;
+        let d = -0.06804324543106671 - v_2 * v_2;
         let w = y * y;
         signed / d
-            * (((6.124465567387538 - 9.211109378250262 * y + 4.809994123216009 * w)
-                * (w - 0.5192766012494591) - 2.3417655541724822)
-                * (w + 0.32388388397501167) + 2.527994602833727)
+            * (((6.124462680145829 - 9.211095363990546 * y + 4.809949611982091 * w)
+                * (w - 0.5192770203513656) - 2.3417714567483006)
+                * (w + 0.3238841028888346) + 2.5279980693211312)
     }
     /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 43 operations.
     #[inline(always)]
@@ -121,24 +121,24 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let signed = f64::from_bits(
-            83.29963463217591_f64.to_bits() ^ (magic.to_bits() << 63),
+            83.29961943583332_f64.to_bits() ^ (magic.to_bits() << 63),
         );
-        let v_2 = v - 0.18865548074245453;
-        let d = -0.0867738276720047 - v_2 * v_2;
+        let v_2 = v - 0.18865548496559117;
+        let d = -0.08677382856443816 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
         let first_result = signed / d
-            * ((-0.03546358893545737 + 0.010052345431550246 * y) * (w + 2.27240519049656)
-                + 0.07654959960535461
-                + ((-0.08779327473163231 - 0.7509368396381406 * y)
-                    * (w - 0.08778952917722718) + (0.08812096226944938 + w2)) * w2);
+            * ((-0.03546359551967026 + 0.010052345498440852 * y)
+                * (w + 2.2724056386564206) + 0.0765496296420204
+                + ((-0.0877932428709024 - 0.750936938668289 * y)
+                    * (w - 0.0877895220016202) + (0.08812098103975433 + w2)) * w2);
         let signed_2 = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
-        let v_3 = v - 0.18198639154434204;
-        let d_2 = -0.06804324686527252 - v_3 * v_3;
+        let v_3 = v - 0.1819863955260788;
+        let d_2 = -0.06804324543106671 - v_3 * v_3;
         let second_result = signed_2 / d_2
-            * (((6.124465567387538 - 9.211109378250262 * y + 4.809994123216009 * w)
-                * (w - 0.5192766012494591) - 2.3417655541724822)
-                * (w + 0.32388388397501167) + 2.527994602833727);
+            * (((6.124462680145829 - 9.211095363990546 * y + 4.809949611982091 * w)
+                * (w - 0.5192770203513656) - 2.3417714567483006)
+                * (w + 0.3238841028888346) + 2.5279980693211312);
         (first_result, second_result)
     }
 }

@@ -47,8 +47,16 @@ pub(crate) const LEAST: usize = 4;
 /// operations of a block's head or two of a factor at a time; then the blocks are joined.
 pub(crate) fn chain(terms: usize, chunk: usize) -> usize {
     let longest = terms.min(chunk);
-    let joints = terms.div_ceil(chunk).next_power_of_two().ilog2() as usize;
+    let joined = terms.div_ceil(chunk) - usize::from(is_early(terms, chunk));
+    let joints = joined.next_power_of_two().ilog2() as usize;
     STEP * (longest / 2 + longest % 2 + joints)
+}
+
+/// Whether the last block is short, and there before the others are, and these are as many as a power of two: then it
+/// becomes a part of one of them.
+fn is_early(terms: usize, chunk: usize) -> bool {
+    let (others, rest) = (terms / chunk, terms % chunk);
+    (1..LEAST).contains(&rest) && others > 1 && others.is_power_of_two()
 }
 
 /// Cycles of a multiplication and an addition in sequence.
@@ -69,8 +77,7 @@ pub(crate) fn operations(terms: usize, chunk: usize) -> usize {
 
 /// Operations that a leading coefficient of 1 saves: its product, and that with a power of w where it is by itself.
 pub(crate) fn saved(terms: usize, chunk: usize) -> usize {
-    let (others, rest) = (terms / chunk, terms % chunk);
-    1 + usize::from(rest == 1 && others > 1 && others.is_power_of_two())
+    1 + usize::from(is_early(terms, chunk) && terms % chunk == 1)
 }
 
 impl Blocks {
@@ -165,13 +172,11 @@ impl Blocks {
         lead.map_or(sum, |lead| b.add(lead, sum))
     }
 
-    /// The values of the blocks. A short last one is there before the others are: where these are as many as a power of
-    /// two, it becomes part of one of them. A number 1 is added to what the one before it ends with, anything else to the
-    /// first, for which nothing waits.
+    /// The values of the blocks. Of an early last one a number 1 is added to what the one before it ends with, anything else
+    /// to the first, for which nothing waits.
     fn values(&self, b: &mut Builder, [y, w, power]: [Id; 3]) -> Vec<Id> {
-        let short = |block: &&Block| block.factors.is_empty() && block.head.len() < LEAST;
         let others = self.rest.len() - 1;
-        let early = self.rest.last().filter(|_| others > 1 && others.is_power_of_two()).filter(short);
+        let early = self.rest.last().filter(|_| is_early(self.terms(), self.chunk));
         let one = early.is_some_and(|last| last.head == [Double::ONE]);
         let blocks = &self.rest[..self.rest.len() - usize::from(early.is_some())];
         let ends = |index: usize| (one && index + 1 == others).then_some(power);

@@ -1,7 +1,7 @@
 //! An output by polynomials: its variants by cost, and the fewest terms of each that keep the promise.
 
 use super::draft::{Brief, Draft, Drafts};
-use crate::parse::Output;
+use crate::parse::{Float, Output};
 use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
 use crate::plan::curve::Curve;
@@ -20,13 +20,15 @@ use std::rc::Rc;
 pub(in crate::plan) struct Approximations {
     plain: Rc<[Approximation]>,
     divided: Rc<[Approximation]>,
+    /// By two pairs, if that is worth it.
+    by_two: Rc<[Approximation]>,
     lenient: Memo<Lenient, Rc<[Approximation]>>,
     pub(in crate::plan) drafts: Drafts,
 }
 
-/// What tells approximations with a leeway from others: the error of the phase and its share, and whether they are
+/// What tells approximations with a leeway from others: the error of the phase and its share, and by what they are
 /// divided.
-type Lenient = ([f64; 2], bool);
+type Lenient = ([f64; 2], Poles);
 
 impl Approximations {
     pub(in crate::plan) fn new(aim: &Aim, reductions: &[Reduction]) -> Self {
@@ -38,27 +40,32 @@ impl Approximations {
         };
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
         let (lenient, drafts) = (Memo::default(), Memo::default());
-        let without_poles = Self { plain: over(None), divided: Rc::new([]), lenient, drafts };
+        let without_poles = Self { plain: over(None), divided: Rc::new([]), by_two: Rc::new([]), lenient, drafts };
         // The first is the cheapest.
         let reduction = reductions.iter().find(|reduction| aim.left(reduction) > 0.0);
-        let poles = reduction
-            .and_then(|reduction| aim.poles(&without_poles.choose(aim, Poles::Absent, reduction), aim.left(reduction)));
-        match poles {
-            Some(_) => Self { divided: over(poles), ..without_poles },
-            None => without_poles,
-        }
+        let poles = reduction.and_then(|reduction| {
+            let (plain, left) = (without_poles.choose(aim, Poles::Absent, reduction), aim.left(reduction));
+            let first = aim.poles(&plain, left, reduction.float)?;
+            Some((first, aim.two_pairs(&plain, first, left)))
+        });
+        let Some((first, two)) = poles else { return without_poles };
+        let by_two = two.map_or_else(|| Rc::new([]) as Rc<[Approximation]>, |two| over(Some(two)));
+        Self { divided: over(Some(first)), by_two, ..without_poles }
     }
 
     /// Those of a variant, with the leeway that the reduction leaves; none over poles where none are worth it.
     pub(in crate::plan) fn choose(&self, aim: &Aim, poles: Poles, reduction: &Reduction) -> Rc<[Approximation]> {
-        let divided = poles != Poles::Absent;
-        let strict = if divided { &self.divided } else { &self.plain };
+        let (strict, poles) = match poles {
+            Poles::Absent => (&self.plain, poles),
+            Poles::UnderTwo => (&self.by_two, poles),
+            Poles::Under | Poles::Beside => (&self.divided, Poles::Under),
+        };
         let Some((curve, ratio)) = aim.leeway(reduction) else { return strict.clone() };
         let lenient = || {
             let leeway = Leeway::new(curve, reduction.error, ratio);
             strict.iter().map(|approximation| approximation.with(leeway.clone())).collect()
         };
-        self.lenient.get(([reduction.error, ratio], divided), lenient)
+        self.lenient.get(([reduction.error, ratio], poles), lenient)
     }
 }
 
@@ -71,9 +78,9 @@ const WORTH: usize = 3;
 impl Aim {
     /// The poles to be divided out, if any: the nearest, or near them those that save more terms. θ has logarithms
     /// there, but poles serve it as they serve other curves.
-    fn poles(&self, plain: &[Approximation], left: f64) -> Option<Pole> {
+    fn poles(&self, plain: &[Approximation], left: f64, float: Float) -> Option<Pole> {
         let curve = self.curves.first().filter(|curve| !curve.is_arc())?;
-        let nearest = Pole::new(curve.strip(), self.power.max(1));
+        let nearest = Pole::new(curve.strip(), self.power.max(1), float);
         let limit = self.share(left);
         let best = || pade::best(plain, nearest, limit);
         match self.power {
@@ -85,6 +92,11 @@ impl Aim {
             1 => Some(best().map_or(nearest, |(pole, _)| pole)),
             _ => Some(nearest),
         }
+    }
+
+    /// Two pairs in their place, if those save enough. Double poles are two already.
+    fn two_pairs(&self, plain: &[Approximation], first: Pole, left: f64) -> Option<Pole> {
+        if self.power > 1 { None } else { pade::two(plain, first, self.share(left)) }
     }
 
     /// What a reduction leaves of the limit.
@@ -133,28 +145,47 @@ impl Aim {
             return None;
         }
         let left = self.share(self.left(reduction));
-        let one = |(curve, approximation): (&Curve, &Approximation)| {
-            let terms = approximation
-                .terms_for(left, reduction.overshoot)
-                .filter(|&terms| variant.suits(terms, reduction.float))?;
+        let fewest = |approximation: &Approximation| {
+            let terms = approximation.terms_for(left, reduction.overshoot);
+            terms.filter(|&terms| variant.suits(terms, reduction.float))
+        };
+        let terms = approximations.iter().map(fewest).collect::<Option<Vec<usize>>>()?;
+        Some(self.cost(&terms, approximations, reduction, variant))
+    }
+
+    /// The cost of the kernels with so many terms each.
+    fn cost(&self, terms: &[usize], approximations: &[Approximation], reduction: &Reduction, variant: Variant) -> f64 {
+        let one = |(curve, (approximation, &terms)): (&Curve, (&Approximation, &usize))| {
             let signs = if curve.alternates && reduction.origin == Origin::Lowest { MINIMUM } else { 0.0 };
             let (odd, of_two) = (curve.parity() == Parity::Odd, self.curves.len() > 1);
             let division = match (variant.poles, of_two, odd) {
                 (Poles::Absent, ..) => Division::None,
-                (Poles::Under, true, _) => Division::Shared,
-                (Poles::Under, false, true) => Division::OfPhase,
-                (Poles::Under, false, false) => Division::Inverse,
+                (Poles::Under | Poles::UnderTwo, true, _) => Division::Shared,
+                (Poles::Under | Poles::UnderTwo, false, true) => Division::OfPhase,
+                (Poles::Under | Poles::UnderTwo, false, false) => Division::Inverse,
                 (Poles::Beside, ..) => Division::OfRemainder,
             };
             let unlimited = division == Division::OfPhase && approximation.falls();
             let clamp = if reduction.leaps() && !unlimited { CLAMP } else { 0.0 };
             let phase = if odd { 1.0 + clamp } else { 0.0 };
-            Some((variant.cost(terms, division, reduction.float) + phase + signs, variant.variables(terms)))
+            (variant.cost(terms, division, reduction.float) + phase + signs, variant.variables(terms))
         };
-        let kernels: Option<Vec<(f64, f64)>> = self.curves.iter().zip(approximations).map(one).collect();
-        let (kernels, variables): (Vec<f64>, Vec<f64>) = kernels?.into_iter().unzip();
+        let kernels = self.curves.iter().zip(approximations.iter().zip(terms)).map(one);
+        let (kernels, variables): (Vec<f64>, Vec<f64>) = kernels.unzip();
         let squaring = if self.curves.len() > 1 { SQUARING } else { 0.0 };
-        Some(kernels.iter().sum::<f64>() + variables.into_iter().fold(0.0, f64::max) + squaring)
+        kernels.iter().sum::<f64>() + variables.into_iter().fold(0.0, f64::max) + squaring
+    }
+
+    /// What a part costs that was made of a variant: rounding may have left less for truncation than was estimated.
+    pub(in crate::plan) fn cost_of(
+        &self,
+        part: &Part,
+        all: &Approximations,
+        reduction: &Reduction,
+        variant: Variant,
+    ) -> f64 {
+        let approximations = all.choose(self, variant.poles, reduction);
+        self.cost(&part.kernel.terms_of_each(), &approximations, reduction, variant)
     }
 
     /// The fewest terms that keep the promise, taking at most a part of the limit of it, or what was reached.

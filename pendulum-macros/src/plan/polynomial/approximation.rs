@@ -328,7 +328,7 @@ impl Approximation {
         if !is_moderate(&coefficients, self.quarter(reduction), reduction.float) {
             return None;
         }
-        let numerator = self.numerator(numerator, &mut coefficients);
+        let numerator = self.numerator(numerator, reduction.float, &mut coefficients);
         let blocks = Blocks::adapted(&coefficients, chunk, variable.reach)?;
         Some(self.evaluated(coefficients.len(), form, variable, (blocks, numerator), reduction, alternates))
     }
@@ -373,18 +373,19 @@ impl Approximation {
     ) -> Polynomial {
         let variable = self.variable(form, form.shift(), reduction);
         let mut coefficients = self.powers_of(terms, variable, reduction);
-        let numerator = self.numerator(numerator, &mut coefficients);
+        let numerator = self.numerator(numerator, reduction.float, &mut coefficients);
         let blocks = Blocks::careful(&coefficients, form.largest_last(), variable.reach);
         self.evaluated(coefficients.len(), form, variable, (blocks, numerator), reduction, alternates)
     }
 
     /// The numerator of the poles, if any, by which it divides the coefficients: by the leading one only where the others
     /// stay numbers of a moderate size.
-    fn numerator(&self, numerator: Numerator, coefficients: &mut [Double]) -> Double {
-        const WIDEST: f64 = 1e12;
+    fn numerator(&self, numerator: Numerator, float: Float, coefficients: &mut [Double]) -> Double {
+        // Far from what overflows, or underflows, in either type.
+        let widest = if float == Float::F64 { 1e100 } else { 1e12 };
         let leading = || {
             let last = coefficients.last()?;
-            let moderate = |c: &Double| c.hi.abs() <= WIDEST * last.hi.abs();
+            let moderate = |c: &Double| c.hi.abs() <= widest * last.hi.abs();
             (last.hi != 0.0 && coefficients.iter().all(moderate)).then_some(*last)
         };
         let divisor = match numerator {

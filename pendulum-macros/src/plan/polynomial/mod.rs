@@ -181,6 +181,7 @@ impl Polynomial {
     pub(crate) fn variant(&self) -> Variant {
         let poles = match self.divided {
             Divided::Nothing => Poles::Absent,
+            Divided::Whole { pole, .. } if pole.is_of_two() => Poles::UnderTwo,
             Divided::Whole { .. } => Poles::Under,
             Divided::Rest(..) => Poles::Beside,
         };

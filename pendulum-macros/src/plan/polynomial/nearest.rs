@@ -83,7 +83,7 @@ pub(super) fn polished(
         let mut numerator = solved(reference.iter().enumerate().map(row).collect())?;
         let free = numerator.split_off(terms);
         divisor = [free[0], free[1]];
-        let found = Pole::of(free[0], free[1])?;
+        let found = Pole::of(divisor, pole.float())?;
         let error = |(value, &u): (&f64, &f64)| sum(&numerator, 0, u) / at(divisor, u) - value;
         let errors = values.iter().zip(&points.cosines).map(error).collect();
         Some((found, errors))
@@ -195,7 +195,7 @@ fn subtract(row: &mut [f64], pivot: &[f64]) {
 }
 
 /// The solution of linear equations, each given with its right-hand side last, by elimination; `None` if there isn't one.
-fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+pub(super) fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let count = rows.len();
     for column in 0..count {
         let (done, below) = rows.split_at_mut(column + 1);
@@ -220,6 +220,7 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parse::Float;
 
     #[test]
     fn linear_equations() {
@@ -254,7 +255,7 @@ mod tests {
 
     #[test]
     fn level_errors() {
-        let pole = Pole::of(0.03, -0.3);
+        let pole = Pole::of([0.03, -0.3], Float::F64);
         let dropped = [1.0, -0.2, 0.05];
         let (even, odd) = (Parity::Even, Parity::Odd);
         for (pole, parity, gain) in [(None, even, 1.1), (pole, even, 1.3), (None, odd, 1.7), (pole, odd, 1.9)] {
@@ -278,7 +279,7 @@ mod tests {
             let value = |u: pendulum_runtime::double::Double| pendulum_runtime::double::Double::new(function(p(u.hi)));
             table.coefficients(&table.points().map(value).collect::<Vec<_>>()).iter().map(|c| c.hi).collect()
         };
-        let near = Pole::of(0.12, -0.58).unwrap();
+        let near = Pole::of([0.12, -0.58], Float::F64).unwrap();
         let found =
             polished(near, &points(&|p| (1.0 + p) / ((p - 0.3).powi(2) + 0.02)), 3, Parity::Even, None).unwrap();
         let [constant, linear] = found.coefficients();

@@ -7,11 +7,16 @@
 //! same division. θ has logarithms in place of poles. Dividing those places out gains next to nothing, but poles
 //! somewhat beyond them, on the way of the cuts, make the error a hundred to a thousand times smaller: three to
 //! five terms. Remez's exchange polishes the poles of a single curve (`nearest.rs`): half the error of a velocity again.
+//!
+//! A second pair takes four operations, and makes the next four coefficients of a curve vanish, or two of each of two. It
+//! saves a θ̇ the next row of its poles, and θ as many terms again as the first: next to the top, where each term gains
+//! little, and in full precision that is worth it.
 
 use super::Approximation;
 use super::leeway::Leeway;
-use super::nearest::{Corrections, polished};
+use super::nearest::{Corrections, polished, solved};
 use super::pole::Pole;
+use crate::parse::Float;
 use crate::series::Parity;
 
 /// The poles over which the curves take the fewest terms for an error of `limit` each, and how many they are together;
@@ -21,7 +26,7 @@ pub(crate) fn best(curves: &[Approximation], nearest: Pole, limit: f64) -> Optio
     let total = |pole: Pole| series.iter().map(|series| series.terms(pole, limit)).sum::<Option<usize>>();
     let mut best = (nearest, total(nearest)?);
     for terms in 2..best.1 {
-        let found = vanishing(&series, terms).and_then(|pole| Some((pole, total(pole)?)));
+        let found = vanishing(&series, terms, nearest.float()).and_then(|pole| Some((pole, total(pole)?)));
         best = found.filter(|found| found.1 < best.1).unwrap_or(best);
     }
     let [single] = &series[..] else { return Some(best) };
@@ -29,19 +34,45 @@ pub(crate) fn best(curves: &[Approximation], nearest: Pole, limit: f64) -> Optio
     std::iter::successors(Some(best), fewer).last()
 }
 
-/// A curve's Chebyshev coefficients, and those of it times p and p².
+/// Terms that a second pair had better save, each of which takes an operation and a half.
+const WORTH: usize = 2;
+
+/// Two pairs of poles over which the curves take fewer terms for an error of `limit` each than over `first`, from which
+/// they are looked for, and enough to be worth it.
+pub(crate) fn two(curves: &[Approximation], first: Pole, limit: f64) -> Option<Pole> {
+    let series: Vec<Series> = curves.iter().map(Series::new).collect();
+    let total = |pole: Pole| series.iter().map(|series| series.terms(pole, limit)).sum::<Option<usize>>();
+    let mut most = total(first)?.checked_sub(WORTH)?;
+    let mut best = None;
+    for terms in 2..=most / series.len() {
+        let Some(pole) = vanishing_two(&series, terms, first) else { continue };
+        if let [single] = &series[..]
+            && single.serves(pole, terms, limit)
+        {
+            return Some(pole);
+        }
+        if let Some(found) = total(pole).filter(|&found| found <= most) {
+            (best, most) = (Some(pole), found - 1);
+        }
+    }
+    best
+}
+
+/// A curve's Chebyshev coefficients, and those of it times powers of p.
 struct Series {
     parity: Parity,
     leeway: Option<Leeway>,
-    powers: [Vec<f64>; 3],
+    powers: [Vec<f64>; 5],
 }
 
 impl Series {
     fn new(curve: &Approximation) -> Self {
         let plain: Vec<f64> = curve.series().iter().map(|c| c.hi).collect();
-        let once = times_p(&plain);
-        let twice = times_p(&once);
-        Self { parity: curve.parity(), leeway: curve.leeway().cloned(), powers: [plain, once, twice] }
+        let mut powers = [plain, Vec::new(), Vec::new(), Vec::new(), Vec::new()];
+        for power in 1..powers.len() {
+            powers[power] = times_p(&powers[power - 1]);
+        }
+        Self { parity: curve.parity(), leeway: curve.leeway().cloned(), powers }
     }
 
     /// The coefficient of the power of p.
@@ -51,33 +82,46 @@ impl Series {
 
     /// The coefficients of what is left over poles.
     fn divided(&self, pole: Pole) -> impl Fn(usize) -> f64 {
-        let [constant, linear] = pole.coefficients();
-        move |index| self.at(2, index) + linear * self.at(1, index) + constant * self.at(0, index)
+        let factors = pole.powers();
+        move |index| factors.iter().enumerate().rev().map(|(power, factor)| factor * self.at(power, index)).sum()
+    }
+
+    /// How many there may be.
+    fn length(&self, pole: Pole) -> usize {
+        self.powers[2 * pole.pairs().len()].len()
     }
 
     /// The poles, from these on, over which so many terms serve.
     fn polished(&self, pole: Pole, terms: usize, limit: f64) -> Option<Pole> {
-        // Of a curve of about 1, in one word.
+        let serves = |&pole: &Pole| self.serves(pole, terms, limit);
+        Some(pole).filter(serves).or_else(|| {
+            let polished = || polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref());
+            Some(()).filter(|()| self.is_polished(terms, limit)).and_then(|()| polished()).filter(serves)
+        })
+    }
+
+    /// Whether one word is enough to make so many terms the best there are for an error.
+    fn is_polished(&self, terms: usize, limit: f64) -> bool {
+        // Of a curve of about 1.
         const FINEST: f64 = 1e-12;
-        // Of what is left there will be a bound, and rounding.
-        let limit = 0.9 * limit;
-        let serves = |&pole: &Pole| {
-            let dropped: Vec<f64> = (terms..self.powers[2].len()).map(self.divided(pole)).collect();
-            Corrections::new(&dropped, terms, Some(pole), self.parity, self.leeway.as_ref()).left <= limit
-        };
-        if terms < 2 || limit < FINEST * self.at(0, 0).abs() {
-            return None;
+        terms >= 2 && limit >= FINEST * self.at(0, 0).abs()
+    }
+
+    /// Whether so many terms over these poles are as near as that, where one word can tell.
+    fn serves(&self, pole: Pole, terms: usize, limit: f64) -> bool {
+        if !self.is_polished(terms, limit) {
+            return false;
         }
-        Some(pole)
-            .filter(serves)
-            .or_else(|| polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref()).filter(serves))
+        let dropped: Vec<f64> = (terms..self.length(pole)).map(self.divided(pole)).collect();
+        // Of what is left there will be a bound, and rounding.
+        Corrections::new(&dropped, terms, Some(pole), self.parity, self.leeway.as_ref()).left <= 0.9 * limit
     }
 
     /// The fewest terms that leave an error of `limit`; `None` if all do not.
     fn terms(&self, pole: Pole, limit: f64) -> Option<usize> {
         let divided = self.divided(pole);
         let most = limit * pole.least(0.5) * if self.parity == Parity::Odd { 2.0 } else { 1.0 };
-        let length = self.powers[2].len();
+        let length = self.length(pole);
         let mut left = 0.0;
         let last = (0..length).rev().find(|&index| {
             left += divided(index).abs();
@@ -103,7 +147,7 @@ fn times_p(series: &[f64]) -> Vec<f64> {
 
 /// The poles that make coefficients after so many terms vanish: the next two of a single curve, or the next of each of
 /// two.
-fn vanishing(series: &[Series], terms: usize) -> Option<Pole> {
+fn vanishing(series: &[Series], terms: usize, float: Float) -> Option<Pole> {
     let rows = match series {
         [single] => [(single, terms), (single, terms + 1)],
         [first, second] => [(first, terms), (second, terms)],
@@ -112,7 +156,45 @@ fn vanishing(series: &[Series], terms: usize) -> Option<Pole> {
     let [[a, b, c], [d, e, f]] = rows.map(|(series, index)| [0, 1, 2].map(|power| series.at(power, index)));
     let determinant = a * e - b * d;
     let (constant, linear) = ((b * f - c * e) / determinant, (c * d - a * f) / determinant);
-    Pole::of(constant, linear)
+    Pole::of([constant, linear], float)
+}
+
+/// Two pairs that make the next four coefficients of a single curve vanish, or the next two of each of two.
+fn vanishing_two(series: &[Series], terms: usize, near: Pole) -> Option<Pole> {
+    let indices = terms..terms + 4 / series.len();
+    let row = |(series, index): (&Series, usize)| {
+        (0..4).map(|power| series.at(power, index)).chain([-series.at(4, index)]).collect::<Vec<f64>>()
+    };
+    let rows = series.iter().flat_map(|series| indices.clone().map(move |index| (series, index))).map(row).collect();
+    let quartic: [f64; 4] = solved(rows)?.try_into().ok()?;
+    Pole::of_two(quadratics(quartic, near.coefficients())?, near.float())
+}
+
+/// The quadratic factors of p⁴ + c₃p³ + c₂p² + c₁p + c₀, each given as what p is multiplied with after its constant, from
+/// one that is near (Bairstow's method).
+fn quadratics([c0, c1, c2, c3]: [f64; 4], near: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    const STEPS: usize = 40;
+    let [mut constant, mut linear] = near;
+    for _ in 0..STEPS {
+        // The quotient p² + bp + c, and the remainder rp + s.
+        let b = c3 - linear;
+        let c = c2 - constant - linear * b;
+        let (r, s) = (c1 - linear * c - constant * b, c0 - constant * c);
+        // Their derivatives, by the linear coefficient and by the constant.
+        let slope = linear - b;
+        let [r_linear, s_linear] = [constant - c - linear * slope, -constant * slope];
+        let [r_constant, s_constant] = [slope, constant - c];
+        let determinant = r_linear * s_constant - r_constant * s_linear;
+        let [by_linear, by_constant] =
+            [(r * s_constant - s * r_constant) / determinant, (s * r_linear - r * s_linear) / determinant];
+        linear -= by_linear;
+        constant -= by_constant;
+        if by_linear.abs() + by_constant.abs() <= 1e-9 * (linear.abs() + constant.abs()) {
+            let b = c3 - linear;
+            return Some([[constant, linear], [c2 - constant - linear * b, b]]);
+        }
+    }
+    None
 }
 
 #[cfg(test)]

@@ -1,96 +1,176 @@
 //! Nearest singularities, divided out.
 
+use crate::parse::Float;
 use crate::plan::variables::Variables;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
-/// (−height² − (p − place)²)^power, which vanishes at the nearest pair of singularities, or near it. θ̇, sin(θ/2) and
-/// cos(θ/2) have simple poles there, θ̈ double ones, θ itself logarithms, which dividing doesn't remove but which poles
-/// of other places stand for: see `pade.rs`.
+/// Π (−height² − (p − place)²), which vanishes at the nearest pairs of singularities, or near them. θ̇, sin(θ/2) and
+/// cos(θ/2) have simple poles there, θ̈ double ones, of which both pairs are the same, θ itself logarithms, which dividing
+/// doesn't remove but which poles of other places stand for: see `pade.rs`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pole {
+    /// Of one pair the second is the same, and doesn't count.
+    pairs: [Pair; 2],
+    count: usize,
+    /// The type of which its numbers are.
+    float: Float,
+}
+
+/// −height² − (p − place)².
 ///
 /// Negative, since a polynomial ends with the sum of a product and a constant: were this another, compilers would pair
 /// the two, and the division, which is to be done meanwhile, would wait for the polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pole {
+pub(super) struct Pair {
     pub(super) place: Double,
     pub(super) height_squared: Double,
-    power: i32,
 }
 
-impl Pole {
-    /// Of a curve whose singularities are s = ½ ± i·strip. Numbers near the true ones serve as well: all are exact.
-    pub(crate) fn new(strip: f64, power: i32) -> Self {
-        Self::rounded(0.25 - strip * strip, strip * strip, power)
+impl Pair {
+    fn rounded(place: f64, height_squared: f64, float: Float) -> Self {
+        let [place, height_squared] = [place, height_squared].map(|x| Double::new(float.round(x)));
+        Self { place, height_squared }
     }
 
     /// Of p² + `linear`·p + `constant`, if its zeros are not real.
-    pub(super) fn of(constant: f64, linear: f64) -> Option<Self> {
+    fn of([constant, linear]: [f64; 2], float: Float) -> Option<Self> {
         let place = -0.5 * linear;
         let height_squared = constant - place * place;
-        (height_squared > 0.0 && height_squared < 1e3).then(|| Self::rounded(place, height_squared, 1))
+        (height_squared > 0.0 && height_squared < 1e3).then(|| Self::rounded(place, height_squared, float))
     }
 
-    fn rounded(place: f64, height_squared: f64, power: i32) -> Self {
-        let [place, height_squared] = [place, height_squared].map(|x| Double::new(f64::from(x as f32)));
-        Self { place, height_squared, power }
-    }
-
-    /// Those of p² + linear·p + constant, constant first, whatever the power.
-    pub(super) fn coefficients(self) -> [f64; 2] {
+    /// Those of p² + linear·p + constant, constant first.
+    fn coefficients(self) -> [f64; 2] {
         [self.place.hi * self.place.hi + self.height_squared.hi, -2.0 * self.place.hi]
+    }
+
+    fn at(self, p: Double) -> Double {
+        let distance = p - self.place;
+        -(distance * distance + self.height_squared)
+    }
+
+    fn least_between(self, low: f64, high: f64) -> f64 {
+        let distance = (low - self.place.hi).max(self.place.hi - high).max(0.0);
+        distance * distance + self.height_squared.hi
+    }
+
+    fn most(self, radius: f64) -> f64 {
+        let distance = radius * radius + self.place.hi.abs();
+        distance * distance + self.height_squared.hi
+    }
+
+    fn lower(self, b: &mut Builder, variables: &Variables) -> Id {
+        let distance = variables.shifted(b, -self.place);
+        let square = b.mul(distance, distance);
+        let minus_height = b.exact(-self.height_squared);
+        let divisor = b.sub(minus_height, square);
+        b.name(divisor, "d")
+    }
+}
+
+impl Pole {
+    /// Of a curve whose singularities are s = ½ ± i·strip, single or double. Numbers of a type that are near the true ones
+    /// serve as well: all are exact.
+    pub(crate) fn new(strip: f64, power: usize, float: Float) -> Self {
+        let pair = Pair::rounded(0.25 - strip * strip, strip * strip, float);
+        Self { pairs: [pair; 2], count: power, float }
+    }
+
+    /// Of p² + `linear`·p + `constant`, given as [constant, linear], if its zeros are not real.
+    pub(super) fn of(coefficients: [f64; 2], float: Float) -> Option<Self> {
+        Some(Self { pairs: [Pair::of(coefficients, float)?; 2], count: 1, float })
+    }
+
+    /// Of a product of two such polynomials.
+    pub(super) fn of_two(factors: [[f64; 2]; 2], float: Float) -> Option<Self> {
+        let [first, second] = factors.map(|coefficients| Pair::of(coefficients, float));
+        Some(Self { pairs: [first?, second?], count: 2, float })
+    }
+
+    pub(super) fn float(self) -> Float {
+        self.float
+    }
+
+    pub(super) fn pairs(&self) -> &[Pair] {
+        &self.pairs[..self.count]
+    }
+
+    /// Whether there are two different pairs.
+    pub(super) fn is_of_two(&self) -> bool {
+        self.pairs[0] != self.pairs[1]
+    }
+
+    /// The coefficients of the first pair, p² + linear·p + constant, constant first.
+    pub(super) fn coefficients(self) -> [f64; 2] {
+        self.pairs[0].coefficients()
+    }
+
+    /// The coefficients of the product of all, but for its sign: the lowest first, the highest 1.
+    pub(super) fn powers(self) -> Vec<f64> {
+        self.pairs().iter().fold(vec![1.0], |product, pair| {
+            let [constant, linear] = pair.coefficients();
+            let mut next = vec![0.0; product.len() + 2];
+            for (index, c) in product.into_iter().enumerate() {
+                next[index] += constant * c;
+                next[index + 1] += linear * c;
+                next[index + 2] += c;
+            }
+            next
+        })
     }
 
     /// The same of p in other units, of which `area` is one, but for the factor [`Self::unit`].
     pub(super) fn scaled(self, area: Double) -> Self {
-        Self { place: self.place / area, height_squared: self.height_squared / (area * area), ..self }
+        let scaled = |Pair { place, height_squared }| Pair {
+            place: place / area,
+            height_squared: height_squared / (area * area),
+        };
+        Self { pairs: self.pairs.map(scaled), ..self }
     }
 
     /// What its value in units of `area` is multiplied with.
     pub(super) fn unit(self, area: Double) -> Double {
-        (0..2 * self.power).fold(Double::ONE, |product, _| product * area)
+        (0..2 * self.count).fold(Double::ONE, |product, _| product * area)
     }
 
     /// At 8p − 1 = u.
     pub(super) fn at(self, u: Double) -> Double {
-        let distance = (u + Double::ONE) * 0.125 - self.place;
-        let single = -(distance * distance + self.height_squared);
-        (1..self.power).fold(single, |product, _| product * single)
+        let p = (u + Double::ONE) * 0.125;
+        self.pairs().iter().fold(Double::ONE, |product, pair| product * pair.at(p))
     }
 
-    /// The least magnitude for |s| ≤ `phase`.
+    /// A lower bound of its magnitude for |s| ≤ `phase`, of one pair and of equal ones the least.
     pub(super) fn least(self, phase: f64) -> f64 {
         self.least_between(0.0, phase * phase)
     }
 
-    /// The least magnitude for p between these.
+    /// The same for p between these.
     pub(super) fn least_between(self, low: f64, high: f64) -> f64 {
-        let distance = (low - self.place.hi).max(self.place.hi - high).max(0.0);
-        (distance * distance + self.height_squared.hi).powi(self.power)
+        self.pairs().iter().map(|pair| pair.least_between(low, high)).product()
     }
 
     /// Bounds the magnitude for |s| ≤ `radius`.
     pub(super) fn most(self, radius: f64) -> f64 {
-        let distance = radius * radius + self.place.hi.abs();
-        (distance * distance + self.height_squared.hi).powi(self.power)
+        self.pairs().iter().map(|pair| pair.most(radius)).product()
     }
 
     /// Divides `value` by it.
     pub(super) fn divide(self, b: &mut Builder, value: Id, variables: &Variables) -> Id {
-        let distance = variables.shifted(b, -self.place);
-        let square = b.mul(distance, distance);
-        let minus_height = b.exact(-self.height_squared);
-        let mut divisor = b.sub(minus_height, square);
-        let single = b.name(divisor, "d");
-        for _ in 1..self.power {
-            divisor = b.mul(divisor, single);
-        }
+        let [first, others @ ..] = self.pairs() else { return value };
+        let first = first.lower(b, variables);
+        let divisor = others.iter().fold(first, |product, pair| {
+            let factor = pair.lower(b, variables);
+            b.mul(product, factor)
+        });
         b.div(value, divisor)
     }
 
-    /// Divides a polynomial, given in powers of y = p + `shift`, by it if it is single.
+    /// Divides a polynomial, given in powers of y = p + `shift`, by a single pair.
     pub(super) fn division(self, powers: &[Double], shift: Double) -> Quotient {
-        let place = self.place + shift;
-        let divisor = [-(place * place + self.height_squared), place * 2.0, -Double::ONE];
+        let Pair { place, height_squared } = self.pairs[0];
+        let place = place + shift;
+        let divisor = [-(place * place + height_squared), place * 2.0, -Double::ONE];
         let mut left = powers.to_vec();
         let mut polynomial = vec![Double::ZERO; powers.len() - 2];
         for (index, c) in polynomial.iter_mut().enumerate().rev() {
@@ -112,23 +192,26 @@ impl Pole {
         Quotient { polynomial, remainder, lost }
     }
 
-    /// Whether s over it has a smaller magnitude at 2·`half` than at `half`, and falls from there on: with D = (p − a)² + h²
-    /// its derivative has the sign of D − 4·power·p(p − a), whose own by p is negative for p > a.
+    /// Whether s over it has a smaller magnitude at 2·`half` than at `half`, and falls from there on: over the first pair,
+    /// D = (p − a)² + h², while the others grow. Its derivative has the sign of D − 4p(p − a), whose own by p is negative
+    /// for p > a.
     pub(super) fn falls(self, half: f64) -> bool {
         let [low, high] = [half, 2.0 * half].map(|s| s * s);
-        let distance = high - self.place.hi;
-        let falling = distance > 0.0 && distance * distance + self.height_squared.hi < 4.0 * high * distance;
-        falling && 2.1 * self.least_between(low, low) < self.least_between(high, high)
+        let Pair { place, height_squared } = self.pairs[0];
+        let distance = high - place.hi;
+        let falling = distance > 0.0 && distance * distance + height_squared.hi < 4.0 * high * distance;
+        let growing = self.count == 1 || self.grows(2.0 * half);
+        falling && growing && 2.1 * self.least_between(low, low) < self.least_between(high, high)
     }
 
     /// Whether its magnitude grows from |s| = `half` on.
     pub(super) fn grows(self, half: f64) -> bool {
-        self.place.hi <= half * half
+        self.pairs().iter().all(|pair| pair.place.hi <= half * half)
     }
 
     /// Terms of the divisor, for the reader.
     pub(super) fn terms(self) -> usize {
-        2 * self.power as usize + 1
+        2 * self.count + 1
     }
 }
 
@@ -148,30 +231,62 @@ mod tests {
     #[test]
     fn poles() {
         for (strip, power) in [(0.1, 1), (0.4, 2), (0.6, 1), (0.9, 2)] {
-            let pole = Pole::new(strip, power);
+            let pole = Pole::new(strip, power, Float::F64);
             let (mut least, mut most) = (f64::INFINITY, 0.0f64);
             for i in 0..=1000 {
-                let value = pole.at(Double::new(f64::from(i) / 500.0 - 1.0)).hi * (-1.0f64).powi(power);
+                let value = pole.at(Double::new(f64::from(i) / 500.0 - 1.0)).hi * (-1.0f64).powi(power as i32);
                 (least, most) = (least.min(value), most.max(value));
             }
             let bound = pole.least(0.5);
+            let Pair { place, height_squared } = pole.pairs[0];
             assert!(bound <= least * (1.0 + 1e-12) && least < 1.001 * bound, "{strip}: {least} {pole:?}");
             // On the circle |s| = radius the magnitude is largest where p is real and negative, or positive.
             for radius in [0.5, 0.8] {
                 let magnitude = |angle: f64| {
                     let p = radius * radius;
-                    let (re, im) = (p * angle.cos() - pole.place.hi, p * angle.sin());
-                    let (re, im) = (re * re - im * im + pole.height_squared.hi, 2.0 * re * im);
-                    re.hypot(im).powi(power)
+                    let (re, im) = (p * angle.cos() - place.hi, p * angle.sin());
+                    let (re, im) = (re * re - im * im + height_squared.hi, 2.0 * re * im);
+                    re.hypot(im).powi(power as i32)
                 };
                 let seen = (0..=720).map(|i| magnitude(f64::from(i).to_radians() / 2.0)).fold(0.0, f64::max);
                 let most = pole.most(radius);
                 assert!(seen <= most * (1.0 + 1e-12) && most <= 1.001 * seen, "{strip} {radius}: {most} for {seen}");
             }
             // It vanishes at s = ½ ± i·strip.
-            let (re, im) = (0.25 - strip * strip - pole.place.hi, strip);
-            assert!((re * re - im * im + pole.height_squared.hi).hypot(2.0 * re * im) < 1e-7, "{pole:?}");
+            let (re, im) = (0.25 - strip * strip - place.hi, strip);
+            assert!((re * re - im * im + height_squared.hi).hypot(2.0 * re * im) < 1e-7, "{pole:?}");
         }
+    }
+
+    /// Of two pairs it is the product, which vanishes where either does; the bounds hold, and are those of one where both are
+    /// the same.
+    #[test]
+    fn two_pairs() {
+        let [near, far] = [[0.11, -0.36], [0.15, -0.44]];
+        let (pole, one, other) = (
+            Pole::of_two([near, far], Float::F64).unwrap(),
+            Pole::of(near, Float::F64).unwrap(),
+            Pole::of(far, Float::F64).unwrap(),
+        );
+        assert!(pole.is_of_two() && pole.terms() == 5 && !Pole::new(0.3, 2, Float::F64).is_of_two());
+        let area = Double::new(0.7);
+        for i in 0..=100 {
+            let u = Double::new(f64::from(i) / 50.0 - 1.0);
+            let (found, expected) = (pole.at(u), one.at(u) * other.at(u));
+            assert!((found - expected).hi.abs() < 1e-30);
+            assert!(pole.least(0.5) <= found.hi && found.hi <= pole.most(0.5));
+            let p = (u.hi + 1.0) / 8.0;
+            let powers = pole.powers().iter().rev().fold(0.0, |sum, c| sum * p + c);
+            assert!((powers - found.hi).abs() < 1e-16, "{powers} {found:?}");
+            let p = p / area.hi;
+            let scaled = pole.scaled(area).least_between(p, p) * pole.unit(area).hi;
+            assert!((scaled - found.hi).abs() < 1e-15, "{scaled} {found:?}");
+        }
+        assert_eq!(Pole::of_two([near, [0.01, -0.36]], Float::F64), None);
+        assert!(pole.grows(0.5) && !pole.grows(0.45));
+        let quotient = |s: f64| s / pole.at(Double::new(8.0 * s * s - 1.0)).hi;
+        let falls = (0..400).all(|step| quotient(1.05f64.powi(step + 1)) < quotient(1.05f64.powi(step)));
+        assert!(pole.falls(0.5) && falls);
     }
 
     /// From a half on, wherever it is said to grow.
@@ -179,7 +294,7 @@ mod tests {
     fn divisors_that_grow() {
         let mut growing = 0;
         for (strip, half) in (1..40).flat_map(|tenths| [0.5, 0.3].map(|half| (0.05 * f64::from(tenths), half))) {
-            let pole = Pole::new(strip, 1);
+            let pole = Pole::new(strip, 1, Float::F64);
             let most = |s: f64| pole.at(Double::new(8.0 * s * s - 1.0)).hi.abs();
             let grows = (0..400).all(|step| most(half * 1.05f64.powi(step + 1)) > most(half * 1.05f64.powi(step)));
             assert!(grows || !pole.grows(half), "{strip} {half}");
@@ -191,7 +306,7 @@ mod tests {
     /// Quotient times divisor and remainder are what was divided; and a multiple of the divisor leaves no remainder.
     #[test]
     fn quotients_and_remainders() {
-        let pole = Pole::new(0.26, 1).scaled(Double::new(0.7));
+        let pole = Pole::new(0.26, 1, Float::F64).scaled(Double::new(0.7));
         for (terms, shift) in (3..30).flat_map(|terms| [0.0, -0.125].map(|shift| (terms, Double::new(shift)))) {
             let powers: Vec<Double> =
                 (0..terms).map(|j| Double::new(2.75 / f64::from(j + 1) * (-3.0_f64).powi(j))).collect();
@@ -201,8 +316,7 @@ mod tests {
                 let at = |powers: &[Double]| {
                     powers.iter().rev().fold(Double::ZERO, |sum, &c| sum * (shift + Double::new(p)) + c)
                 };
-                let distance = Double::new(p) - pole.place;
-                let divisor = -(distance * distance + pole.height_squared);
+                let divisor = pole.pairs[0].at(Double::new(p));
                 let error = at(&quotient) * divisor + at(&remainder) - at(&powers);
                 assert!((error + at(&lost)).hi.abs() < 1e-29, "{terms} {p}: {error:?}");
                 assert!(at(&lost).hi.abs() < 1e-29, "{terms} {p}: {lost:?}");
@@ -222,7 +336,7 @@ mod tests {
     fn quotients_that_fall() {
         let mut falling = 0;
         for (strip, power) in (1..40).flat_map(|tenths| [1, 2].map(|power| (0.05 * f64::from(tenths), power))) {
-            let pole = Pole::new(strip, power);
+            let pole = Pole::new(strip, power, Float::F64);
             if !pole.falls(0.5) {
                 continue;
             }
@@ -236,6 +350,6 @@ mod tests {
             }
         }
         assert!(falling > 20, "{falling}");
-        assert!(!Pole::new(2.0, 1).falls(0.5));
+        assert!(!Pole::new(2.0, 1, Float::F64).falls(0.5));
     }
 }

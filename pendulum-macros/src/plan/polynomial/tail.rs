@@ -103,6 +103,7 @@ pub(super) fn phase(parity: Parity, p: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parse::Float;
     use crate::plan::polynomial::nearest::Corrections;
     use pendulum_runtime::double::Double;
 
@@ -121,7 +122,7 @@ mod tests {
     /// Never below what is found densely, and hardly above.
     #[test]
     fn suprema() {
-        let poles = [None, Some(Pole::new(0.26, 1)), Some(Pole::new(0.1, 2))];
+        let poles = [None, Some(Pole::new(0.26, 1, Float::F64)), Some(Pole::new(0.1, 2, Float::F64))];
         for (pole, parity) in poles.into_iter().flat_map(|pole| [(pole, Parity::Even), (pole, Parity::Odd)]) {
             for (coefficients, first) in [(vec![1.0], 2), (vec![1.0, 1.0, -0.5], 6), (vec![0.1, -1.0, 0.7, 0.3], 20)] {
                 let at = |i: u32| {
@@ -160,7 +161,7 @@ mod tests {
         for ((strip, power, terms), parity) in
             poles.into_iter().flat_map(|pole| [(pole, Parity::Even), (pole, Parity::Odd)])
         {
-            let pole = Some(Pole::new(strip, power));
+            let pole = Some(Pole::new(strip, power, Float::F64));
             let corrections = Corrections::new(&dropped, terms, pole, parity, None).of_terms;
             let left: Vec<f64> = corrections.iter().map(|correction| -correction).chain(dropped).collect();
             let at = |i: u32| {

@@ -409,6 +409,8 @@ impl Candidate<'_> {
             let most = most.min(choice.most(scene, self.reduction, cost));
             let found = aim.part(scene, &self.prospect.task, all, self.reduction, variant, most);
             let reached = found.as_ref().map_or_else(|&reached| reached, Part::error);
+            let real = |part: &Part| aim.cost_of(part, all, self.reduction, variant).max(cost);
+            let cost = found.as_ref().map_or(cost, real);
             tried.push(Tried { variant, cost, reached: Some(reached) });
             if let Ok(part) = found {
                 choice.offer(scene, self.reduction, cost, part.share, (index, (part, cost)));

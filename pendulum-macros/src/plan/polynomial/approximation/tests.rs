@@ -20,8 +20,8 @@ impl Polynomial {
 }
 
 /// The nearest poles of that power, if it is one.
-pub(super) fn nearest(curve: &Curve, power: i32) -> Option<Pole> {
-    (power > 0).then(|| Pole::new(curve.strip(), power))
+pub(super) fn nearest(curve: &Curve, power: usize) -> Option<Pole> {
+    (power > 0).then(|| Pole::new(curve.strip(), power, Float::F64))
 }
 
 /// sup |polynomial − curve| for |s| ≤ ½ + `overshoot`.
@@ -37,7 +37,7 @@ fn sampled(polynomial: &Polynomial, curve: &Curve, overshoot: f64) -> f64 {
 }
 
 /// All curves of a motion, and the power of their poles.
-pub(super) fn curves(text: &str) -> (Vec<(Curve, i32)>, Reduction) {
+pub(super) fn curves(text: &str) -> (Vec<(Curve, usize)>, Reduction) {
     let scene = scene(&format!("struct Motion; {text}, outputs = [theta, velocity, acceleration, position]"));
     let task = Task::new(&scene);
     let unlike = |reduction: &Reduction| (reduction.unit.hi - 1.0).abs();
@@ -236,7 +236,7 @@ fn what_is_left_out_beyond_the_end() {
     const BEYOND: f64 = 0.005;
     let (curves, _) = curves("theta0 = 7π/8");
     for (index, place) in [(0, None), (1, None), (0, Some(0.3)), (1, Some(0.3)), (1, Some(0.26))] {
-        let pole = place.and_then(|place| Pole::of(place * place + 1e-3, -2.0 * place));
+        let pole = place.and_then(|place| Pole::of([place * place + 1e-3, -2.0 * place], Float::F64));
         let approximation = Approximation::new(&curves[index].0, pole, 1e-12).unwrap();
         for terms in [3, 5] {
             let at = |s: f64| {
@@ -261,7 +261,7 @@ fn errors_with_a_leeway() {
     let (curves, reduction) = curves("theta0 = 7π/8");
     let curve = &curves[0].0;
     for (place, terms) in [(None, 7), (Some((0.1772, 0.1319)), 4)] {
-        let pole = place.and_then(|(place, height)| Pole::of(place * place + height, -2.0 * place));
+        let pole = place.and_then(|(place, height)| Pole::of([place * place + height, -2.0 * place], Float::F64));
         let strict = Approximation::new(curve, pole, 1e-12).unwrap();
         let lenient = strict.with(Leeway::new(curve, ERROR, 2.0));
         let polynomial = lenient.in_powers(terms, PLAIN, &reduction, false);
@@ -364,7 +364,7 @@ fn adapted_polynomials() {
             // It counts with the truncation, which is as small where no term is left out.
             if chunk == 4 {
                 let odd = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
-                let poles = unit.powi(4 * curves[index].1);
+                let poles = unit.powi(4 * curves[index].1 as i32);
                 let eighth = 8.0 * variable.area.hi;
                 let reach = eighth * reach * 1.01 + (1.0 + eighth * shift).abs();
                 let converted = rounding_of_powers(&approximation.series[..terms], reach);

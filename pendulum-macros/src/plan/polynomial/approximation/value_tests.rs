@@ -55,7 +55,7 @@ fn values_beside_poles() {
     for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 0.3", 1), ("velocity0 = 2.1", 1)] {
         let (curves, reduction) = curves(text);
         let curve = &curves[index].0;
-        let approximation = Approximation::new(curve, Some(Pole::new(curve.strip(), 1)), 1e-18).unwrap();
+        let approximation = Approximation::new(curve, Some(Pole::new(curve.strip(), 1, Float::F64)), 1e-18).unwrap();
         let terms = approximation.terms() - 3;
         let suits = |&form: &Form| Variant { form, poles: Poles::Beside }.suits(terms, Float::F64);
         for form in Form::ALL.into_iter().filter(suits) {
@@ -78,6 +78,29 @@ fn values_beside_poles() {
     }
 }
 
+/// Over two pairs of poles, which are any, a polynomial has the values of the curve.
+#[test]
+fn values_over_two_pairs() {
+    let pole = Pole::of_two([[0.115, -0.37], [0.18, -0.41]], Float::F64);
+    for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 1), ("theta0 = 0.3", 1)] {
+        let (curves, reduction) = curves(text);
+        let approximation = Approximation::new(&curves[index].0, pole, 1e-18).unwrap();
+        let terms = approximation.terms();
+        for (form, unit) in Form::ALL.into_iter().flat_map(|form| [1.0, 0.25].map(|unit| (form, unit))) {
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let numerator = if index == 1 { Numerator::One } else { Numerator::Leading };
+            let polynomial = approximation.polynomial(terms, form, &reduction, false, numerator, 1.0);
+            let Some(polynomial) = polynomial else { continue };
+            assert_eq!(polynomial.variant().poles, Poles::UnderTwo);
+            let most = if matches!(form, Form::Adapted { .. } | PLAIN) { 1e-11 } else { 1e-14 };
+            for s in [0.0, 0.3, 0.49] {
+                let error = (evaluated(&polynomial, reduction.unit, s) - curves[index].0.at(Double::new(s)).hi).abs();
+                assert!(error <= most, "{text} {index} {form:?} {unit} {s}: {error:e}");
+            }
+        }
+    }
+}
+
 /// With its leading coefficient over the poles a polynomial has the same values and bound, by an operation less; so it has
 /// with another number there, by as many operations; and negated the first is still the one with less.
 #[test]
@@ -85,7 +108,7 @@ fn numerators() {
     for (text, index) in [("theta0 = 7π/8", 0), ("theta0 = 7π/8", 2), ("theta0 = 0.3", 0), ("theta0 = 3.14", 0)] {
         let (curves, reduction) = curves(text);
         let curve = &curves[index].0;
-        let pole = Some(Pole::new(curve.strip(), if index == 2 { 2 } else { 1 }));
+        let pole = Some(Pole::new(curve.strip(), if index == 2 { 2 } else { 1 }, Float::F64));
         let approximation = Approximation::new(curve, pole, 1e-12).unwrap();
         for (form, unit) in Form::ALL.into_iter().flat_map(|form| [1.0, 0.25].map(|unit| (form, unit))) {
             let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };

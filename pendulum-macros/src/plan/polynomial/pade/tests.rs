@@ -24,7 +24,7 @@ fn coefficients_vanish() {
     ] {
         let (curves, plain) = curves(text);
         let series: Vec<Series> = plain.iter().map(Series::new).collect();
-        let pole = vanishing(&series, terms).unwrap();
+        let pole = vanishing(&series, terms, Float::F64).unwrap();
         for (curve, plain) in curves.iter().zip(&plain) {
             let over = Approximation::new(curve, Some(pole), 1e-22).unwrap();
             for index in terms..=terms + vanishing_too {
@@ -51,7 +51,7 @@ fn terms_saved() {
         ("velocity0 = 2.1, outputs = [velocity]", 1e-9, 2),
     ] {
         let (curves, plain) = curves(text);
-        let nearest = Pole::new(curves[0].strip(), 1);
+        let nearest = Pole::new(curves[0].strip(), 1, Float::F64);
         let (pole, terms) = best(&plain, nearest, limit).unwrap();
         let count = |pole: Pole| {
             let terms = |curve| Approximation::new(curve, Some(pole), 1e-22).unwrap().terms_for(limit, 0.0).unwrap();
@@ -68,11 +68,58 @@ fn terms_saved() {
 /// nought.
 #[test]
 fn no_poles() {
-    assert_eq!(Pole::of(0.01, -0.3), None);
-    assert_eq!(Pole::of(f64::NAN, 1.0), None);
-    assert_eq!(Pole::of(0.25, f64::INFINITY), None);
-    let pole = Pole::of(0.5, -0.25).unwrap();
-    assert_eq!((pole.place.hi, pole.height_squared.hi), (0.125, f64::from(0.484_375_f32)));
+    assert_eq!(Pole::of([0.01, -0.3], Float::F64), None);
+    assert_eq!(Pole::of([f64::NAN, 1.0], Float::F64), None);
+    assert_eq!(Pole::of([0.25, f64::INFINITY], Float::F64), None);
+    let pole = Pole::of([0.5, -0.25], Float::F64).unwrap();
+    let pair = pole.pairs()[0];
+    assert_eq!((pair.place.hi, pair.height_squared.hi), (0.125, f64::from(0.484_375_f32)));
     let (curves, plain) = curves("theta0 = 1");
-    assert_eq!(best(&plain, Pole::new(curves[0].strip(), 1), 0.0), None);
+    assert_eq!(best(&plain, Pole::new(curves[0].strip(), 1, Float::F64), 0.0), None);
+}
+/// A second pair saves terms where it is said to, and there are poles of the curve by which it does.
+#[test]
+fn terms_saved_by_two() {
+    for (text, limit, saved) in [
+        ("theta0 = 7π/8", 1e-12, 3),
+        ("theta0 = π - 1e-5", 1e-9, 3),
+        ("theta0 = 7π/8, outputs = [velocity]", 1e-14, 3),
+        ("theta0 = 0.9999π, outputs = [velocity]", 1e-12, 7),
+        ("theta0 = 7π/8, outputs = [position]", 1e-12, 4),
+    ] {
+        let (curves, plain) = curves(text);
+        let (first, _) = best(&plain, Pole::new(curves[0].strip(), 1, Float::F64), limit).unwrap();
+        let pole = two(&plain, first, limit).unwrap();
+        assert!(pole.is_of_two() && !first.is_of_two(), "{text}");
+        let count = |pole: Pole| {
+            let terms = |curve| Approximation::new(curve, Some(pole), 1e-22).unwrap().terms_for(limit, 0.0).unwrap();
+            curves.iter().map(terms).sum::<usize>()
+        };
+        assert_eq!(count(first), count(pole) + saved, "{text} {limit:e}");
+    }
+    // Of few terms none are saved.
+    let (curves, plain) = curves("theta0 = 1");
+    let (first, _) = best(&plain, Pole::new(curves[0].strip(), 1, Float::F64), 1e-3).unwrap();
+    assert_eq!(two(&plain, first, 1e-3), None);
+    assert_eq!(two(&plain, first, 0.0), None);
+}
+
+/// Of a product of two quadratic polynomials both are found, from either; of one without such factors next to which the
+/// method converges none.
+#[test]
+fn quadratic_factors() {
+    let pairs = [[0.11, -0.6], [0.09, -0.45], [0.3, 0.5]];
+    for (first, second) in pairs.into_iter().flat_map(|first| pairs.map(|second| (first, second))) {
+        let ([c, b], [e, d]) = (first, second);
+        let quartic = [c * e, b * e + c * d, c + e + b * d, b + d];
+        for near in [first, second].map(|[constant, linear]| [1.02 * constant, 0.99 * linear]) {
+            let Some(found) = quadratics(quartic, near) else { continue };
+            let product = |[[c, b], [e, d]]: [[f64; 2]; 2]| [c * e, b * e + c * d, c + e + b * d, b + d];
+            let error = product(found).iter().zip(quartic).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            assert!(error < 1e-12, "{first:?} {second:?}: {found:?}");
+        }
+        let found = quadratics(quartic, [1.02 * c, 0.99 * b]);
+        assert!(first == second || found.is_some(), "{first:?} {second:?}");
+    }
+    assert_eq!(quadratics([f64::NAN; 4], [0.1, -0.5]), None);
 }
