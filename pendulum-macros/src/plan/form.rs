@@ -74,14 +74,19 @@ impl Variant {
         self.form.variables(self.left(terms))
     }
 
+    /// The part of the cost that is no operation.
+    pub(crate) fn waiting(self, terms: usize) -> f64 {
+        self.form.waiting(self.left(terms)) + if self.poles == Poles::UnderTwo { LATER } else { 0.0 }
+    }
+
     /// Estimated cost of a polynomial of that many terms, given the variables: see [`Program::cost`].
     ///
     /// [`Program::cost`]: crate::program::Program::cost
     pub(crate) fn cost(self, terms: usize, division: Division, float: Float) -> f64 {
         let apart = if division == Division::OfRemainder && float == Float::F64 { APART } else { 0.0 };
         let second = match (self.poles, division) {
-            (Poles::UnderTwo, Division::Shared) => 0.5 * SECOND_PAIR,
-            (Poles::UnderTwo, _) => SECOND_PAIR,
+            (Poles::UnderTwo, Division::Shared) => 0.5 * (SECOND_PAIR + LATER),
+            (Poles::UnderTwo, _) => SECOND_PAIR + LATER,
             _ => 0.0,
         };
         self.form.cost(self.left(terms), division) + apart + second
@@ -116,9 +121,12 @@ impl Division {
     }
 }
 
-/// What a second pair of poles costs: four operations, and what is divided later. Fitted to the times of plans in array
-/// loops: with 4 it was taken where it cost up to a fifth more, with 5.5 left where it would save a twelfth.
-const SECOND_PAIR: f64 = 5.25;
+/// Operations of a second pair of poles.
+const SECOND_PAIR: f64 = 4.0;
+
+/// What it costs that the division is later then, in operations. Fitted to the times of plans in array loops: without it
+/// pairs were taken that cost up to a fifth more, with 1.5 some left that would save a twelfth.
+const LATER: f64 = 1.25;
 
 /// What poles beside a polynomial had better save in `f64`, in operations: compilers don't compute it in one vector with
 /// a velocity over poles. To 1e-6 at 7π/8 scalar calls of both take a seventh more time.
@@ -190,7 +198,7 @@ impl Form {
     }
 
     /// The part of this that is no operation.
-    pub(crate) fn waiting(self, terms: usize) -> f64 {
+    fn waiting(self, terms: usize) -> f64 {
         let last = if self.largest_last() { blocks::STEP / 2 } else { 0 };
         let chain = blocks::chain(terms, self.chunk()) + last;
         WAITING * chain.saturating_sub(HIDDEN) as f64

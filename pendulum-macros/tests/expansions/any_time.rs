@@ -13,7 +13,7 @@
 ///
 /// * phase: exact products with the rate in 4 words, wrong by at most 1.7e-16 anchors
 /// * theta: polynomial of 17 terms in s² + c, coefficients adapted in blocks of 4; proven error ≤ 1.880e-15 rad (7.3e-17 of truncation, 8.7e-16 of phase, 9.3e-16 of rounding); 59 operations
-/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.1e-15
+/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
 /// * not a polynomial in s² over two pairs of poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
 /// * not a polynomial in s² over poles for `theta`: it costs about 0.5 operations more
 /// * not pieces, phase by exact products with the rate in 4 words: it costs about 107 operations

@@ -15,7 +15,7 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.4e-14 of rounding); 27 operations
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.8e-14 of rounding); 27 operations
 /// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.308e-10 rad·ω (4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of rounding); 23 operations
 /// * not a polynomial in s² over poles for `theta`: it costs about 1.0 operations more
 /// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
@@ -65,7 +65,7 @@ impl Clock {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 27;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219215248937354e-10;
+    pub const MAX_ERROR: f64 = 6.219383162724061e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
     pub const MAX_VELOCITY_ERROR: f64 = 4.3075098582183034e-10;
     /// θ(t), rad; NaN if t is not finite. 27 operations.
@@ -79,17 +79,17 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let signed = f64::from_bits(
-            83.29961943583332_f64.to_bits() ^ (magic.to_bits() << 63),
+            83.29963463217591_f64.to_bits() ^ (magic.to_bits() << 63),
         );
-        let v_2 = v - 0.18865548496559117;
-        let d = -0.08677382856443816 - v_2 * v_2;
+        let v_2 = v - 0.18865548074245453;
+        let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
         signed / d
-            * ((-0.03546359551967026 + 0.010052345498440852 * y)
-                * (w + 2.2724056386564206) + 0.0765496296420204
-                + ((-0.0877932428709024 - 0.750936938668289 * y)
-                    * (w - 0.0877895220016202) + (0.08812098103975433 + w2)) * w2)
+            * ((-0.03546358893545737 + 0.010052345431550246 * y) * (w + 2.27240519049656)
+                + 0.07654959960535461
+                + ((-0.08779327473163231 - 0.7509368396381406 * y)
+                    * (w - 0.08778952917722718) + (0.08812096226944938 + w2)) * w2)
     }
     /// θ̇(t), rad per unit of t; NaN if t is not finite. 23 operations.
     #[inline(always)]
@@ -121,17 +121,17 @@ impl Clock {
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
         let signed = f64::from_bits(
-            83.29961943583332_f64.to_bits() ^ (magic.to_bits() << 63),
+            83.29963463217591_f64.to_bits() ^ (magic.to_bits() << 63),
         );
-        let v_2 = v - 0.18865548496559117;
-        let d = -0.08677382856443816 - v_2 * v_2;
+        let v_2 = v - 0.18865548074245453;
+        let d = -0.0867738276720047 - v_2 * v_2;
         let w = y * y;
         let w2 = w * w;
         let first_result = signed / d
-            * ((-0.03546359551967026 + 0.010052345498440852 * y)
-                * (w + 2.2724056386564206) + 0.0765496296420204
-                + ((-0.0877932428709024 - 0.750936938668289 * y)
-                    * (w - 0.0877895220016202) + (0.08812098103975433 + w2)) * w2);
+            * ((-0.03546358893545737 + 0.010052345431550246 * y) * (w + 2.27240519049656)
+                + 0.07654959960535461
+                + ((-0.08779327473163231 - 0.7509368396381406 * y)
+                    * (w - 0.08778952917722718) + (0.08812096226944938 + w2)) * w2);
         let signed_2 = f64::from_bits(s.to_bits() ^ (magic.to_bits() << 63));
         let v_3 = v - 0.1819863955260788;
         let d_2 = -0.06804324543106671 - v_3 * v_3;

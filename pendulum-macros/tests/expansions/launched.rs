@@ -12,7 +12,7 @@
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
 /// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
-/// * theta: polynomial of 3 terms in s² over one of 3; proven error ≤ 2.964e-7 rad (3.0e-7 of truncation, 6.6e-15 of phase, 5.4e-16 of rounding); 51 operations
+/// * theta: polynomial of 3 terms in s² over one of 3; proven error ≤ 2.964e-7 rad (3.0e-7 of truncation, 6.6e-15 of phase, 5.2e-16 of rounding); 51 operations
 /// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.705e-7 rad·ω² (4.7e-7 of truncation, 6.6e-15 of phase, 6.6e-16 of rounding); 55 operations
 /// * not a polynomial in s² over poles for `theta`: it costs about 0.0 operations more
 /// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
@@ -62,7 +62,7 @@ impl Pushed {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 51;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 2.9638015814553636e-7;
+    pub const MAX_ERROR: f64 = 2.9637904473141876e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
     pub const MAX_ACCELERATION_ERROR: f64 = 4.705310000376468e-7;
     /// θ(t), rad; NaN if t is not finite. 51 operations.
@@ -91,11 +91,11 @@ impl Pushed {
         let v_9 = s * s;
         let p = if 0.2500009536752261_f64 < v_9 { 0.2500009536752261_f64 } else { v_9 };
         let signed = f64::from_bits(
-            (-0.21057263690204805_f64).to_bits() ^ (magic.to_bits() << 63),
+            (-0.21057259439027343_f64).to_bits() ^ (magic.to_bits() << 63),
         );
-        let v_10 = v_9 + 0.33113032469011844;
-        let d = -0.8899591683141888 - v_10 * v_10;
-        signed / d * ((p - 19.550135305068334) * p + 4.8250321006712005)
+        let v_10 = v_9 + 0.33113032579421997;
+        let d = -0.8899591565132141 - v_10 * v_10;
+        signed / d * ((p - 19.550138987672103) * p + 4.825033021328307)
     }
     /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared; NaN if t is not finite. 55 operations.
     #[inline(always)]

@@ -80,6 +80,8 @@ impl Aim {
     /// there, but poles serve it as they serve other curves.
     fn poles(&self, plain: &[Approximation], left: f64, float: Float) -> Option<Pole> {
         let curve = self.curves.first().filter(|curve| !curve.is_arc())?;
+        // Poles are to be met exactly, or what is left of them remains; logarithms can't be.
+        let float = if self.power == 0 { Float::F32 } else { float };
         let nearest = Pole::new(curve.strip(), self.power.max(1), float);
         let limit = self.share(left);
         let best = || pade::best(plain, nearest, limit);

@@ -196,7 +196,7 @@ impl Polynomial {
 
     /// What waiting for its dependent operations costs.
     pub(crate) fn waiting(&self) -> f64 {
-        self.form.waiting(self.blocks.terms())
+        self.variant().waiting(self.terms())
     }
 
     /// Its negative. A leading coefficient that was divided out stays 1.
