@@ -126,7 +126,7 @@ impl Sum {
         let base = |curve: &Curve| {
             let approximation = Approximation::entire(curve, precision / 16.0);
             let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
-            approximation.in_powers(terms, Form::Powers { shift: 0.0 }, reduction, true)
+            approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0 })
         };
         let one = scene.motion.omega.context().integer(1);
         let cosine = base(&Curve::cosine(&one));
@@ -152,7 +152,7 @@ impl Sum {
             // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
             let most = if let Form::Adapted { .. } = form { 6.0 } else { 12.0 };
             let cap = most * size * scene.float.unit();
-            let polynomial = approximation.polynomial(terms, form, reduction, true, Numerator::One, cap)?;
+            let polynomial = approximation.truncated(terms, reduction, true).polynomial(form, Numerator::One, cap)?;
             (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
         })
     }
@@ -218,7 +218,8 @@ impl Whole {
         let cost = |form: &Form| form.cost(terms, Division::None) + form.variables(terms);
         forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
         forms.into_iter().find_map(|form| {
-            let mut polynomial = approximation.polynomial(terms, form, reduction, true, Numerator::One, left)?;
+            let mut polynomial =
+                approximation.truncated(terms, reduction, true).polynomial(form, Numerator::One, left)?;
             let truncation = polynomial.truncation;
             if direction < 0.0 {
                 polynomial.negate();

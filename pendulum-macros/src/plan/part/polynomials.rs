@@ -226,9 +226,10 @@ impl Aim {
                 let least = approximation.truncation(approximation.terms(), reduction.overshoot);
                 return Err((self.limit - left + least) / self.size.unit);
             };
+            let truncated = approximation.truncated(terms, reduction, curve.alternates);
             let polynomial = match poles {
-                Poles::Beside => approximation.beside_poles(terms, form, reduction, curve.alternates),
-                _ => approximation.polynomial(terms, form, reduction, curve.alternates, numerator, self.limit),
+                Poles::Beside => truncated.beside_poles(form),
+                _ => truncated.polynomial(form, numerator, self.limit),
             };
             polynomial.ok_or(f64::INFINITY)
         };

@@ -10,18 +10,13 @@
 
 use super::leeway::Leeway;
 use super::nearest::Corrections;
-use super::pole::{Pole, Quotient};
+use super::pole::Pole;
 use super::tail;
-use super::{Divided, Numerator, Polynomial, Remainder};
-use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers, scale, shift, to_powers};
-use crate::parse::Float;
-use crate::plan::blocks::{Blocks, Choices, magnitude};
+use crate::chebyshev::{CosineTable, Interpolation, lebesgue, scale, shift, to_powers};
+use crate::plan::blocks::Choices;
 use crate::plan::curve::Curve;
-use crate::plan::form::Form;
 use crate::plan::memo::Memo;
 use crate::plan::moebius::Moebius;
-use crate::plan::reduction::Reduction;
-use crate::program::rounding::UNDERFLOW;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
@@ -56,8 +51,8 @@ pub(crate) struct Approximation {
 
 /// A series of so many terms that stands for a longer one.
 #[derive(Debug)]
-struct Shortened {
-    series: Vec<Double>,
+pub(super) struct Shortened {
+    pub(super) series: Vec<Double>,
     /// What the longer one is more, from this order on.
     left: Vec<f64>,
     first: usize,
@@ -76,14 +71,14 @@ impl Shortened {
     }
 
     /// Its coefficients in powers of p/`area` + `c`.
-    fn powers_of(&self, c: Double, area: Double) -> Vec<Double> {
+    pub(super) fn powers_of(&self, c: Double, area: Double) -> Vec<Double> {
         let eighth = area * 8.0;
         let powers = self.powers.get_or_init(|| to_powers(&self.series));
         scale(shift(powers, -Double::ONE - eighth * c), eighth)
     }
 
     /// The shifts, looked for once.
-    fn choices(&self, chunk: usize) -> Option<Choices> {
+    pub(super) fn choices(&self, chunk: usize) -> Option<Choices> {
         let look = || Choices::new(&self.powers_of(Double::ZERO, Double::ONE), chunk);
         self.choices.get(chunk, look)
     }
@@ -205,7 +200,7 @@ impl Approximation {
 
     /// The series of so many terms. Where it is met as a whole, they make up for the others as well as they can; without
     /// poles those of an even curve hardly can.
-    fn shortened(&self, terms: usize, overshoot: f64) -> Rc<Shortened> {
+    pub(super) fn shortened(&self, terms: usize, overshoot: f64) -> Rc<Shortened> {
         let terms = terms.min(self.series.len());
         let weighted = self.pole.is_some() || self.parity == Parity::Odd || self.leeway.is_some();
         let makes_up = overshoot >= 0.0 && weighted;
@@ -238,7 +233,7 @@ impl Approximation {
     }
 
     /// What an error of the polynomial is multiplied with in the value, at most.
-    fn weight(&self, overshoot: f64) -> f64 {
+    pub(super) fn weight(&self, overshoot: f64) -> f64 {
         let phase = 0.5 + overshoot;
         let odd = if self.parity == Parity::Odd { phase } else { 1.0 };
         odd / self.pole.map_or(1.0, |pole| pole.least(phase)) * (1.0 + 1e-12)
@@ -296,202 +291,13 @@ impl Approximation {
         self.parity
     }
 
-    /// p per unit of the polynomial's variable.
-    fn area(&self, reduction: &Reduction) -> Double {
-        match self.parity {
-            _ if self.map.is_some() => Double::ONE,
-            Parity::Neither => reduction.unit * 0.25,
-            Parity::Even | Parity::Odd => reduction.unit * reduction.unit,
-        }
+    pub(super) fn pole(&self) -> Option<Pole> {
+        self.pole
     }
 
-    /// The polynomial with that many terms, evaluated as `form` says, over its poles with that numerator; `None` if its
-    /// coefficients can't be adapted without rounding by more than about `limit`.
-    pub(crate) fn polynomial(
-        &self,
-        terms: usize,
-        form: Form,
-        reduction: &Reduction,
-        alternates: bool,
-        numerator: Numerator,
-        limit: f64,
-    ) -> Option<Polynomial> {
-        let Form::Adapted { chunk } = form else {
-            return Some(self.over_poles(terms, form, reduction, alternates, numerator));
-        };
-        let choice = self
-            .shortened(terms, reduction.overshoot)
-            .choices(chunk)?
-            .within(limit / (reduction.float.unit() * self.weight(0.0)))?;
-        let variable = self.variable(form, choice.shift, reduction);
-        let mut coefficients = self.powers_of(terms, variable, reduction);
-        if !is_moderate(&coefficients, self.quarter(reduction), reduction.float) {
-            return None;
-        }
-        let numerator = self.numerator(numerator, reduction.float, &mut coefficients);
-        let blocks = Blocks::adapted(&coefficients, chunk, variable.reach)?;
-        Some(self.evaluated(coefficients.len(), form, variable, (blocks, numerator), reduction, alternates))
+    pub(super) fn map(&self) -> Option<Moebius> {
+        self.map
     }
-
-    /// The same by powers of p, with the poles beside them: N/D = Q + R/D. `None` if there are none.
-    pub(crate) fn beside_poles(
-        &self,
-        terms: usize,
-        form: Form,
-        reduction: &Reduction,
-        alternates: bool,
-    ) -> Option<Polynomial> {
-        let pole = self.pole?.scaled(self.area(reduction));
-        let variable = self.variable(form, form.shift(), reduction);
-        let powers = self.powers_of(terms, variable, reduction);
-        let Quotient { polynomial, remainder, lost } = pole.division(&powers, variable.shift);
-        let at =
-            |powers: &[Double], p: f64| powers.iter().rev().fold(0.0, |sum, c| sum * (p + variable.shift.hi) + c.hi);
-        // The first value is the largest of an even curve that alternates, the only one that this is for.
-        let largest = at(&powers, 0.0) / pole.least_between(0.0, 0.0);
-        let dispensable = at(&polynomial, self.quarter(reduction)).abs() < 0.99 * largest.abs();
-        let mut blocks = Blocks::careful(&polynomial, form.largest_last(), variable.reach);
-        // Of the polynomial that was divided.
-        blocks.mismatch = blocks.mismatch * pole.most(reduction.half()) + magnitude(&lost, variable.reach);
-        let whole = self.evaluated(powers.len(), form, variable, (blocks, Double::ONE), reduction, alternates);
-        Some(Polynomial { divided: Divided::Rest(pole, Remainder { powers: remainder, dispensable }), ..whole })
-    }
-
-    /// The same by powers, which always are: of p if no other form is asked for.
-    pub(crate) fn in_powers(&self, terms: usize, form: Form, reduction: &Reduction, alternates: bool) -> Polynomial {
-        self.over_poles(terms, form, reduction, alternates, Numerator::One)
-    }
-
-    /// The same, over its poles, if any, with that numerator.
-    fn over_poles(
-        &self,
-        terms: usize,
-        form: Form,
-        reduction: &Reduction,
-        alternates: bool,
-        numerator: Numerator,
-    ) -> Polynomial {
-        let variable = self.variable(form, form.shift(), reduction);
-        let mut coefficients = self.powers_of(terms, variable, reduction);
-        let numerator = self.numerator(numerator, reduction.float, &mut coefficients);
-        let blocks = Blocks::careful(&coefficients, form.largest_last(), variable.reach);
-        self.evaluated(coefficients.len(), form, variable, (blocks, numerator), reduction, alternates)
-    }
-
-    /// The numerator of the poles, if any, by which it divides the coefficients: by the leading one only where the others
-    /// stay numbers of a moderate size.
-    fn numerator(&self, numerator: Numerator, float: Float, coefficients: &mut [Double]) -> Double {
-        // Far from what overflows, or underflows, in either type.
-        let widest = if float == Float::F64 { 1e100 } else { 1e12 };
-        let leading = || {
-            let last = coefficients.last()?;
-            let moderate = |c: &Double| c.hi.abs() <= widest * last.hi.abs();
-            (last.hi != 0.0 && coefficients.iter().all(moderate)).then_some(*last)
-        };
-        let divisor = match numerator {
-            _ if self.pole.is_none() => None,
-            Numerator::One => None,
-            Numerator::Leading => leading(),
-            Numerator::Same(numerator) => Some(numerator),
-        };
-        let divisor = divisor.unwrap_or(Double::ONE);
-        if divisor != Double::ONE {
-            for c in coefficients {
-                *c = *c / divisor;
-            }
-        }
-        divisor
-    }
-
-    /// A polynomial of so many terms, of which the blocks may lack some, and the numerator of its poles.
-    fn evaluated(
-        &self,
-        terms: usize,
-        form: Form,
-        Variable { shift, area, reach }: Variable,
-        (blocks, numerator): (Blocks, Double),
-        reduction: &Reduction,
-        alternates: bool,
-    ) -> Polynomial {
-        let unit = if self.parity == Parity::Odd { reduction.unit.hi } else { 1.0 };
-        let poles = self.pole.map_or(1.0, |pole| pole.unit(self.area(reduction)).hi);
-        // Coefficients that were divided may underflow where those that they are of don't.
-        let size = numerator.hi.abs();
-        let lost = size * blocks.mismatch + (1.0 + size) * lost_to_underflow(terms, area);
-        // Farther from 1 the second word of a pole's unit would lose bits.
-        let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
-        let lost = if bounded { lost * self.weight(reduction.overshoot) * poles / unit } else { f64::INFINITY };
-        let shortened = self.shortened(terms, reduction.overshoot);
-        let eighth = 8.0 * area.hi;
-        let converted = rounding_of_powers(&shortened.series, eighth * reach + (1.0 + eighth * shift.hi).abs());
-        let truncation =
-            self.truncation(terms, reduction.overshoot) + converted * self.weight(reduction.overshoot) + lost;
-        let whole = |pole: Pole| Divided::Whole { numerator, pole: pole.scaled(self.area(reduction)) };
-        let divided = self.pole.map_or(Divided::Nothing, whole);
-        let (parity, map) = (self.parity, self.map);
-        Polynomial { form, shift, divided, parity, map, alternates, blocks, truncation }
-    }
-
-    /// The variable of a form, which shifts p by so much.
-    fn variable(&self, form: Form, shift: f64, reduction: &Reduction) -> Variable {
-        if form == Form::Normalised {
-            // 8p − 1.
-            return Variable { shift: -Double::ONE, area: Double::new(0.125), reach: 1.01 };
-        }
-        let area = self.area(reduction);
-        let quarter = self.quarter(reduction);
-        if shift == 0.0 {
-            return Variable { shift: Double::ZERO, area, reach: quarter * 1.01 };
-        }
-        // A number of the type of the results, so that it is exact: over an arc its sum with half the arc is.
-        let half = if self.parity == Parity::Neither { Double::new(0.5) / reduction.unit } else { Double::ZERO };
-        let shift = Double::new(reduction.float.round((half + Double::new(shift) / area).hi)) - half;
-        Variable { shift, area, reach: shift.hi.abs().max((shift.hi + quarter).abs()) * 1.01 }
-    }
-
-    /// What p = ¼ is in units of the reduction.
-    fn quarter(&self, reduction: &Reduction) -> f64 {
-        (Double::new(0.25) / self.area(reduction)).hi
-    }
-
-    /// Coefficients of the powers of the variable, of what is divided by poles and multiplied by odd phases in units of
-    /// the reduction.
-    fn powers_of(&self, terms: usize, Variable { shift: c, area, .. }: Variable, reduction: &Reduction) -> Vec<Double> {
-        let odd = if self.parity == Parity::Odd { reduction.unit } else { Double::ONE };
-        let factor = odd / self.pole.map_or(Double::ONE, |pole| pole.unit(self.area(reduction)));
-        let powers = self.shortened(terms, reduction.overshoot).powers_of(c, area);
-        powers.into_iter().map(|c| c * factor).collect()
-    }
-}
-
-/// The variable of a polynomial: p/`area` + `shift`, and its largest magnitude.
-#[derive(Clone, Copy, Debug)]
-struct Variable {
-    shift: Double,
-    area: Double,
-    reach: f64,
-}
-
-/// What coefficients that are too small for two words change in a sum of so many powers: infinite where the powers of
-/// the unit are. Powers of a phase in units of time are of any size, and an amplitude may be 1e-300.
-fn lost_to_underflow(terms: usize, area: Double) -> f64 {
-    let eighth = 8.0 * area.hi;
-    let (highest, widest) = (eighth.powi(terms as i32), 1e280);
-    if !(1.0 / widest..widest).contains(&highest) {
-        return f64::INFINITY;
-    }
-    // Of 8p ≤ 2.
-    UNDERFLOW * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
-}
-
-/// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes
-/// of 1e-268 and periods of 1e150 have plans, but not by adapted coefficients.
-fn is_moderate(coefficients: &[Double], quarter: f64, float: Float) -> bool {
-    let widest = if float == Float::F64 { 1e12 } else { 1e3 };
-    let largest = coefficients
-        .iter()
-        .fold((0.0, 1.0), |(most, power): (f64, f64), c| (most.max((c.hi * power).abs()), power * quarter));
-    (1.0 / widest..widest).contains(&quarter) && (1e-150..1e150).contains(&largest.0)
 }
 
 /// ln of an ellipse's parameter: 8p − 1 exceeds 1 by ε = 8·overshoot·(1 + overshoot), and there |Tⱼ| ≤ cosh(j·arcosh(1 +
@@ -531,6 +337,4 @@ fn enough_points(curve: &Curve, pole: Option<Pole>, negligible: f64) -> Option<I
 }
 
 #[cfg(test)]
-mod tests;
-#[cfg(test)]
-mod value_tests;
+pub(super) mod tests;

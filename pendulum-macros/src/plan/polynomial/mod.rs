@@ -11,6 +11,7 @@ mod nearest;
 pub(crate) mod pade;
 mod pole;
 mod tail;
+mod truncated;
 
 pub(crate) use approximation::Approximation;
 pub(crate) use leeway::Leeway;

@@ -1,12 +1,15 @@
 //! Bounds of approximations against dense samples: never exceeded, and no more than a few times too large.
 
+use super::super::Polynomial;
 use super::*;
 use crate::chebyshev::value;
 use crate::parse::Float;
 use crate::plan::aim::Task;
+use crate::plan::form::Form;
+use crate::plan::reduction::Reduction;
 use crate::plan::tests::scene;
 
-pub(super) const PLAIN: Form = Form::Powers { shift: 0.0 };
+pub(in super::super) const PLAIN: Form = Form::Powers { shift: 0.0 };
 
 impl Polynomial {
     /// At the phase s from an anchor, in anchors.
@@ -20,7 +23,7 @@ impl Polynomial {
 }
 
 /// The nearest poles of that power, if it is one.
-pub(super) fn nearest(curve: &Curve, power: usize) -> Option<Pole> {
+pub(in super::super) fn nearest(curve: &Curve, power: usize) -> Option<Pole> {
     (power > 0).then(|| Pole::new(curve.strip(), power, Float::F64))
 }
 
@@ -37,7 +40,7 @@ fn sampled(polynomial: &Polynomial, curve: &Curve, overshoot: f64) -> f64 {
 }
 
 /// All curves of a motion, and the power of their poles.
-pub(super) fn curves(text: &str) -> (Vec<(Curve, usize)>, Reduction) {
+pub(in super::super) fn curves(text: &str) -> (Vec<(Curve, usize)>, Reduction) {
     let scene = scene(&format!("struct Motion; {text}, outputs = [theta, velocity, acceleration, position]"));
     let task = Task::new(&scene);
     let unlike = |reduction: &Reduction| (reduction.unit.hi - 1.0).abs();
@@ -65,7 +68,7 @@ fn truncation_errors() {
                 let reduction = Reduction { overshoot, ..reduction.clone() };
                 for terms in [3, 6, 11] {
                     let polynomial =
-                        approximation.in_powers(terms, Form::Powers { shift: -0.15625 }, &reduction, false);
+                        approximation.truncated(terms, &reduction, false).in_powers(Form::Powers { shift: -0.15625 });
                     let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, overshoot));
                     let most = if overshoot == 0.0 { 1.2 } else { most };
                     let about = format!("{text} {index} {power} {terms} {overshoot}: {seen:e} of {bound:e}");
@@ -86,7 +89,7 @@ fn interpolation_errors() {
             let precise = Approximation::new(curve, nearest(curve, *power), 1e-20).unwrap();
             for negligible in [1e-3, 1e-7] {
                 let approximation = Approximation::new(curve, nearest(curve, *power), negligible).unwrap();
-                let polynomial = approximation.in_powers(approximation.terms(), PLAIN, &reduction, false);
+                let polynomial = approximation.truncated(approximation.terms(), &reduction, false).in_powers(PLAIN);
                 let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, 0.0));
                 let about = format!("{text} {index} {negligible}: {seen:e} of {bound:e}");
                 assert!(seen <= bound && bound <= 1.01 * negligible, "{about}");
@@ -107,32 +110,6 @@ fn too_many_points() {
     let (curves, _) = curves("theta0 = π - 1e-60");
     assert!(Approximation::new(&curves[0].0, None, 1e-3).is_some());
     assert!(Approximation::new(&curves[0].0, None, 1e-20).is_none());
-}
-
-/// Adapted coefficients are for numbers whose powers stay far from overflow and underflow.
-#[test]
-fn moderate_polynomials() {
-    let moderate = |coefficient: f64, terms: usize, quarter: f64, float: Float| {
-        is_moderate(&vec![Double::new(coefficient); terms], quarter, float)
-    };
-    for (coefficient, terms, quarter, float, expected) in [
-        (1.0, 5, 0.25, Float::F64, true),
-        (1.0, 5, 1e11, Float::F64, true),
-        (1.0, 5, 1e-11, Float::F64, true),
-        (1.0, 5, 1e13, Float::F64, false),
-        (1.0, 5, 1e-13, Float::F64, false),
-        (1.0, 5, 1e4, Float::F32, false),
-        (1.0, 5, 1e2, Float::F32, true),
-        // 10^(11·14) is too large, 10^(11·13) isn't; of a small first coefficient it makes a moderate one.
-        (1.0, 15, 1e11, Float::F64, false),
-        (1.0, 14, 1e11, Float::F64, true),
-        (1e-155, 5, 1e11, Float::F64, true),
-        (1e-155, 5, 0.25, Float::F64, false),
-        (-1e-155, 5, 0.25, Float::F64, false),
-        (-1e155, 5, 0.25, Float::F64, false),
-    ] {
-        assert_eq!(moderate(coefficient, terms, quarter, float), expected, "{coefficient} {terms} {quarter} {float:?}");
-    }
 }
 
 /// What an error of the polynomial is multiplied with: by s ≤ ½ if it is odd, and over the least value of its poles; and
@@ -264,7 +241,7 @@ fn errors_with_a_leeway() {
         let pole = place.and_then(|(place, height)| Pole::of([place * place + height, -2.0 * place], Float::F64));
         let strict = Approximation::new(curve, pole, 1e-12).unwrap();
         let lenient = strict.with(Leeway::new(curve, ERROR, 2.0));
-        let polynomial = lenient.in_powers(terms, PLAIN, &reduction, false);
+        let polynomial = lenient.truncated(terms, &reduction, false).in_powers(PLAIN);
         let phase = ERROR * curve.size.slope;
         let error = |i: u32| {
             let s = Double::new(0.25 - 0.25 * (f64::from(i) * std::f64::consts::PI / 2000.0).cos());
@@ -285,95 +262,6 @@ fn growth_of_known_errors() {
     let approximation = Approximation::known(None, vec![Double::ONE; 6], 1e-9, 50.0);
     let stretch = approximation.truncation(6, 1e-6) / approximation.truncation(6, 0.0);
     assert!((stretch / (50.0 * 4e-3f64).exp() - 1.0).abs() < 1e-6, "{stretch}");
-}
-
-/// Where powers of the unit underflow or overflow there is no bound, unless the variable is normalised; nor where those
-/// of poles do.
-#[test]
-fn units_without_bounds() {
-    let (curves, reduction) = curves("theta0 = 7π/8");
-    for (index, power, form, within, beyond) in [
-        (0, 0, PLAIN, 30, Some(40)),
-        (0, 0, Form::Normalised, 150, None),
-        (1, 0, Form::Normalised, 150, None),
-        (1, 1, PLAIN, 30, Some(40)),
-        (1, 1, Form::Normalised, 60, Some(65)),
-        (2, 2, Form::Normalised, 30, Some(35)),
-    ] {
-        let approximation = Approximation::new(&curves[index].0, nearest(&curves[index].0, power), 1e-9).unwrap();
-        let excess = |exponent: i32| {
-            let reduction = Reduction { unit: Double::new(10f64.powi(exponent)), ..reduction.clone() };
-            let found = approximation.in_powers(4, form, &reduction, true).truncation;
-            found / approximation.truncation(4, reduction.overshoot)
-        };
-        for sign in [1, -1] {
-            assert!((1.0..1.001).contains(&excess(sign * within)), "{index} {power} {form:?} {sign}");
-            if let Some(beyond) = beyond {
-                assert_eq!(excess(sign * beyond), f64::INFINITY, "{index} {power} {form:?} {sign}");
-            }
-        }
-    }
-}
-
-/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units of the variable.
-#[test]
-fn underflow_of_coefficients() {
-    for area in [1.0, 1e-4, 900.0] {
-        let widest: f64 = 0.25 / area;
-        let least = UNDERFLOW * (0..5).map(|j| widest.powi(j)).sum::<f64>();
-        let found = lost_to_underflow(5, Double::new(area));
-        // Numbers so small have few digits.
-        assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{area}: {found:e} {least:e}");
-    }
-}
-
-/// With another unit of the phase adapted polynomials are the same ones; and they say by how much they are others than
-/// those that they were made of, wherever the phase may be.
-#[test]
-fn adapted_polynomials() {
-    for (text, index, chunk) in [("theta0 = 1", 2, 16), ("velocity0 = 2.1", 1, 16), ("7π/8", 1, 4), ("7π/8", 2, 4)] {
-        let (curves, reduction) = curves(&if chunk == 16 { text.to_owned() } else { format!("theta0 = {text}") });
-        let approximation =
-            Approximation::new(&curves[index].0, nearest(&curves[index].0, curves[index].1), 1e-24).unwrap();
-        let terms = if chunk == 16 { 9 } else { approximation.terms() };
-        let adapted = |unit: f64| {
-            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            approximation
-                .polynomial(
-                    terms,
-                    Form::Adapted { chunk },
-                    &reduction,
-                    true,
-                    Numerator::One,
-                    if chunk == 16 { 1e-3 } else { f64::INFINITY },
-                )
-                .unwrap()
-        };
-        let place = adapted(1.0).shift.hi;
-        for unit in [0.25, 3.0] {
-            let polynomial = adapted(unit);
-            let (shift, found) = (polynomial.shift.hi, polynomial.blocks.mismatch);
-            assert!((shift * unit * unit - place).abs() < 1e-15, "{text} {index}: {shift} {place}");
-            let reach = shift.abs().max((shift + 0.25 / (unit * unit)).abs());
-            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            let variable = Variable { shift: polynomial.shift, area: approximation.area(&reduction), reach };
-            let powers = approximation.powers_of(terms, variable, &reduction);
-            let least = Blocks::adapted(&powers, chunk, reach).unwrap().mismatch;
-            assert!(least > 0.0 && found >= least, "{text} {index}: {found:e} {least:e}");
-            assert!(found <= least * 1.02f64.powi(terms as i32), "{text} {index}");
-            // It counts with the truncation, which is as small where no term is left out.
-            if chunk == 4 {
-                let odd = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
-                let poles = unit.powi(4 * curves[index].1 as i32);
-                let eighth = 8.0 * variable.area.hi;
-                let reach = eighth * reach * 1.01 + (1.0 + eighth * shift).abs();
-                let converted = rounding_of_powers(&approximation.series[..terms], reach);
-                let added = polynomial.truncation - approximation.truncation(terms, reduction.overshoot);
-                let times = added / (approximation.weight(0.0) * (found * odd * poles + converted));
-                assert!((0.99..1.01).contains(&times), "{text} {index}: {times}");
-            }
-        }
-    }
 }
 
 /// 4Bρ^(1−M)/(ρ − 1) with the bounds of the curve and of its poles, over s if it is odd, on the image of the ellipse:

@@ -1,8 +1,9 @@
-//! Values of polynomials in other units and forms, over poles and beside them, against those of the curves.
+//! Polynomials in other units and forms, over poles and beside them, against the curves and the series that they are of.
 
-use super::tests::{PLAIN, curves, nearest};
+use super::super::approximation::tests::{PLAIN, curves, nearest};
 use super::*;
 use crate::plan::form::{Poles, Variant};
+use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Phase;
 use crate::plan::variables::{Source, Variables};
 use crate::program::{Builder, Program};
@@ -33,7 +34,8 @@ fn values_in_other_units() {
             for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
                 let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
                 let terms = approximation.terms();
-                let polynomial = approximation.polynomial(terms, form, &reduction, false, Numerator::One, 1.0);
+                let polynomial =
+                    approximation.truncated(terms, &reduction, false).polynomial(form, Numerator::One, 1.0);
                 let Some(polynomial) = polynomial else {
                     assert!(matches!(form, Form::Adapted { .. }), "{text} {index} {form:?}");
                     continue;
@@ -61,8 +63,8 @@ fn values_beside_poles() {
         for form in Form::ALL.into_iter().filter(suits) {
             for (unit, s) in [(1.0, 0.3), (0.25, 0.3), (8.0, 0.45), (0.25, 0.0)] {
                 let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-                let over = approximation.in_powers(terms, form, &reduction, true);
-                let mut beside = approximation.beside_poles(terms, form, &reduction, true).unwrap();
+                let over = approximation.truncated(terms, &reduction, true).in_powers(form);
+                let mut beside = approximation.truncated(terms, &reduction, true).beside_poles(form).unwrap();
                 assert_eq!((beside.terms(), beside.blocks.terms() + 2), (terms, terms));
                 let what = format!("{text} {index} {form:?} {unit}");
                 let times = beside.truncation / over.truncation;
@@ -89,7 +91,7 @@ fn values_over_two_pairs() {
         for (form, unit) in Form::ALL.into_iter().flat_map(|form| [1.0, 0.25].map(|unit| (form, unit))) {
             let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
             let numerator = if index == 1 { Numerator::One } else { Numerator::Leading };
-            let polynomial = approximation.polynomial(terms, form, &reduction, false, numerator, 1.0);
+            let polynomial = approximation.truncated(terms, &reduction, false).polynomial(form, numerator, 1.0);
             let Some(polynomial) = polynomial else { continue };
             assert_eq!(polynomial.variant().poles, Poles::UnderTwo);
             let most = if matches!(form, Form::Adapted { .. } | PLAIN) { 1e-11 } else { 1e-14 };
@@ -112,7 +114,7 @@ fn numerators() {
         let approximation = Approximation::new(curve, pole, 1e-12).unwrap();
         for (form, unit) in Form::ALL.into_iter().flat_map(|form| [1.0, 0.25].map(|unit| (form, unit))) {
             let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            let over = |numerator| approximation.polynomial(5, form, &reduction, false, numerator, 1.0);
+            let over = |numerator| approximation.truncated(5, &reduction, false).polynomial(form, numerator, 1.0);
             let Some(one) = over(Numerator::One) else { continue };
             let [mut leading, same] =
                 [Numerator::Leading, Numerator::Same(Double::new(-3.0))].map(|numerator| over(numerator).unwrap());
@@ -142,7 +144,7 @@ fn numerators() {
 fn nothing_beside() {
     let (curves, reduction) = curves("theta0 = 1");
     let approximation = Approximation::new(&curves[0].0, None, 1e-18).unwrap();
-    assert_eq!(approximation.beside_poles(9, PLAIN, &reduction, true), None);
+    assert_eq!(approximation.truncated(9, &reduction, true).beside_poles(PLAIN), None);
 }
 
 /// Of the image of p, whatever the unit and the form: 1 + T₁ + … of what goes from −1 to 1 with it.
@@ -154,13 +156,122 @@ fn values_of_the_image() {
     for form in Form::ALL {
         for (unit, s) in [(1.0, 0.3), (0.25, 0.4), (8.0, 0.45), (1.0, 0.0)] {
             let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
-            let polynomial = approximation.polynomial(6, form, &reduction, false, Numerator::Leading, 1.0);
+            let polynomial = approximation.truncated(6, &reduction, false).polynomial(form, Numerator::Leading, 1.0);
             let Some(polynomial) = polynomial else { continue };
             let image = s * s * 0.75 / (s * s + 0.5);
             let angle = (8.0 * image - 1.0_f64).acos();
             let expected: f64 = (0..6).map(|j| (f64::from(j) * angle).cos()).sum();
             let found = evaluated(&polynomial, reduction.unit, s);
             assert!((found - expected).abs() < 1e-12, "{form:?} {unit} {s}: {found} {expected}");
+        }
+    }
+}
+
+/// Adapted coefficients are for numbers whose powers stay far from overflow and underflow.
+#[test]
+fn moderate_polynomials() {
+    let moderate = |coefficient: f64, terms: usize, quarter: f64, float: Float| {
+        is_moderate(&vec![Double::new(coefficient); terms], quarter, float)
+    };
+    for (coefficient, terms, quarter, float, expected) in [
+        (1.0, 5, 0.25, Float::F64, true),
+        (1.0, 5, 1e11, Float::F64, true),
+        (1.0, 5, 1e-11, Float::F64, true),
+        (1.0, 5, 1e13, Float::F64, false),
+        (1.0, 5, 1e-13, Float::F64, false),
+        (1.0, 5, 1e4, Float::F32, false),
+        (1.0, 5, 1e2, Float::F32, true),
+        // 10^(11·14) is too large, 10^(11·13) isn't; of a small first coefficient it makes a moderate one.
+        (1.0, 15, 1e11, Float::F64, false),
+        (1.0, 14, 1e11, Float::F64, true),
+        (1e-155, 5, 1e11, Float::F64, true),
+        (1e-155, 5, 0.25, Float::F64, false),
+        (-1e-155, 5, 0.25, Float::F64, false),
+        (-1e155, 5, 0.25, Float::F64, false),
+    ] {
+        assert_eq!(moderate(coefficient, terms, quarter, float), expected, "{coefficient} {terms} {quarter} {float:?}");
+    }
+}
+
+/// Where powers of the unit underflow or overflow there is no bound, unless the variable is normalised; nor where those
+/// of poles do.
+#[test]
+fn units_without_bounds() {
+    let (curves, reduction) = curves("theta0 = 7π/8");
+    for (index, power, form, within, beyond) in [
+        (0, 0, PLAIN, 30, Some(40)),
+        (0, 0, Form::Normalised, 150, None),
+        (1, 0, Form::Normalised, 150, None),
+        (1, 1, PLAIN, 30, Some(40)),
+        (1, 1, Form::Normalised, 60, Some(65)),
+        (2, 2, Form::Normalised, 30, Some(35)),
+    ] {
+        let approximation = Approximation::new(&curves[index].0, nearest(&curves[index].0, power), 1e-9).unwrap();
+        let excess = |exponent: i32| {
+            let reduction = Reduction { unit: Double::new(10f64.powi(exponent)), ..reduction.clone() };
+            let found = approximation.truncated(4, &reduction, true).in_powers(form).truncation;
+            found / approximation.truncation(4, reduction.overshoot)
+        };
+        for sign in [1, -1] {
+            assert!((1.0..1.001).contains(&excess(sign * within)), "{index} {power} {form:?} {sign}");
+            if let Some(beyond) = beyond {
+                assert_eq!(excess(sign * beyond), f64::INFINITY, "{index} {power} {form:?} {sign}");
+            }
+        }
+    }
+}
+
+/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units of the variable.
+#[test]
+fn underflow_of_coefficients() {
+    for area in [1.0, 1e-4, 900.0] {
+        let widest: f64 = 0.25 / area;
+        let least = UNDERFLOW * (0..5).map(|j| widest.powi(j)).sum::<f64>();
+        let found = lost_to_underflow(5, Double::new(area));
+        // Numbers so small have few digits.
+        assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{area}: {found:e} {least:e}");
+    }
+}
+
+/// With another unit of the phase adapted polynomials are the same ones; and they say by how much they are others than
+/// those that they were made of, wherever the phase may be.
+#[test]
+fn adapted_polynomials() {
+    for (text, index, chunk) in [("theta0 = 1", 2, 16), ("velocity0 = 2.1", 1, 16), ("7π/8", 1, 4), ("7π/8", 2, 4)] {
+        let (curves, reduction) = curves(&if chunk == 16 { text.to_owned() } else { format!("theta0 = {text}") });
+        let approximation =
+            Approximation::new(&curves[index].0, nearest(&curves[index].0, curves[index].1), 1e-24).unwrap();
+        let terms = if chunk == 16 { 9 } else { approximation.terms() };
+        let adapted = |unit: f64| {
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let limit = if chunk == 16 { 1e-3 } else { f64::INFINITY };
+            let truncated = approximation.truncated(terms, &reduction, true);
+            truncated.polynomial(Form::Adapted { chunk }, Numerator::One, limit).unwrap()
+        };
+        let place = adapted(1.0).shift.hi;
+        for unit in [0.25, 3.0] {
+            let polynomial = adapted(unit);
+            let (shift, found) = (polynomial.shift.hi, polynomial.blocks.mismatch);
+            assert!((shift * unit * unit - place).abs() < 1e-15, "{text} {index}: {shift} {place}");
+            let reach = shift.abs().max((shift + 0.25 / (unit * unit)).abs());
+            let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
+            let truncated = approximation.truncated(terms, &reduction, true);
+            let variable = Variable { shift: polynomial.shift, area: truncated.area(), reach };
+            let powers = truncated.powers(variable);
+            let least = Blocks::adapted(&powers, chunk, reach).unwrap().mismatch;
+            assert!(least > 0.0 && found >= least, "{text} {index}: {found:e} {least:e}");
+            assert!(found <= least * 1.02f64.powi(terms as i32), "{text} {index}");
+            // It counts with the truncation, which is as small where no term is left out.
+            if chunk == 4 {
+                let odd = if curves[index].0.parity() == Parity::Odd { 1.0 / unit } else { 1.0 };
+                let poles = unit.powi(4 * curves[index].1 as i32);
+                let eighth = 8.0 * variable.area.hi;
+                let reach = eighth * reach * 1.01 + (1.0 + eighth * shift).abs();
+                let converted = rounding_of_powers(&approximation.series()[..terms], reach);
+                let added = polynomial.truncation - approximation.truncation(terms, reduction.overshoot);
+                let times = added / (approximation.weight(0.0) * (found * odd * poles + converted));
+                assert!((0.99..1.01).contains(&times), "{text} {index}: {times}");
+            }
         }
     }
 }
