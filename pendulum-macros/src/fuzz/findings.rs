@@ -210,3 +210,11 @@ fn sums_beyond_a_moment() {
 fn rows_counted_from_other_anchors() {
     planned("struct A; θ0 = 4π/15, velocity0 = 3.7797, t_max = 6.87418743809171e5, outputs = [acceleration]");
 }
+
+/// Half as many pieces as serve a finer tolerance took too many points for a coarser one, which was refused.
+#[test]
+fn what_a_finer_promise_keeps_is_not_refused() {
+    for tol in ["1e-11", "7.1e-9", "1e-7", "1e-3"] {
+        planned(&format!("velocity0 = -(2 - 1e-60), tol = {tol}, method = polynomial"));
+    }
+}

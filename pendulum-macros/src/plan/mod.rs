@@ -134,7 +134,8 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
     let best = first_kept(scene, &offers, least).map_or(f64::INFINITY, |kept| finest(scene, kept));
-    Err(Refusal::Unreachable { best })
+    // What keeps a finer promise keeps this one: pieces may serve the finer one only.
+    if best <= tol { cheapest(&asking(scene, best)) } else { Err(Refusal::Unreachable { best }) }
 }
 
 /// Whether plans are found quickly: the paper's methods take a hundred harmonics near the top, and polynomials of several
@@ -151,9 +152,14 @@ struct Kept {
     bound: f64,
 }
 
+/// The scene that asks for that tolerance.
+fn asking(scene: &Scene, tolerance: f64) -> Scene {
+    Scene { goal: Goal::Tolerance(tolerance), ..scene.clone() }
+}
+
 /// Asks for another tolerance.
 fn kept(scene: &Scene, tolerance: f64) -> Result<Kept, Refusal> {
-    let plan = cheapest(&Scene { goal: Goal::Tolerance(tolerance), ..scene.clone() })?;
+    let plan = cheapest(&asking(scene, tolerance))?;
     Ok(Kept { tolerance, bound: plan.worst() })
 }
 
