@@ -62,7 +62,7 @@ impl Forever {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 59;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.88036359392597e-15;
+    pub const MAX_ERROR: f64 = 1.8803626916572575e-15;
     /// θ(t), rad; NaN if t is not finite. 59 operations.
     #[inline(always)]
     #[must_use]
@@ -71,10 +71,10 @@ impl Forever {
         let tail = t - head;
         let v = head * 0.2696762979030609;
         let first = v - (v + 5.404319552844595e16 - 5.404319552844595e16);
-        let second = tail * 0.2696762979030609 + head * 2.691128875298432e-9;
-        let third = tail * 2.691128875298432e-9 + head * -1.1005039832999035e-16;
-        let fourth = tail * -1.1005039832999035e-16 + t * -3.230523974410337e-24;
-        let magic = first + third + second + 6755399441055744.0;
+        let second = head * 2.691128875298432e-9 + tail * 0.2696762979030609;
+        let third = head * -1.1005039832999035e-16 + tail * 2.691128875298432e-9;
+        let fourth = t * -3.230523974410337e-24 + tail * -1.1005039832999035e-16;
+        let magic = third + second + first + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
         let s = first - n + second + third + fourth;
         let v_2 = s * s;

@@ -11,12 +11,12 @@
 ///
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
-/// * phase: exact products with the rate in 3 words, wrong by at most 2.0e-15 anchors
-/// * theta: polynomial of 3 terms in s² over one of 3; proven error ≤ 2.964e-7 rad (3.0e-7 of truncation, 6.6e-15 of phase, 5.2e-16 of rounding); 51 operations
-/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 4.705e-7 rad·ω² (4.7e-7 of truncation, 6.6e-15 of phase, 6.6e-16 of rounding); 55 operations
+/// * phase: exact products with the rate in 2 words, wrong by at most 5.3e-8 anchors
+/// * theta: polynomial of 3 terms in s² over one of 3; proven error ≤ 4.689e-7 rad (3.0e-7 of truncation, 1.7e-7 of phase, 5.2e-16 of rounding); 27 operations
+/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 6.430e-7 rad·ω² (4.7e-7 of truncation, 1.7e-7 of phase, 6.6e-16 of rounding); 31 operations
 /// * not a polynomial in s² over poles for `theta`: it costs about 0.0 operations more
 /// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
-/// * not pieces, phase by exact products with the rate in 3 words: it costs about 138 operations
+/// * not pieces, phase by exact products with the rate in 2 words: it costs about 85 operations
 /// * not `harmonic`: it is wrong by about 9e-3
 /// * not `series`: 3 harmonics at least, of three operations each beside a cosine
 /// * not `fourier`: what stands for the arcsine of its sum bends no less than θ, and the sum has an error of its own
@@ -60,12 +60,12 @@ impl Pushed {
     /// The number of terms of the approximation.
     pub const TERMS: usize = 3;
     /// Operations of one call of the first function.
-    pub const OPERATIONS: usize = 51;
+    pub const OPERATIONS: usize = 27;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 2.9637904473141876e-7;
+    pub const MAX_ERROR: f64 = 4.688763899223701e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 4.705310000376468e-7;
-    /// θ(t), rad; NaN if t is not finite. 51 operations.
+    pub const MAX_ACCELERATION_ERROR: f64 = 6.430283452285981e-7;
+    /// θ(t), rad; NaN if t is not finite. 27 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
@@ -73,31 +73,20 @@ impl Pushed {
         let tail = t - head;
         let v = head * 0.8935671746730804;
         let first = v - (v + 5.404319552844595e16 - 5.404319552844595e16);
-        let second = tail * 0.8935671746730804 + head * 6.892897808086218e-9;
-        let third = tail * 6.892897808086218e-9 + t * -1.217444702784476e-16;
-        let magic = first + third + second + 0.05858762081443536 + 6755399441055744.0;
+        let second = t * 6.892897686341747e-9 + tail * 0.8935671746730804;
+        let magic = second + first + 0.05858762081443536 + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
-        let v_2 = first - n;
-        let v_3 = v_2 + second;
-        let v_4 = v_3 - v_2;
-        let v_5 = v_3 + third;
-        let v_6 = v_5 - v_3;
-        let v_7 = v_5 + 0.05858762081443536;
-        let v_8 = v_7 - v_5;
-        let s = v_7
-            + (-8.292190484251746e-19 + (v_2 - (v_3 - v_4) + (second - v_4))
-                + (v_3 - (v_5 - v_6) + (third - v_6))
-                + (v_5 - (v_7 - v_8) + (0.05858762081443536 - v_8)));
-        let v_9 = s * s;
-        let p = if 0.2500009536752261_f64 < v_9 { 0.2500009536752261_f64 } else { v_9 };
+        let s = first - n + second + 0.05858762081443536;
+        let v_2 = s * s;
+        let p = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
         let signed = f64::from_bits(
             (-0.21057259439027343_f64).to_bits() ^ (magic.to_bits() << 63),
         );
-        let v_10 = v_9 + 0.33113032579421997;
-        let d = -0.8899591565132141 - v_10 * v_10;
+        let v_3 = v_2 + 0.33113032579421997;
+        let d = -0.8899591565132141 - v_3 * v_3;
         signed / d * ((p - 19.550138987672103) * p + 4.825033021328307)
     }
-    /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared; NaN if t is not finite. 55 operations.
+    /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared; NaN if t is not finite. 31 operations.
     #[inline(always)]
     #[must_use]
     pub const fn acceleration(t: f64) -> f64 {
@@ -105,23 +94,12 @@ impl Pushed {
         let tail = t - head;
         let v = head * 0.8935671746730804;
         let first = v - (v + 5.404319552844595e16 - 5.404319552844595e16);
-        let second = tail * 0.8935671746730804 + head * 6.892897808086218e-9;
-        let third = tail * 6.892897808086218e-9 + t * -1.217444702784476e-16;
-        let magic = first + third + second + 0.05858762081443536 + 6755399441055744.0;
+        let second = t * 6.892897686341747e-9 + tail * 0.8935671746730804;
+        let magic = second + first + 0.05858762081443536 + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
-        let v_2 = first - n;
-        let v_3 = v_2 + second;
-        let v_4 = v_3 - v_2;
-        let v_5 = v_3 + third;
-        let v_6 = v_5 - v_3;
-        let v_7 = v_5 + 0.05858762081443536;
-        let v_8 = v_7 - v_5;
-        let s = v_7
-            + (-8.292190484251746e-19 + (v_2 - (v_3 - v_4) + (second - v_4))
-                + (v_3 - (v_5 - v_6) + (third - v_6))
-                + (v_5 - (v_7 - v_8) + (0.05858762081443536 - v_8)));
-        let v_9 = s * s;
-        let p = if 0.2500009536752261_f64 < v_9 { 0.2500009536752261_f64 } else { v_9 };
+        let s = first - n + second + 0.05858762081443536;
+        let v_2 = s * s;
+        let p = if 0.2500009536752261_f64 < v_2 { 0.2500009536752261_f64 } else { v_2 };
         let y = p - 0.375;
         let w = y * y;
         let result = ((-223.8944276347536 - 968.3907237723347 * y - 778.645022161528 * w)

@@ -488,10 +488,10 @@ fn expression() -> impl Copy {
         let tail = t - head;
         let v = head * 0.1644628345966339;
         let first = v - (v + 5.404319552844595e16 - 5.404319552844595e16);
-        let second = tail * 0.1644628345966339 + head * -8.564655651355224e-10;
-        let third = tail * -8.564655651355224e-10 + head * 4.710335330430138e-17;
-        let fourth = tail * 4.710335330430138e-17 + t * 9.387273175688693e-25;
-        let magic = first + third + second + 211106232532992.0;
+        let second = head * -8.564655651355224e-10 + tail * 0.1644628345966339;
+        let third = head * 4.710335330430138e-17 + tail * -8.564655651355224e-10;
+        let fourth = t * 9.387273175688693e-25 + tail * 4.710335330430138e-17;
+        let magic = third + second + first + 211106232532992.0;
         let n = magic - 211106232532992.0;
         let apart = first - n + second + third + fourth;
         let v_2 = if 0.015625953674316413_f64 < apart {

@@ -183,13 +183,16 @@ impl Sum {
         let mut reductions: Vec<Reduction> =
             reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         reductions.sort_by_key(Reduction::operations);
-        // If nothing is promised, the phase's error is to be beside the rounding.
+        // If nothing is promised, the phase's error is to be beside the rounding. Of a promise it had better not be most if
+        // it is met at the end of a long horizon only.
         let fine = |wanted: &Wanted, reduction: &Reduction| {
-            wanted.curve.size.phase_error(reduction) <= 8.0 * scene.float.unit() * wanted.curve.size.largest
+            let phase = wanted.curve.size.phase_error(reduction);
+            match scene.goal {
+                Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
+                _ => phase <= 8.0 * scene.float.unit() * wanted.curve.size.largest,
+            }
         };
-        if !matches!(scene.goal, Goal::Tolerance(_)) {
-            reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
-        }
+        reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
         reductions
     }
 

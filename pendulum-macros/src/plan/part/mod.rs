@@ -93,22 +93,23 @@ impl Aim {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        let doubt = if self.is_mostly_rounding(scene, &judged) { self.limit } else { 0.0 };
+        let doubt = if self.is_mostly_rounding(scene, &judged, reduction) { self.limit } else { 0.0 };
         let share = (judged.total() + self.beyond_bound(scene, reduction, bound.phase) + doubt) / self.limit;
         Ok(Part { output, description: kernel.describe(), kernel: kernel.clone(), bound: whole, unit, largest, share })
     }
 
     /// Whether rounding takes much of a tolerance and more of the bound than the rest does, as with coefficients that are
-    /// many times as large as what they add up to. Then it counts as more than the whole of its limit, which serves where
-    /// nothing else does.
-    fn is_mostly_rounding(&self, scene: &Scene, bound: &Bound) -> bool {
+    /// many times as large as what they add up to, or with times of which most of the digits are before the point. Then it
+    /// counts as more than the whole of its limit, which serves where nothing else does.
+    fn is_mostly_rounding(&self, scene: &Scene, bound: &Bound, reduction: &Reduction) -> bool {
         const MUCH: f64 = 0.125;
         const MOSTLY: f64 = 1.5;
         let Goal::Tolerance(tolerance) = scene.goal else { return false };
-        let rounding = bound.evaluation;
+        let of_phase = if reduction.is_rounded_late() { bound.phase } else { 0.0 };
+        let rounding = bound.evaluation + of_phase;
         tolerance >= close_from(scene.float)
             && rounding > MUCH * self.limit
-            && rounding > MOSTLY * (bound.truncation + bound.phase)
+            && rounding > MOSTLY * (bound.truncation + bound.phase - of_phase)
     }
 
     /// By how much more than its bound an error takes of the limit: less what is hardly ever met of the phase's, and what

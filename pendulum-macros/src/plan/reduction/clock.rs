@@ -51,7 +51,9 @@ impl<'a> Clock<'a> {
         let cody_waite = [(2, Anchor), (3, Anchor), (2, Lowest), (3, Lowest)];
         let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
         let last = match self.float {
-            Float::F64 => vec![self.any_time(3, Anchor), self.any_time(4, Anchor), self.any_time(4, Lowest)],
+            Float::F64 => [(2, Anchor), (3, Anchor), (4, Anchor), (4, Lowest)]
+                .map(|(words, origin)| self.any_time(words, origin))
+                .to_vec(),
             Float::F32 => {
                 let any_time = [self.wide_any_time(Anchor), self.wide_any_time(Lowest), self.fine_any_time()];
                 [self.wide(Anchor), self.wide(Lowest)].into_iter().flatten().chain(any_time).collect()
@@ -222,24 +224,27 @@ impl<'a> Clock<'a> {
         Some(Reduction { rounding: NARROWING, ..reduction })
     }
 
-    /// The first two products are exact (24 + 29 bits); the sum of the second and third, below 2²⁶, is rounded to 2⁻²⁸.
+    /// The first product is exact (24 + 29 bits), the second, below 2²⁶, is rounded, to 2⁻²⁸ at the end of the longest
+    /// horizon, and so is its sum with the first less n, of up to an anchor.
     fn wide_any_time(&self, origin: Origin) -> Reduction {
-        self.wide_words(origin, false, 2f64.powi(-27))
+        let words = split_down(self.rate, 29, 2, Float::F64);
+        let product = half_ulp(self.horizon() * words[1] * 1.001, Float::F64);
+        let error = self.horizon() * self.off(&words) + product + 2.0 * SUM;
+        self.wide_words(origin, words, error)
     }
 
-    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: n is taken from
-    /// the first product, which is exact, then the second is added, exactly or to 2⁻⁵⁴, and the third, below 2⁻³, to
-    /// 2⁻⁵⁴. What three words leave is below 2⁻⁵⁷.
+    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: of three words
+    /// the second product is exact, too, and the third below 2⁻³; what they leave is below 2⁻⁵⁷, and two sums are
+    /// rounded to 2⁻⁵⁴.
     fn fine_any_time(&self) -> Reduction {
-        self.wide_words(Origin::Lowest, true, 2f64.powi(-52))
+        self.wide_words(Origin::Lowest, split_down(self.rate, 29, 3, Float::F64), 2f64.powi(-52))
     }
 
-    fn wide_words(&self, origin: Origin, fine: bool, error: f64) -> Reduction {
-        let words = split_down(self.rate, 29, 3, Float::F64);
-        let method = Method::WideAnyTime { words: [words[0], words[1], words[2]], fine };
+    fn wide_words(&self, origin: Origin, words: Vec<f64>, error: f64) -> Reduction {
         // n is rounded from sums of up to 2²⁶ either way.
         let overshoot = 2f64.powi(-26);
-        let reduction = self.reduction(method, origin, self.narrowed(error, overshoot, origin), overshoot);
+        let errors = self.narrowed(error, overshoot, origin);
+        let reduction = self.reduction(Method::WideAnyTime { words }, origin, errors, overshoot);
         Reduction { rounding: NARROWING, ..reduction }
     }
 
@@ -273,19 +278,17 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// Three roundings of sums, relative to the result (one is that of [`Self::halfway`] or of the first sum, which is
-    /// exact where the last word's product matters), and that product: of three words, below 16 anchors at the end of
-    /// the longest horizon, it is rounded to 2⁻⁵⁰ there and so is its sum with another.
+    /// What the words leave, the roundings of the last part, and three of sums, relative to the result, of which one is
+    /// that of [`Self::halfway`] or of the first sum, which is exact where the last word's product matters.
     fn any_time(&self, count: usize, origin: Origin) -> Reduction {
         let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
-        let part = (self.horizon() * self.rate.to_f64() / UNLIMITED).min(1.0);
-        let last = if count == 3 { 2f64.powi(-49) * part } else { 2f64.powi(-72) };
-        let drift = self.horizon() * self.off(&words) + last;
-        // With another launch sums are done in two words: the last one and one with n are rounded. Of the others that with
-        // the last word's product is rounded from 2²¹ anchors on, the first no longer from 2²⁴ on: only between these
-        // all three are, and by so much only just beyond half an anchor.
+        let drift = self.horizon() * self.off(&words) + self.rounding_of_last_part(&words);
+        // With another launch sums of four parts are done in two words: the last one and one with n are rounded; of fewer
+        // all are, and the launch. Without, that with the last word's product is rounded from 2²¹ anchors on, the first no
+        // longer from 2²⁴ on: only between these all three are, and by so much only just beyond half an anchor.
         let seldom = if origin == Origin::Anchor && self.is_exact() && count == 4 { SUM } else { 0.0 };
-        let sums = 2.0 * SUM + seldom;
+        let added = if self.is_exact() || count == 4 { 2.0 } else { 5.0 };
+        let sums = added * SUM + seldom;
         let errors = match origin {
             Origin::Anchor => [drift + sums, 0.0],
             Origin::Lowest => [drift, 3.001 * Float::F64.unit()],
@@ -293,6 +296,14 @@ impl<'a> Clock<'a> {
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         let reduction = self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20));
         Reduction { rounding: if self.is_exact() { sums } else { 0.0 }, seldom, ..reduction }
+    }
+
+    /// The last part is the time times the last word and its tail, below 2⁻²⁶ of it, times the word before: the first
+    /// product is rounded, the other has few enough bits, and the sum is rounded.
+    fn rounding_of_last_part(&self, words: &[f64]) -> f64 {
+        let most = |word: usize| self.horizon() * words[words.len() - word].abs() * 1.001;
+        let (last, before) = (most(1), most(2));
+        half_ulp(last, Float::F64) + half_ulp(last + before * 2f64.powi(-26), Float::F64)
     }
 
     /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is

@@ -18,9 +18,9 @@ impl Reduction {
                 let wide = b.convert(t, Float::F64);
                 self.direct(b, wide, *rate)
             }
-            Method::WideAnyTime { words, fine } => {
+            Method::WideAnyTime { words } => {
                 let wide = b.convert(t, Float::F64);
-                self.wide_any_time(b, wide, words, *fine)
+                self.wide_any_time(b, wide, words)
             }
             Method::AnyTime { words } => self.any_time(b, t, words),
             Method::Time { .. } => self.unreduced(b, t),
@@ -60,7 +60,7 @@ impl Reduction {
     }
 
     /// The number of the origin nearest to t = 0.
-    fn first_number(&self) -> f64 {
+    pub(super) fn first_number(&self) -> f64 {
         self.whole_offset().hi.round_ties_even()
     }
 
@@ -127,19 +127,20 @@ impl Reduction {
         self.numbered(b, remainder, magic, count)
     }
 
-    fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64; 3], fine: bool) -> Phase {
-        let [first, second, third] = words.map(|word| {
+    /// The products of the time and the words, the first modulo 8: n is rounded from their sum, and they are added to −n
+    /// from the largest on.
+    fn wide_any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
+        let product = |&word: &f64| {
             let word = b.constant(word);
             b.mul(t, word)
-        });
-        let (first, eights) = self.modulo_eight(b, first);
-        let (others, last) = if fine { (b.add(first, third), second) } else { (first, b.add(second, third)) };
-        let sum = b.add(others, last);
+        };
+        let mut parts: Vec<Id> = words.iter().map(product).collect();
+        let (first, eights) = self.modulo_eight(b, parts[0]);
+        parts[0] = first;
+        let sum = sum_from_last(b, &parts);
         let (magic, n) = self.round(b, sum);
-        let (parts, last): (&[Id], _) = if fine { (&[first, second], third) } else { (&[first], last) };
-        let rest = self.less(b, parts, n);
+        let remainder = self.less(b, &parts, n);
         let count = b.add(eights, n);
-        let remainder = b.add(rest, last);
         self.numbered(b, remainder, magic, count)
     }
 
@@ -148,56 +149,52 @@ impl Reduction {
     /// hence exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below
     /// 2^(e−75). The first is taken modulo 8, exactly, and the sum of the first three rounded to n, up to 2³¹ and off
     /// by at most 2⁻²². The first less n is exact, and with the second a multiple of 2^(e−77) again of a few anchors:
-    /// so only the sums with the last two parts are rounded. With three words the third is all the rest, and its
-    /// product with t the last part.
+    /// so only the sums with the last two parts are rounded. With fewer words the last is all the rest, and its
+    /// product with t, rounded, a term of the last part.
     fn any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
+        const NAMES: [&str; 4] = ["first", "second", "third", "fourth"];
         let words: Vec<Id> = words.iter().map(|&word| b.constant(word * self.scale)).collect();
-        let (r1, r2, r3) = (words[0], words[1], words[2]);
         let head = b.push(Op::Head(t));
         b.name(head, "head");
         let tail = b.sub(t, head);
         b.name(tail, "tail");
-        let first = b.mul(head, r1);
+        let first = b.mul(head, words[0]);
         let (first, eights) = self.modulo_eight(b, first);
-        b.name(first, "first");
-        let second = cross(b, (head, r2), (tail, r1));
-        b.name(second, "second");
-        let third = cross(b, (if words.len() > 3 { head } else { t }, r3), (tail, r2));
-        b.name(third, "third");
-        let fourth = words.get(3).map(|&r4| {
-            let fourth = cross(b, (tail, r3), (t, r4));
-            b.name(fourth, "fourth")
-        });
-        // The first, which is there last, is added last.
-        let others = b.add(third, second);
-        let sum = b.add(others, first);
+        let mut parts = vec![b.name(first, NAMES[0])];
+        for index in 1..words.len() {
+            let with = if index + 1 < words.len() { head } else { t };
+            let part = cross(b, (with, words[index]), (tail, words[index - 1]));
+            parts.push(b.name(part, NAMES[index]));
+        }
+        let (leading, last) = parts.split_at(parts.len().min(3));
+        let sum = sum_from_last(b, leading);
         let (magic, n) = self.round(b, sum);
         let count = b.add(eights, n);
-        let remainder = self.sum_of_parts(b, n, [first, second, third], fourth);
+        let remainder = self.sum_of_parts(b, n, leading, last.first().copied());
         self.numbered(b, remainder, magic, count)
     }
 
-    /// The four parts and the offset, less n. Without a launch the offset is nought or a half, and each sum is rounded
-    /// relative to its result, if at all: the first if that is above a quarter, where then the last is nothing beside
-    /// it. With a launch the sums are done in two words; from the lowest point also that with n, beside which a first
-    /// part below a half may be the longer number (Dekker's sum, whose larger operand is n wherever it is rounded: by
-    /// up to 2⁻⁵⁴, which from an anchor is part of the error).
-    fn sum_of_parts(&self, b: &mut Builder, n: Id, [first, second, third]: [Id; 3], fourth: Option<Id>) -> Id {
+    /// The parts, up to three and another, and the offset, less n. Without a launch the offset is nought or a half, and
+    /// each sum is rounded relative to its result, if at all: the first if that is above a quarter, where then the last is
+    /// nothing beside it. With a launch the sums of four parts are done in two words; from the lowest point also that with
+    /// n, beside which a first part below a half may be the longer number (Dekker's sum, whose larger operand is n wherever
+    /// it is rounded: by up to 2⁻⁵⁴, which from an anchor is part of the error). Fewer are wrong by more than their sums.
+    fn sum_of_parts(&self, b: &mut Builder, n: Id, leading: &[Id], last: Option<Id>) -> Id {
         let offset = self.offset();
+        let Some(last) = last else { return self.less(b, leading, n) };
         if is_half(offset) {
-            let sum = self.less(b, &[first, second, third], n);
-            return fourth.map_or(sum, |fourth| b.add(sum, fourth));
+            let sum = self.less(b, leading, n);
+            return b.add(sum, last);
         }
         let offset = offset * self.scale;
         let (head, low) = (b.constant(offset.hi), b.constant(offset.lo));
-        let low = fourth.map_or(low, |fourth| b.add(fourth, low));
-        let (mut sum, mut lost) = (b.sub(first, n), low);
+        let (mut sum, mut lost) = (b.sub(leading[0], n), b.add(last, low));
         if self.origin == Origin::Lowest {
             let taken = b.add(sum, n);
-            let error = b.sub(first, taken);
+            let error = b.sub(leading[0], taken);
             lost = b.add(lost, error);
         }
-        for part in [second, third, head] {
+        for &part in leading[1..].iter().chain([&head]) {
             let (next, error) = b.two_sum(sum, part);
             (sum, lost) = (next, b.add(lost, error));
         }
@@ -257,6 +254,11 @@ impl Reduction {
         let low = b.add(low, third);
         Phase { remainder: b.add(sum, low), magic: t, count: t }
     }
+}
+
+/// The sum of parts of which the first is there last.
+fn sum_from_last(b: &mut Builder, parts: &[Id]) -> Id {
+    parts.iter().copied().rev().reduce(|sum, part| b.add(sum, part)).expect("a part")
 }
 
 /// a·b + c·d.

@@ -85,10 +85,9 @@ pub(crate) enum Method {
     CodyWaite { rate: f64, words: Vec<f64> },
     /// An `f32` time, R in one `f64` word.
     Wide { rate: f64 },
-    /// An `f32` time, R in three `f64` words whose first two products are exact; `fine` if they are added to −n one by
-    /// one.
-    WideAnyTime { words: [f64; 3], fine: bool },
-    /// An `f64` time, R in three or four words; all products that matter but the last are exact.
+    /// An `f32` time, R in two or three `f64` words; all products but the last are exact.
+    WideAnyTime { words: Vec<f64> },
+    /// An `f64` time, R in two to four words; all products that matter but the last are exact.
     AnyTime { words: Vec<f64> },
     /// s = t: the horizon is less than an arc, whether the motion over it is symmetric or not.
     Time { lopsided: bool },
@@ -204,6 +203,11 @@ impl Reduction {
         }
     }
 
+    /// Whether its error is that of a rounding which goes with the time, and is next to nothing for most of a long horizon.
+    pub(crate) fn is_rounded_late(&self) -> bool {
+        matches!(&self.method, Method::AnyTime { words } if words.len() == 2)
+    }
+
     /// Whether there is nothing to reduce.
     pub(crate) fn is_time(&self) -> bool {
         matches!(self.method, Method::Time { .. })
@@ -260,11 +264,8 @@ impl Reduction {
             Method::Scaled { .. } => "one product with the rate, in a unit that suits both".to_owned(),
             Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
             Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
-            Method::WideAnyTime { fine: false, .. } => {
-                "exact products with the rate in three words of `f64`".to_owned()
-            }
-            Method::WideAnyTime { fine: true, .. } => {
-                "exact products, from the largest on, with the rate in three words of `f64`".to_owned()
+            Method::WideAnyTime { words } => {
+                format!("exact products with the rate in {} words of `f64`", words.len())
             }
             Method::AnyTime { words } => format!("exact products with the rate in {} words", words.len()),
             Method::Time { .. } => "the time itself, which the horizon keeps short".to_owned(),

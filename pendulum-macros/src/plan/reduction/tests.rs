@@ -57,8 +57,10 @@ impl Trial {
             let modulus = 2 * self.reduction.pieces as i64;
             assert_eq!((bits as i64 - residue) % modulus, 0, "{count}: {}", about());
             let off = (number - real(count)).abs().to_f64();
+            // The multiple of 8 and the rest, and where numbers don't begin with 0 the first besides.
+            let sums = if self.reduction.first_number() == 0.0 { 1.0 } else { 2.0 };
             let rounded = (count.abs() * self.reduction.pieces * 2f64.powi(-53)).floor() / self.reduction.pieces;
-            assert!(off <= rounded, "{count}: {}", about());
+            assert!(off <= sums * rounded, "{off}, {count}: {}", about());
         }
         self.worst = self.worst.max(error / promised);
     }
@@ -99,7 +101,10 @@ impl ToReal for Double {
 
 impl Method {
     pub(super) fn name(&self) -> String {
-        let words = if let Self::CodyWaite { words, .. } | Self::AnyTime { words } = self { words.len() } else { 0 };
+        let words = match self {
+            Self::CodyWaite { words, .. } | Self::AnyTime { words } | Self::WideAnyTime { words } => words.len(),
+            _ => 0,
+        };
         let name = format!("{self:?}");
         format!("{} {words}", name.split(' ').next().unwrap_or_default())
     }
@@ -140,7 +145,7 @@ fn errors_are_those_promised() {
                 assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
                 let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
                 let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
-                trial.run(&mut random, 20);
+                trial.run(&mut random, 40);
                 let worst = worst.entry(key).or_default();
                 *worst = worst.max(trial.worst);
             }
@@ -148,14 +153,12 @@ fn errors_are_those_promised() {
     }
     assert!(in_pieces > 120, "{in_pieces}");
     // Every way from every launch, but for the one that is only for none.
-    assert_eq!(worst.len(), 17 * 4 + 2, "{worst:?}");
+    assert_eq!(worst.len(), 19 * 4 + 2, "{worst:?}");
     for (way, worst) in worst {
-        // Of any time, sums of several parts are rarely all at their worst, nor are three differences from half-way
-        // between two origins; of three words the drift depends on the rate.
+        // Sums of several parts are rarely all at their worst, nor are three differences.
         let least = match way.0.as_str() {
-            "AnyTime 3" => 0.02,
-            "AnyTime 4" => 0.2,
-            "CodyWaite 3" if way.3 == if way.1 { "0" } else { "0.5" } => 0.3,
+            "AnyTime 2" | "AnyTime 3" | "AnyTime 4" => 0.2,
+            "CodyWaite 3" => 0.3,
             _ => 0.35,
         };
         assert!(worst > least, "{way:?}: of its error only {worst} was seen");

@@ -180,7 +180,7 @@ fn small_angles_of_rotations() {
 fn outputs_by_different_ways() {
     for (text, ways) in [
         ("velocity0 = 2.0000002, outputs = [velocity, position]", ["polynomial", "passage"]),
-        ("velocity0 = 2.000001, outputs = [acceleration, theta], float = f32", ["polynomial", "passage"]),
+        ("velocity0 = 2.0000001, outputs = [acceleration, theta], float = f32", ["polynomial", "passage"]),
         ("theta0 = π - 1e-5, outputs = [velocity, position], tol = 5e-15", ["polynomial", "passage"]),
     ] {
         let (scene, prospects) = prospects(text);
