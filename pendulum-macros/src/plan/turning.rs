@@ -26,6 +26,9 @@ pub(crate) struct Turning {
     pub(crate) turns: f64,
 }
 
+/// Below this, 2⁵², the number of turns is exact, halves of them included.
+const EXACT_TURNS: f64 = 4_503_599_627_370_496.0;
+
 impl Turning {
     pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
         let angle = self.angle.lower(b, variables, name)[0];
@@ -97,9 +100,8 @@ impl Turning {
         // the first word of 2π, and the last sum. At last the conversion to `f32`; in `f64`, which needs none, as much is
         // more than the product with the second word and its sum are rounded by.
         let largest = 7.0 * (self.turns + 1.0);
-        // More turns than this are a rounded sum of a multiple of 8, the others, and the first number.
-        const EXACT: f64 = 4_503_599_627_370_496.0;
-        let counted = if self.turns < EXACT { 0.0 } else { 14.0 * half_ulp(self.turns + 1.0, Float::F64) };
+        // So many are a rounded sum of a multiple of 8, the others, and the first number.
+        let counted = if self.turns < EXACT_TURNS { 0.0 } else { 14.0 * half_ulp(self.turns + 1.0, Float::F64) };
         let sums = 5.0 * half_ulp(6.3, float) + 2.0 * half_ulp(largest, Float::F64) + counted;
         sums + half_ulp(largest, float)
     }
