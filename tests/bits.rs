@@ -118,6 +118,8 @@ fn generated() -> String {
         f64 position { theta0 = 7π/8 }
         f32 acceleration { theta0 = 0.9π }
         f32 theta { theta0 = 0.999999π }
+        f64 theta { theta0 = 7π/8, tol = 1e-3 }
+        f64 velocity { theta0 = 1, velocity0 = 1, tol = 1e-9 }
     }
 }
 

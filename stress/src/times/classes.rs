@@ -174,9 +174,12 @@ fn swings(all: &mut Vec<Class>) {
     plan!(all: "any time", [(7π/8) 0 1]; theta velocity acceleration position);
     plan!(all: "any time", [(1π/3) 0 3]; theta velocity);
     plan!(all: "tol 1e-12, any time", [(1/10) 0 1] tol 1e-12; theta);
+    plan!(all: "tol 1e-5, any time", [(7π/8) 0 1] tol 1e-5; theta velocity);
     plan!(all: "any time", [(1e-9) 0 1]; theta velocity);
     plan!(all: "launched, any time", [1 1 1]; theta velocity position);
     plan!(all: "launched, any time", [(0.3) 2 (1.25)]; theta);
+    plan!(all: "launched, tol 1e-6, any time", [1 1 3] tol 1e-6; theta velocity);
+    plan!(all: "launched, tol 1e-9, any time", [2 (-0.4) 1] tol 1e-9; theta position);
 }
 
 /// Less than half a swing, or than a turn, whose phase is the time itself.

@@ -41,8 +41,9 @@ impl Approximations {
         let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
         let (lenient, drafts) = (Memo::default(), Memo::default());
         let without_poles = Self { plain: over(None), divided: Rc::new([]), by_two: Rc::new([]), lenient, drafts };
-        // The first is the cheapest.
-        let reduction = reductions.iter().find(|reduction| aim.left(reduction) > 0.0);
+        // The first is the cheapest; but one that is rounded late hardly serves where it takes much.
+        let least = |reduction: &Reduction| if reduction.is_rounded_late() { 0.9 * aim.limit } else { 0.0 };
+        let reduction = reductions.iter().find(|reduction| aim.left(reduction) > least(reduction));
         let poles = reduction.and_then(|reduction| {
             let (plain, left) = (without_poles.choose(aim, Poles::Absent, reduction), aim.left(reduction));
             let first = aim.poles(&plain, left, reduction.float)?;
