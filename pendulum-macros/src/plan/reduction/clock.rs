@@ -51,9 +51,14 @@ impl<'a> Clock<'a> {
         let cody_waite = [(2, Anchor), (3, Anchor), (2, Lowest), (3, Lowest)];
         let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
         let last = match self.float {
-            Float::F64 => [(2, Anchor), (3, Anchor), (4, Anchor), (4, Lowest)]
-                .map(|(words, origin)| self.any_time(words, origin))
-                .to_vec(),
+            Float::F64 => {
+                let launched = !self.is_exact();
+                let mut ways = vec![(2, Anchor, false), (3, Anchor, false), (4, Anchor, false), (4, Lowest, launched)];
+                ways.extend(launched.then_some((4, Anchor, true)));
+                ways.into_iter()
+                    .map(|(words, origin, doubled)| self.any_time(words, origin, doubled))
+                    .collect::<Vec<_>>()
+            }
             Float::F32 => {
                 let any_time = [self.wide_any_time(Anchor), self.wide_any_time(Lowest), self.fine_any_time()];
                 [self.wide(Anchor), self.wide(Lowest)].into_iter().flatten().chain(any_time).collect()
@@ -278,24 +283,33 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// What the words leave, the roundings of the last part, and three of sums, relative to the result, of which one is
-    /// that of [`Self::halfway`] or of the first sum, which is exact where the last word's product matters.
-    fn any_time(&self, count: usize, origin: Origin) -> Reduction {
+    /// What the words leave, the roundings of the last part, and those of sums, relative to the result.
+    fn any_time(&self, count: usize, origin: Origin, doubled: bool) -> Reduction {
         let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
         let drift = self.horizon() * self.off(&words) + self.rounding_of_last_part(&words);
-        // With another launch sums of four parts are done in two words: the last one and one with n are rounded; of fewer
-        // all are, and the launch. Without, that with the last word's product is rounded from 2²¹ anchors on, the first no
-        // longer from 2²⁴ on: only between these all three are, and by so much only just beyond half an anchor.
-        let seldom = if origin == Origin::Anchor && self.is_exact() && count == 4 { SUM } else { 0.0 };
-        let added = if self.is_exact() || count == 4 { 2.0 } else { 5.0 };
-        let sums = added * SUM + seldom;
-        let errors = match origin {
-            Origin::Anchor => [drift + sums, 0.0],
-            Origin::Lowest => [drift, 3.001 * Float::F64.unit()],
-        };
+        let method = Method::AnyTime { words, doubled };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
-        let reduction = self.reduction(Method::AnyTime { words }, origin, errors, 2f64.powi(-20));
-        Reduction { rounding: if self.is_exact() { sums } else { 0.0 }, seldom, ..reduction }
+        let overshoot = 2f64.powi(-20);
+        if origin == Origin::Lowest {
+            return self.reduction(method, origin, [drift, 3.001 * Float::F64.unit()], overshoot);
+        }
+        let [sums, seldom] = self.rounding_of_sums(count, doubled);
+        let relative = self.is_exact() || count == 4 && !doubled;
+        let rounding = if relative { sums } else { 0.0 };
+        Reduction { rounding, seldom, ..self.reduction(method, origin, [drift + sums, 0.0], overshoot) }
+    }
+
+    /// What sums are rounded by, and what of that is met only just beyond half an anchor, where results are rounded twice as
+    /// much: of four words half. Of three sums one is that of [`Self::halfway`], or the first, which is exact where the last
+    /// word's product matters; of four with a launch one is that with the launch for times of a few anchors only. Fewer
+    /// words are wrong by more, and there all counts; in two words the last sum is rounded, and one with n.
+    fn rounding_of_sums(&self, count: usize, doubled: bool) -> [f64; 2] {
+        match (count, self.is_exact()) {
+            (4, false) if !doubled => [4.0 * SUM + 2f64.powi(-75), 2.0 * SUM],
+            (4, true) => [3.0 * SUM, SUM],
+            (2 | 3, false) => [5.0 * SUM, 0.0],
+            _ => [2.0 * SUM, 0.0],
+        }
     }
 
     /// The last part is the time times the last word and its tail, below 2⁻²⁶ of it, times the word before: the first

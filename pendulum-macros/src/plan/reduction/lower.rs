@@ -22,7 +22,7 @@ impl Reduction {
                 let wide = b.convert(t, Float::F64);
                 self.wide_any_time(b, wide, words)
             }
-            Method::AnyTime { words } => self.any_time(b, t, words),
+            Method::AnyTime { words, doubled } => self.any_time(b, t, words, *doubled),
             Method::Time { .. } => self.unreduced(b, t),
             Method::Linear { words, .. } => {
                 let wide = b.convert(t, Float::F64);
@@ -149,9 +149,10 @@ impl Reduction {
     /// hence exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below
     /// 2^(e−75). The first is taken modulo 8, exactly, and the sum of the first three rounded to n, up to 2³¹ and off
     /// by at most 2⁻²². The first less n is exact, and with the second a multiple of 2^(e−77) again of a few anchors:
-    /// so only the sums with the last two parts are rounded. With fewer words the last is all the rest, and its
-    /// product with t, rounded, a term of the last part.
-    fn any_time(&self, b: &mut Builder, t: Id, words: &[f64]) -> Phase {
+    /// so only the sums with the last two parts are rounded. Without a launch each sum is rounded relative to its result,
+    /// if at all: the first if that is above a quarter, where then the last is nothing beside it. With fewer words the last
+    /// is all the rest, and its product with t, rounded, a term of the last part.
+    fn any_time(&self, b: &mut Builder, t: Id, words: &[f64], doubled: bool) -> Phase {
         const NAMES: [&str; 4] = ["first", "second", "third", "fourth"];
         let words: Vec<Id> = words.iter().map(|&word| b.constant(word * self.scale)).collect();
         let head = b.push(Op::Head(t));
@@ -170,23 +171,38 @@ impl Reduction {
         let sum = sum_from_last(b, leading);
         let (magic, n) = self.round(b, sum);
         let count = b.add(eights, n);
-        let remainder = self.sum_of_parts(b, n, leading, last.first().copied());
+        let remainder = match last {
+            // Fewer than four parts are wrong by more than their sums.
+            [] => self.less(b, leading, n),
+            &[last, ..] if is_half(self.offset()) => {
+                let sum = self.less(b, leading, n);
+                b.add(sum, last)
+            }
+            &[last, ..] if doubled => self.launched_in_two_words(b, n, leading, last),
+            &[last, ..] => self.launched(b, n, leading, last),
+        };
         self.numbered(b, remainder, magic, count)
     }
 
-    /// The parts, up to three and another, and the offset, less n. Without a launch the offset is nought or a half, and
-    /// each sum is rounded relative to its result, if at all: the first if that is above a quarter, where then the last is
-    /// nothing beside it. With a launch the sums of four parts are done in two words; from the lowest point also that with
-    /// n, beside which a first part below a half may be the longer number (Dekker's sum, whose larger operand is n wherever
-    /// it is rounded: by up to 2⁻⁵⁴, which from an anchor is part of the error). Fewer are wrong by more than their sums.
-    fn sum_of_parts(&self, b: &mut Builder, n: Id, leading: &[Id], last: Option<Id>) -> Id {
+    /// The parts and the offset, less n. Of the offset a multiple of 2⁻²³ is added to −n and the first part, without
+    /// rounding but for times of a few anchors, and what is left, below 2⁻²⁴, to the last part. Each sum is rounded relative
+    /// to its result.
+    fn launched(&self, b: &mut Builder, n: Id, leading: &[Id], last: Id) -> Id {
+        const PARTS: f64 = 8_388_608.0;
         let offset = self.offset();
-        let Some(last) = last else { return self.less(b, leading, n) };
-        if is_half(offset) {
-            let sum = self.less(b, leading, n);
-            return b.add(sum, last);
-        }
-        let offset = offset * self.scale;
+        let coarse = (offset.hi * PARTS).round_ties_even() / PARTS;
+        let fine = (offset - Double::new(coarse)).hi;
+        let [coarse, fine] = [coarse, fine].map(|part| b.constant(part * self.scale));
+        let (start, last) = (b.sub(coarse, n), b.add(last, fine));
+        let sum = leading.iter().fold(start, |sum, &part| b.add(sum, part));
+        b.add(sum, last)
+    }
+
+    /// The same with sums in two words; from the lowest point also that with n, beside which a first part below a half may
+    /// be the longer number (Dekker's sum, whose larger operand is n wherever it is rounded: by up to 2⁻⁵⁴, which from an
+    /// anchor is part of the error).
+    fn launched_in_two_words(&self, b: &mut Builder, n: Id, leading: &[Id], last: Id) -> Id {
+        let offset = self.offset() * self.scale;
         let (head, low) = (b.constant(offset.hi), b.constant(offset.lo));
         let (mut sum, mut lost) = (b.sub(leading[0], n), b.add(last, low));
         if self.origin == Origin::Lowest {

@@ -87,8 +87,9 @@ pub(crate) enum Method {
     Wide { rate: f64 },
     /// An `f32` time, R in two or three `f64` words; all products but the last are exact.
     WideAnyTime { words: Vec<f64> },
-    /// An `f64` time, R in two to four words; all products that matter but the last are exact.
-    AnyTime { words: Vec<f64> },
+    /// An `f64` time, R in two to four words; all products that matter but the last are exact. `doubled` if sums with a launch
+    /// are done in two words.
+    AnyTime { words: Vec<f64>, doubled: bool },
     /// s = t: the horizon is less than an arc, whether the motion over it is symmetric or not.
     Time { lopsided: bool },
     /// z = t·R + launch, |z| ≤ `half`, never reduced: the separatrix has one lowest point. R in three words where there is
@@ -189,7 +190,9 @@ impl Reduction {
     pub(crate) fn has_pieces(&self) -> bool {
         let subtracts = match self.method {
             Method::OneWord { .. } => self.float == Float::F64,
-            Method::AnyTime { .. } | Method::Wide { .. } | Method::WideAnyTime { .. } => true,
+            // Sums in two words gain nothing beside the others, of which the rounding falls with the remainder.
+            Method::AnyTime { doubled, .. } => !doubled,
+            Method::Wide { .. } | Method::WideAnyTime { .. } => true,
             _ => false,
         };
         subtracts && self.origin == Origin::Anchor
@@ -205,7 +208,7 @@ impl Reduction {
 
     /// Whether its error is that of a rounding which goes with the time, and is next to nothing for most of a long horizon.
     pub(crate) fn is_rounded_late(&self) -> bool {
-        matches!(&self.method, Method::AnyTime { words } if words.len() == 2)
+        matches!(&self.method, Method::AnyTime { words, .. } if words.len() == 2)
     }
 
     /// Whether there is nothing to reduce.
@@ -267,7 +270,10 @@ impl Reduction {
             Method::WideAnyTime { words } => {
                 format!("exact products with the rate in {} words of `f64`", words.len())
             }
-            Method::AnyTime { words } => format!("exact products with the rate in {} words", words.len()),
+            Method::AnyTime { words, doubled } => {
+                let sums = if *doubled { ", sums in two words" } else { "" };
+                format!("exact products with the rate in {} words{sums}", words.len())
+            }
             Method::Time { .. } => "the time itself, which the horizon keeps short".to_owned(),
             Method::Linear { .. } => "the time itself".to_owned(),
         };
