@@ -163,9 +163,10 @@ fn margins() {
     let setting = |name: &str, default| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
     let mut random = Random::new(setting("PENDULA_FUZZ_SEED", 2));
     for index in 0..setting("PENDULA_SCENES", 600) {
-        let start = match index % 3 {
+        let start = match index % 4 {
             0 => format!("theta0 = {:.4}", 0.02 + 1.5 * random.unit()),
             1 => format!("theta0 = {:.4}", 0.3 + 2.8 * random.unit()),
+            2 => format!("theta0 = {:.4}, velocity0 = {:.4}", 1.4 * random.unit(), 0.02 + 1.2 * random.unit()),
             _ => format!("velocity0 = {:.4}", 0.02 + 1.9 * random.unit()),
         };
         let [output, float, horizon] = [
