@@ -115,7 +115,7 @@ struct Readme;
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing; θ and θ̇ only | from 1 to what `float` can use | |
 /// | `tol` | largest error allowed, rounding included: rad for θ, wrapped or not, rad·ω for θ̇, rad·ω² for θ̈, lengths for the position; not with `n` | > 0, within reach of `float` | full precision, below |
 /// | `t_max` | the promise holds for \|t\| ≤ `t_max`; a shorter horizon is a cheaper reduction of the phase, and less than a quarter of a period none at all | > 0, up to 2⁵³ periods | 2⁵³ periods |
-/// | `method` | `small_angle` (Eq. 3; its phase drifts, so give `t_max`), `harmonic` (Eq. 17), `fourier` (Eq. 22; with `n` or `tol`), `series` (the Fourier series of θ itself), `polynomial` (in pieces where one can't serve) | any for a swing (of θ and θ̇; `polynomial` of everything), `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
+/// | `method` | `small_angle` (Eq. 3; its phase drifts, so give `t_max`), `harmonic` (Eq. 17), `fourier` (Eq. 22; with `n` or `tol`), `series` (the Fourier series of θ itself; its sum in pieces where a recurrence would be rounded by too much), `polynomial` (in pieces where one can't serve) | any for a swing (of θ and θ̇; `polynomial` of everything), `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
 /// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
 ///

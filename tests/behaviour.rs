@@ -40,6 +40,7 @@ fn time_and_amplitude_mirror_to_the_bit() {
         f64 3 (-3) within 1.0: tol = 1e-6, t_max = 0.01;
         f32 1 (-1) within 1.0: tol = 1e-3, t_max = 1;
         f64 1 (-1) within 9e15: tol = 1e-3, method = series;
+        f64 (0.999π) (-0.999π) within 9e15: method = series;
         f64 0.1 (-0.1) within 9e15: tol = 1e-2, method = harmonic;
         f32 (7π/8) (-7π/8) within 9e15:;
         f32 2 (-2) within 10.0: tol = 1e-4, t_max = 100;

@@ -109,6 +109,7 @@ fn generated() -> String {
         f64 acceleration { velocity0 = 2.0001 }
         f32 theta { theta0 = 0.93π, n = 4 }
         f64 theta { theta0 = 0.95π, tol = 1e-3, method = series }
+        f64 velocity { theta0 = 0.95π, method = series }
         f64 theta { theta0 = 1, tol = 0.5, method = harmonic }
         f32 theta { theta0 = 7π/8 }
         f32 velocity { theta0 = 7π/8, tol = 1e-4, t_max = 100 }

@@ -72,6 +72,20 @@ fn forced_polynomials_near_the_top() {
     judge(&f32, wrong(&F32));
 }
 
+/// By the recurrence or, where that is rounded by too much, in pieces.
+#[test]
+fn forced_series() {
+    let f64 = findings!(600; [
+        [1e-9 0 1] [0.1 0 1] [1 0 1] [(7π/8) 0 1] [(0.99π) 0 1] [(1π-1e-6) 0 1] [(1π-1e-9) 0 1] [1 1 1]
+    ] [
+        {; f64; theta; method = series}
+        {; f64; theta velocity; method = series}
+    ]);
+    judge(&f64, wrong(&F64));
+    let f32 = findings!(600; [[1 0 1] [(0.999π) 0 1] [(1π-1e-9) 0 1]] [{; f32; theta velocity; method = series}]);
+    judge(&f32, wrong(&F32));
+}
+
 #[test]
 fn f64_launched_in_mid_swing() {
     let launched = findings!(600; [

@@ -222,6 +222,12 @@ impl Wave {
         Self { parity, linear, constant, terms: kept, omitted, first_omitted, envelope }
     }
 
+    /// The sum of its first terms, nothing omitted.
+    pub(crate) fn first(mut self, terms: usize) -> Self {
+        self.terms.truncate(terms);
+        Self { omitted: 0.0, ..self }
+    }
+
     /// Stands for another, from which it strays by at most that for real s.
     pub(crate) fn stray(&mut self, by: f64) {
         self.omitted += by;

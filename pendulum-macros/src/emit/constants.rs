@@ -75,7 +75,7 @@ impl Writer {
         let method = plan.method;
         self.tokens
             .extend(quote!(#[doc = " How the motion is approximated."] pub const METHOD: &'static str = #method;));
-        self.count("TERMS", plan.terms(), "The number of terms of the approximation.");
+        self.count("TERMS", plan.terms, "The number of terms of the approximation.");
         self.count("OPERATIONS", plan.operations(), "Operations of one call of the first function.");
         if !plan.coefficients.is_empty() {
             self.coefficients(&plan.coefficients);

@@ -129,6 +129,11 @@ impl Curve {
         Self { wave: self.wave.negated(), ..self }
     }
 
+    /// The sum of the first terms of its series.
+    pub(crate) fn first(self, terms: usize) -> Self {
+        Self { wave: self.wave.first(terms), pulses: None, rises: false, ..self }
+    }
+
     /// What the series' omitted terms can change, and what it strays by.
     pub(crate) fn omitted(&self) -> f64 {
         self.wave.omitted()

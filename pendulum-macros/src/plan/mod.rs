@@ -48,6 +48,8 @@ pub(crate) struct Plan {
     pub(crate) reduction: Reduction,
     pub(crate) parts: Vec<Part>,
     pub(crate) functions: Vec<Function>,
+    /// Harmonics of a sum, or terms of the first output's polynomial.
+    pub(crate) terms: usize,
     /// The b₂ₙ₋₁ of a plan with the paper's formula, else empty.
     pub(crate) coefficients: Vec<Real>,
     /// The alternatives and why each lost.
@@ -243,14 +245,6 @@ impl Plan {
     /// Operations of the first function.
     pub(crate) fn operations(&self) -> usize {
         self.functions.first().map_or(0, |function| function.program.operations())
-    }
-
-    /// Terms of the paper's sum, or of the first output.
-    pub(crate) fn terms(&self) -> usize {
-        match self.coefficients.len() {
-            0 => self.parts.first().map_or(0, |part| part.kernel.terms()),
-            terms => terms,
-        }
     }
 }
 

@@ -171,6 +171,29 @@ fn sums_of_harmonics() {
     assert!(curve.alternates && curve.omitted() == 0.0);
 }
 
+/// The sum of the first terms of a series differs from it by about the next, and is bounded by no more in its strip.
+#[test]
+fn first_terms() {
+    for theta0 in ["1", "7π/8", "π - 1e-9"] {
+        let scene = scene(&format!("theta0 = {theta0}"));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        for whole in [curves.angle(), curves.velocity()] {
+            let first = whole.clone().first(4);
+            let [.., fourth, fifth] = &whole.terms()[..5] else { panic!("more terms") };
+            assert_eq!((first.terms().last(), first.omitted(), first.omitted_slope()), (Some(fourth), 0.0, 0.0));
+            // About an anchor cosines are all there is; half-way all sines are.
+            let s = Double::new(if whole.parity() == Parity::Even { 0.0 } else { 0.5 });
+            let apart = (whole.at(s) - first.at(s)).hi.abs() / fifth.1.hi.abs();
+            // The next ones are each smaller by the nome, but for 1 + q²ⁿ⁻¹, and of the velocity they add up.
+            let most = 2.0 / (1.0 - swing.elliptic.nome.to_f64());
+            assert!((0.5..most).contains(&apart), "{theta0}: {apart}");
+            let height = 0.9 * whole.strip();
+            assert!(first.strip() == whole.strip() && first.bound(height) < whole.bound(height), "{theta0}");
+        }
+    }
+}
+
 /// What a series leaves out of the derivative is about what it leaves out times the first m·π left out, and the terms
 /// that follow.
 #[test]

@@ -2,6 +2,7 @@
 
 mod parts;
 mod pieces;
+mod series;
 mod whole;
 
 use super::aim::FULL;
@@ -23,8 +24,14 @@ use pendulum_runtime::double::Double;
 /// second.
 const MOST_CHOSEN: usize = 128;
 
+/// The same where the sum is taken in pieces: what it leaves out is known of no longer ones.
+const MOST_IN_PIECES: usize = 400;
+
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
+    if let Some(&output) = scene.outputs.iter().find(|output| !matches!(output, Output::Theta | Output::Velocity)) {
+        return Err(Refusal::Output { method, output });
+    }
     let mut reached = f64::INFINITY;
     let fewest = if method == Method::Fourier { fewest(scene, swing) } else { 1 };
     // The terms are chosen for θ; its derivative may need some more, as long as these help.
@@ -34,19 +41,19 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
             Method::Series => Sum::series(scene, swing, more),
             _ => Sum::of_one(scene, swing, method),
         };
-        if sum.weights.len() >= MOST_CHOSEN && !matches!(scene.goal, Goal::Terms(_)) {
+        let given = matches!(scene.goal, Goal::Terms(_));
+        let most = if method == Method::Series { MOST_IN_PIECES } else { MOST_CHOSEN };
+        if sum.weights.len() >= most && !given {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
         }
-        match sum.plan(scene, swing) {
-            Err(Refusal::Unreachable { best }) if matches!(method, Method::Fourier | Method::Series) => {
-                if best > reached * 0.9 || best.is_infinite() && more > 2 {
-                    break;
-                }
-                reached = best;
-            }
-            other => return other,
-        }
-        if matches!(scene.goal, Goal::Terms(_)) {
+        let wanted = sum.wanted(scene, swing);
+        let planned = sum.plan(scene, swing, &wanted);
+        let Err(Refusal::Unreachable { best }) = planned else { return planned };
+        let helped = best < reached * 0.9 || best.is_infinite() && more <= 2;
+        // Where what is left out counts, more help, if slowly.
+        let counts = wanted.iter().any(|wanted| wanted.bias > 0.1 * sum.promise(scene, &wanted.curve));
+        reached = reached.min(best);
+        if given || !matches!(method, Method::Fourier | Method::Series) || !helped && !counts {
             break;
         }
     }
@@ -105,12 +112,12 @@ impl Sum {
             Self::of_weights(Method::Series, swing.rate(), weights)
         };
         let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
-        if fewest >= MOST_CHOSEN {
-            return first(MOST_CHOSEN);
+        if fewest >= MOST_IN_PIECES {
+            return first(MOST_IN_PIECES);
         }
         let serves = |&kept: &usize| first(kept).approximate(&theta, scene, swing).angle() <= aim;
         let kept = (fewest..=terms.len()).find(serves).unwrap_or(terms.len());
-        first((kept + more).min(MOST_CHOSEN).min(terms.len()))
+        first((kept + more).min(MOST_IN_PIECES).min(terms.len()))
     }
 
     /// What of our phase a short horizon meets.
@@ -162,45 +169,53 @@ fn is_useful(part: &Part, scene: &Scene) -> bool {
 
 impl Sum {
     /// The cheapest reduction with which the promise is kept, or, if nothing is promised, whose error is beside the
-    /// rounding of the rest.
-    fn plan(&self, scene: &Scene, swing: &Swing) -> Result<Plan, Refusal> {
-        if let Some(&output) = scene.outputs.iter().find(|output| !matches!(output, Output::Theta | Output::Velocity)) {
-            return Err(Refusal::Output { method: self.method, output });
-        }
-        let wanted = self.wanted(scene, swing);
+    /// rounding of the rest. Where the recurrence doesn't keep it, the series does in pieces.
+    fn plan(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Result<Plan, Refusal> {
         // Where the sum itself is too far from the motion no reduction helps.
-        if wanted.iter().any(|wanted| wanted.bias > self.promise(scene, &wanted.curve)) {
+        if wanted.iter().any(|wanted| self.left(scene, wanted) <= 0.0) {
             let best = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
             return Err(Refusal::Unreachable { best });
         }
-        self.cheapest(scene, swing, &wanted)
+        if self.method != Method::Series {
+            return self.cheapest(scene, swing, wanted);
+        }
+        let long = self.weights.len() >= MOST_CHOSEN;
+        let too_long = Err(Refusal::Unreachable { best: f64::INFINITY });
+        let summed = if long { too_long } else { self.cheapest(scene, swing, wanted) };
+        let Err(Refusal::Unreachable { best }) = summed else { return summed };
+        let in_pieces = self.in_pieces(scene, swing, wanted);
+        in_pieces.map_err(|reached| Refusal::Unreachable { best: best.min(reached) })
     }
 
     /// The reductions, cheapest first.
-    fn reductions(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Vec<Reduction> {
+    fn reductions(&self, scene: &Scene, swing: &Swing) -> Vec<Reduction> {
         let reach = self.met(scene, swing).and_then(Met::reach);
         let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing);
         let mut reductions: Vec<Reduction> =
             reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         reductions.sort_by_key(Reduction::operations);
-        // If nothing is promised, the phase's error is to be beside the rounding. Of a promise it had better not be most if
-        // it is met at the end of a long horizon only.
-        let fine = |wanted: &Wanted, reduction: &Reduction| {
+        reductions
+    }
+
+    /// Whether a phase is good enough for all outputs: if nothing is promised, its error is to be beside the rounding. Of a
+    /// promise it had better not be most if it is met at the end of a long horizon only.
+    fn serves(scene: &Scene, wanted: &[Wanted], reduction: &Reduction) -> bool {
+        let fine = |wanted: &Wanted| {
             let phase = wanted.curve.size.phase_error(reduction);
             match scene.goal {
                 Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
                 _ => phase <= 8.0 * scene.float.unit() * wanted.curve.size.largest,
             }
         };
-        reductions.retain(|reduction| wanted.iter().all(|wanted| fine(wanted, reduction)));
-        reductions
+        wanted.iter().all(fine)
     }
 
     fn cheapest(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Result<Plan, Refusal> {
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
         let mut found: Option<Plan> = None;
-        for reduction in &self.reductions(scene, swing, wanted) {
+        let reductions = self.reductions(scene, swing);
+        for reduction in reductions.iter().filter(|reduction| Self::serves(scene, wanted, reduction)) {
             // A dearer reduction is worth a look only where it leads to pieces and a cheaper one didn't.
             if found.is_some() && !(reduction.has_pieces() && wanted.iter().any(Wanted::has_pieces)) {
                 continue;
@@ -238,18 +253,24 @@ impl Sum {
             reduction: reduction.clone(),
             functions: kernel::functions(reduction, &parts),
             parts,
+            terms: self.weights.len(),
             coefficients: self.coefficients.clone(),
             rejected: Vec::new(),
         }
     }
 
-    /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to
-    /// be as good as full precision, of which half may be observed, and two thirds of what is proven are; the others are
-    /// what they are.
+    /// The error that an output may have by the recurrence, of whose proven error two thirds are observed.
     fn promise(&self, scene: &Scene, curve: &Curve) -> f64 {
+        self.promise_observed(2.0 / 3.0, scene, curve)
+    }
+
+    /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to
+    /// be as good as full precision, of which half may be observed, and that part of what is proven is; the others are
+    /// what they are.
+    fn promise_observed(&self, part: f64, scene: &Scene, curve: &Curve) -> f64 {
         match scene.goal {
             Goal::Tolerance(tol) => curve.size.within(tol),
-            Goal::Full if self.method == Method::Series => 0.75 * FULL * scene.float.unit() * curve.size.largest,
+            Goal::Full if self.method == Method::Series => 0.5 / part * FULL * scene.float.unit() * curve.size.largest,
             Goal::Full | Goal::Terms(_) => f64::INFINITY,
         }
     }

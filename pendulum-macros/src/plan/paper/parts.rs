@@ -19,7 +19,7 @@ use pendulum_runtime::double::Double;
 
 /// An output, and what doesn't depend on the reduction.
 pub(super) struct Wanted {
-    output: Output,
+    pub(super) output: Output,
     /// The exact one.
     pub(super) curve: Curve,
     /// sup |approximate output − exact output|.
@@ -182,6 +182,21 @@ fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
     kernel::function(reduction, &[kernel]).cost_of_calls_too()
 }
 
+/// The kernel with a table whose truncation is at most that, the truncation, and the rounding.
+pub(super) fn kernel_in_pieces(
+    sum: &Piecewise,
+    truncation: f64,
+    reduction: &Reduction,
+    direction: f64,
+) -> Option<(Kernel, f64, f64)> {
+    let (mut pieces, truncation) = sum.kernel(reduction, truncation)?;
+    let rounding = pieces.rounding();
+    if direction < 0.0 {
+        pieces.negate();
+    }
+    Some((Kernel::Pieces(Box::new(pieces)), truncation, rounding))
+}
+
 impl Whole {
     /// The kernels, of one polynomial in the cheapest form and of many, that are off by no more than is allowed.
     fn kernels(&self, size: &Size, reduction: &Reduction, direction: f64) -> Vec<Candidate> {
@@ -202,12 +217,9 @@ impl Whole {
 
     /// The kernel with a table, wrong by so much, of which the truncation is that part.
     fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
-        let (mut pieces, truncation) = self.pieces.as_ref()?.kernel(reduction, truncation)?;
-        let rounding = pieces.rounding();
-        if direction < 0.0 {
-            pieces.negate();
-        }
-        (rounding <= left - truncation).then(|| (Kernel::Pieces(Box::new(pieces)), truncation, rounding))
+        let made = kernel_in_pieces(self.pieces.as_ref()?, truncation, reduction, direction)?;
+        let (_, truncation, rounding) = made;
+        (rounding <= left - truncation).then_some(made)
     }
 
     /// The same as one polynomial.

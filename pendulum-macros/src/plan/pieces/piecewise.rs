@@ -32,6 +32,11 @@ pub(crate) struct Piecewise {
 }
 
 impl Piecewise {
+    /// The numbers of pieces that are tried for whole outputs: a table of up to 16 kB for each.
+    pub(crate) const COUNTS: [usize; 2] = [64, 128];
+    /// With more terms than this smaller pieces are tried.
+    pub(crate) const MOST_TERMS: usize = 16;
+
     /// A curve in so many pieces from anchor to anchor, the series' own error below `negligible`; `None` if that takes
     /// too many points.
     pub(crate) fn new(curve: &Curve, pieces: usize, negligible: f64) -> Option<Self> {

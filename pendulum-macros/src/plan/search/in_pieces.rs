@@ -22,11 +22,6 @@ pub(super) struct InPieces {
 const POWERS: f64 = 3.0;
 
 impl InPieces {
-    /// For each output a table of up to 16 kB.
-    const COUNTS: [usize; 2] = [64, 128];
-    /// With more terms than this smaller pieces are tried.
-    const MOST_TERMS: usize = 16;
-
     /// `None` where an output has no pieces, or no reduction counts pieces.
     pub(super) fn new(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Option<Self> {
         let serves = task.aims.iter().all(|aim| aim.has_pieces(task));
@@ -34,12 +29,12 @@ impl InPieces {
             let reductions: Vec<Reduction> =
                 reductions.iter().filter_map(|reduction| reduction.in_pieces(pieces as f64)).collect();
             let few = |aim: &Aim, reduction: &Reduction| {
-                aim.terms_of_pieces(pieces, reduction).is_some_and(|terms| terms <= Self::MOST_TERMS)
+                aim.terms_of_pieces(pieces, reduction).is_some_and(|terms| terms <= Piecewise::MOST_TERMS)
             };
             let serves = reductions.iter().any(|reduction| task.aims.iter().all(|aim| few(aim, reduction)));
             serves.then(|| Self { pieces, met: task.met(scene), reductions, curves: OnceCell::new() })
         };
-        Self::COUNTS.into_iter().filter(|_| serves).find_map(all)
+        Piecewise::COUNTS.into_iter().filter(|_| serves).find_map(all)
     }
 
     /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where

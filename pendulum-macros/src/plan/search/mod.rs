@@ -317,9 +317,17 @@ fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
 
 /// Named by how the first output is computed.
 fn joined(reduction: &Reduction, parts: Vec<Part>) -> Plan {
-    let method = parts.first().map_or("", |part| part.kernel.word());
+    let (method, terms) = parts.first().map_or(("", 0), |part| (part.kernel.word(), part.kernel.terms()));
     let functions = kernel::functions(reduction, &parts);
-    Plan { method, reduction: reduction.clone(), parts, functions, coefficients: Vec::new(), rejected: Vec::new() }
+    Plan {
+        method,
+        reduction: reduction.clone(),
+        parts,
+        functions,
+        terms,
+        coefficients: Vec::new(),
+        rejected: Vec::new(),
+    }
 }
 
 impl Candidate<'_> {
