@@ -64,6 +64,7 @@ fn forced_polynomials_near_the_top() {
     let f64 = findings!(600; [[(1π-1e-6) 0 1] [(1π-1e-9) 0 1]] [
         {; f64; theta; method = polynomial}
         {; f64; velocity acceleration; method = polynomial}
+        {; f64; position; method = polynomial}
     ]);
     judge(&f64, wrong(&F64));
     let f32 = findings!(600; [[(1π-1e-6) 0 1] [(1π-1e-9) 0 1]] [

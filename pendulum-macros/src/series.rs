@@ -129,10 +129,14 @@ impl Wave {
         Self { linear: -self.linear, constant: -self.constant, ..self }
     }
 
+    /// Whether its sign is another one an anchor later, if nothing of it grows.
+    pub(crate) fn is_antiperiodic(&self) -> bool {
+        self.terms.first().is_some_and(|(m, _)| m % 2 == 1)
+    }
+
     /// The symmetry about a number of halves of an anchor: sines of odd multiples of πs are cosines from half-way on.
     pub(crate) fn parity_about(&self, halves: Option<i64>) -> Parity {
-        let odd = self.terms.first().is_some_and(|(m, _)| m % 2 == 1);
-        match (self.parity, halves.map(|halves| odd && halves % 2 != 0)) {
+        match (self.parity, halves.map(|halves| self.is_antiperiodic() && halves % 2 != 0)) {
             (_, None) => Parity::Neither,
             (Parity::Even, Some(true)) => Parity::Odd,
             (Parity::Odd, Some(true)) => Parity::Even,

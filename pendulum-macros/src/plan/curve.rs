@@ -66,6 +66,12 @@ impl Curve {
         self.wave.parity_about(self.arc.halves())
     }
 
+    /// Whether its sign is another one from an anchor to the next. Of two factors of which both change theirs,
+    /// [`Self::alternates`] is set for neither.
+    pub(crate) fn is_antiperiodic(&self) -> bool {
+        self.wave.is_antiperiodic()
+    }
+
     /// Whether, of the two factors of sin θ, this is the one that changes its sign in a mirror.
     pub(crate) fn mirrors(&self, from_top: bool) -> bool {
         if from_top { self.parity() == Parity::Odd } else { self.alternates }

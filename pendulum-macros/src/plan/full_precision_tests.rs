@@ -87,6 +87,35 @@ fn full_precision_is_kept() {
     check(run(25, 1, 2));
 }
 
+/// sin(θ/2) and cos(θ/2) in pieces, squared: of swings one of them changes its sign at the lowest point, of rotations
+/// both do at the top.
+#[test]
+fn positions_in_pieces() {
+    let mut random = Random::new(6);
+    for start in [
+        "theta0 = π - 1e-6",
+        "theta0 = 1e-7 - π, omega = 3",
+        "theta0 = π - 1e-5, velocity0 = 1e-5, t_max = 1e4",
+        "theta0 = -3, velocity0 = 0.14147440333",
+        "velocity0 = 2 + 1e-13",
+        "velocity0 = -2 - 1e-14, t_max = 1e3",
+        "theta0 = 3, velocity0 = -0.1414744033355",
+    ] {
+        for float in [Float::F64, Float::F32] {
+            let text =
+                format!("struct Motion; {start}, method = polynomial, outputs = [position], float = {}", float.word());
+            let (scene, plan) = (scene(&text), plan(&scene(&text)).unwrap());
+            let part = &plan.parts[0];
+            assert!(part.description.contains("as many of"), "{text}: {}", part.description);
+            let mut probe = Probe::new(&scene, &plan);
+            probe.everywhere(&mut random, 8);
+            let (error, bound) = (probe.worst.1, part.bound.total());
+            assert!(error <= bound && bound <= 12.0 * error, "{text}: {error:e} of {bound:e}");
+            assert!(bound <= 48.0 * float.unit() && error <= 24.0 * float.unit(), "{text}: {error:e} of {bound:e}");
+        }
+    }
+}
+
 /// The same, of `PENDULA_SCENES` scenes from `PENDULA_FUZZ_SEED`, densely.
 #[test]
 #[ignore = "minutes"]

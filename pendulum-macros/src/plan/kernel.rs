@@ -2,7 +2,7 @@
 
 use super::harmonics::Harmonics;
 use super::passage::Passage;
-use super::pieces::Pieces;
+use super::pieces::{Halves, Pieces};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::turning::{Turning, modulo_turn, rounding_modulo, rounding_within, within_half_turn};
@@ -23,6 +23,8 @@ pub(crate) enum Kernel {
     Circle(Box<[Polynomial; 2]>),
     /// A polynomial for each part of the period.
     Pieces(Box<Pieces>),
+    /// As [`Self::Circle`], of such factors.
+    Halves(Box<Halves>),
     /// A sum of harmonics of one cosine.
     Harmonics(Box<Harmonics>),
     /// The passage through the lowest point of a motion that comes near the top.
@@ -42,6 +44,7 @@ impl Kernel {
             Self::Polynomial(polynomial) => vec![polynomial.lower(b, variables, name)],
             Self::Circle(factors) => circle(b, variables, factors),
             Self::Pieces(pieces) => vec![pieces.lower(b, name)],
+            Self::Halves(halves) => halves.lower(b),
             Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
             Self::Passage(passage) => passage.lower(b, variables, name),
             Self::Turning(turning) => vec![turning.lower(b, variables, name)],
@@ -62,7 +65,7 @@ impl Kernel {
             Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
             Self::Circle(factors) => factors.iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
-            Self::Passage(_) | Self::Pieces(_) => false,
+            Self::Passage(_) | Self::Pieces(_) | Self::Halves(_) => false,
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_odd(),
         }
     }
@@ -79,7 +82,7 @@ impl Kernel {
     pub(crate) fn word(&self) -> &'static str {
         match self {
             Self::Polynomial(_) | Self::Circle(_) => "polynomial",
-            Self::Pieces(_) => "pieces",
+            Self::Pieces(_) | Self::Halves(_) => "pieces",
             Self::Harmonics(_) => "harmonics",
             Self::Passage(_) => "passage",
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.word(),
@@ -95,6 +98,7 @@ impl Kernel {
                 format!("sin(θ/2) by a {sine}, cos(θ/2) by a {cosine}, squared")
             }
             Self::Pieces(pieces) => pieces.describe(),
+            Self::Halves(halves) => halves.describe(),
             Self::Harmonics(harmonics) => harmonics.describe(),
             Self::Passage(passage) => passage.describe(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.describe(),
@@ -107,6 +111,7 @@ impl Kernel {
             Self::Polynomial(polynomial) => polynomial.terms(),
             Self::Circle(factors) => factors[0].terms(),
             Self::Pieces(pieces) => pieces.terms(),
+            Self::Halves(halves) => halves.sine.terms(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Passage(passage) => passage.terms(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms(),
@@ -119,7 +124,7 @@ impl Kernel {
             Self::Polynomial(polynomial) => vec![polynomial.terms()],
             Self::Circle(factors) => factors.iter().map(Polynomial::terms).collect(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms_of_each(),
-            Self::Pieces(_) | Self::Harmonics(_) | Self::Passage(_) => Vec::new(),
+            Self::Pieces(_) | Self::Halves(_) | Self::Harmonics(_) | Self::Passage(_) => Vec::new(),
         }
     }
 
@@ -138,6 +143,7 @@ impl Kernel {
             Self::Within(angle) => of(angle) + rounding_within(reduction.float),
             Self::Wrapped(angle) => of(angle) + rounding_modulo(reduction.float),
             Self::Pieces(pieces) => pieces.rounding(),
+            Self::Halves(halves) => halves.rounding(),
             Self::Passage(passage) => passage.rounding(&whole(), cap),
             Self::Harmonics(harmonics) => harmonics.rounding(&whole(), reduction, cap),
             // Of either sign it is the same, and bounded better where the sign is known.
@@ -188,20 +194,25 @@ const MOST_HALVED: usize = 48;
 /// A rounding that many times less than what there is room for needs to be known no better.
 const NOTHING: f64 = 512.0;
 
-/// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
+/// The position without the signs of its factors' phase.
 fn circle(b: &mut Builder, variables: &Variables, [sine, cosine]: &[Polynomial; 2]) -> Vec<Id> {
     let (half_sine, half_cosine) = (sine.one_of_two(b, variables), cosine.one_of_two(b, variables));
     b.name(half_sine, "half_sine");
     b.name(half_cosine, "half_cosine");
+    let [x, y] = squared(b, half_sine, half_cosine);
+    // Of factors one of which is odd the product is.
+    let parity = if cosine.parity == Parity::Odd { Parity::Odd } else { sine.parity };
+    vec![variables.signed(b, x, sine.alternates, parity), y]
+}
+
+/// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
+pub(super) fn squared(b: &mut Builder, half_sine: Id, half_cosine: Id) -> [Id; 2] {
     let product = b.mul(half_sine, half_cosine);
     let x = b.add(product, product);
     b.name(x, "x");
-    // Of factors one of which is odd the product is.
-    let parity = if cosine.parity == Parity::Odd { Parity::Odd } else { sine.parity };
-    let x = variables.signed(b, x, sine.alternates, parity);
     let (sine_squared, cosine_squared) = (b.mul(half_sine, half_sine), b.mul(half_cosine, half_cosine));
     let y = b.sub(sine_squared, cosine_squared);
-    vec![x, b.name(y, "y")]
+    [x, b.name(y, "y")]
 }
 
 /// The name of a single result, before it takes the sign of the phase if it does last.

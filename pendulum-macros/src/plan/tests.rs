@@ -65,6 +65,7 @@ fn each_scene_gets_its_way() {
         ("theta0 = pi - 1e-9, method = polynomial", "pieces"),
         ("theta0 = pi - 1e-9, method = polynomial, float = f32, outputs = [velocity, acceleration]", "pieces"),
         ("theta0 = pi - 1e-6, method = polynomial, outputs = [acceleration]", "pieces"),
+        ("theta0 = pi - 1e-5, method = polynomial, outputs = [position]", "pieces"),
     ] {
         assert_eq!(planned(text).method, method, "{text}");
     }

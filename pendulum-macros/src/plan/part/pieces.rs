@@ -1,35 +1,47 @@
 //! An output in pieces.
 
 use super::draft::Draft;
+use super::polynomials::SQUARING;
 use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
 use crate::plan::curve::Curve;
 use crate::plan::kernel::Kernel;
-use crate::plan::pieces::Piecewise;
+use crate::plan::pieces::{Halves, Pieces, Piecewise};
 use crate::plan::reduction::Reduction;
 use crate::scene::Scene;
+use crate::supremum::norm;
 use std::rc::Rc;
 
 impl Aim {
-    /// Whether it can be had in pieces: one curve, all of which is met.
+    /// Whether it can be had in pieces: curves all of which is met.
     pub(in crate::plan) fn has_pieces(&self, task: &Task) -> bool {
-        let whole = self.curves.len() == 1 && !self.curves.iter().any(Curve::is_arc);
+        let whole = !self.curves.is_empty() && !self.curves.iter().any(Curve::is_arc);
         whole && !(task.turning && self.output.is_angle())
     }
 
-    /// About how many terms each of so many pieces takes; `None` where the phase leaves nothing.
-    pub(in crate::plan) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<usize> {
-        let curve = self.curves.first()?;
+    /// About how many terms each of so many pieces of each curve takes; `None` where the phase leaves nothing.
+    pub(in crate::plan) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<Vec<usize>> {
         let left = Some(self.share(self.limit - self.size.phase_error(reduction))).filter(|&left| left > 0.0)?;
-        let terms = |left: f64| Piecewise::estimate(curve, parts, left);
-        // Of logarithms the coefficients fall off with their number besides.
-        Some(if self.power == 0 { terms(left * terms(left) as f64) } else { terms(left) })
+        let of = |curve: &Curve| {
+            let terms = |left: f64| Piecewise::estimate(curve, parts, left);
+            // Of logarithms the coefficients fall off with their number besides.
+            if self.power == 0 { terms(left * terms(left) as f64) } else { terms(left) }
+        };
+        Some(self.curves.iter().map(of).collect())
     }
 
-    /// Its curve in so many pieces.
-    pub(in crate::plan) fn piecewise(&self, parts: usize) -> Option<Piecewise> {
-        let curve = self.curves.first()?;
-        Piecewise::new(curve, parts, (self.truncation.min(curve.size.largest) / 512.0).max(self.floor() / 512.0))
+    /// What the polynomials cost of which each has so many terms: two operations a term, the sign, and what makes a
+    /// position of its halves.
+    pub(in crate::plan) fn cost_of_pieces(&self, terms: &[usize]) -> f64 {
+        let polynomials: f64 = terms.iter().map(|&terms| 2.0 * terms as f64 - 2.0).sum();
+        let sign = f64::from(u8::from(self.curves.iter().any(|curve| curve.alternates)));
+        polynomials + sign + if self.curves.len() > 1 { SQUARING } else { 0.0 }
+    }
+
+    /// Its curves in so many pieces.
+    pub(in crate::plan) fn piecewise(&self, parts: usize) -> Option<Vec<Piecewise>> {
+        let negligible = |curve: &Curve| (self.truncation.min(curve.size.largest) / 512.0).max(self.floor() / 512.0);
+        self.curves.iter().map(|curve| Piecewise::new(curve, parts, negligible(curve))).collect()
     }
 
     /// The kernel in pieces, or what it reaches.
@@ -38,18 +50,22 @@ impl Aim {
         scene: &Scene,
         task: &Task,
         reduction: &Reduction,
-        approximation: &Piecewise,
+        approximations: &[Piecewise],
         most: f64,
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
         self.first_kept(scene, reduction, phase, most, |left| {
-            let (mut pieces, truncation) =
-                approximation.kernel(reduction, left.min(self.truncation)).ok_or(f64::INFINITY)?;
-            if task.direction < 0.0 {
-                pieces.negate();
-            }
-            let kernel = self.turned(scene, task, Kernel::Pieces(Box::new(pieces)), None);
-            Ok(Rc::new(Draft::new(kernel, truncation)))
+            let share = self.share(left);
+            let made = approximations.iter().map(|curve| curve.kernel(reduction, share)).collect::<Option<Vec<_>>>();
+            let (mut pieces, truncations): (Vec<Pieces>, Vec<f64>) = made.ok_or(f64::INFINITY)?.into_iter().unzip();
+            let mirrored = |curve: &Curve| task.direction < 0.0 && self.mirrors(curve, task);
+            let both = pieces.iter_mut().zip(&self.curves);
+            both.filter(|(_, curve)| mirrored(curve)).for_each(|(pieces, _)| pieces.negate());
+            let kernel = match <[Pieces; 2]>::try_from(pieces) {
+                Ok([sine, cosine]) => Kernel::Halves(Box::new(Halves { sine, cosine })),
+                Err(mut single) => self.turned(scene, task, Kernel::Pieces(Box::new(single.swap_remove(0))), None),
+            };
+            Ok(Rc::new(Draft::new(kernel, self.error(norm(truncations.into_iter())))))
         })
     }
 }

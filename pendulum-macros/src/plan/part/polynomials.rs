@@ -71,7 +71,7 @@ impl Approximations {
 }
 
 /// Operations that make a position of sin(θ/2) and cos(θ/2).
-const SQUARING: f64 = 5.0;
+pub(super) const SQUARING: f64 = 5.0;
 
 /// Terms that poles have to save a curve that has none: each takes an operation and a half.
 const WORTH: usize = 3;
@@ -124,7 +124,7 @@ impl Aim {
     }
 
     /// The output's error where that of its curves is `error`: a position is the square of a number on the unit circle.
-    fn error(&self, error: f64) -> f64 {
+    pub(super) fn error(&self, error: f64) -> f64 {
         if self.output == Output::Position { error * (2.0 + error) } else { error }
     }
 
@@ -250,13 +250,17 @@ impl Aim {
         curves.into_iter().map(single).collect()
     }
 
+    /// Whether a mirror image changes the curve's sign: it leaves the height as it is, and cos(θ/2) with it, or sin where
+    /// the angle is from the top.
+    pub(super) fn mirrors(&self, curve: &Curve, task: &Task) -> bool {
+        self.output != Output::Position || curve.mirrors(task.turning)
+    }
+
     /// Puts the polynomials together.
     fn kernel(&self, scene: &Scene, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
         if task.direction < 0.0 {
-            // A mirror image leaves the height as it is, and cos(θ/2) with it, or sin where the angle is from the top.
-            let mirrored = |curve: &Curve| self.output != Output::Position || curve.mirrors(task.turning);
             let both = polynomials.iter_mut().zip(&self.curves);
-            both.filter(|(_, curve)| mirrored(curve)).for_each(|(polynomial, _)| polynomial.negate());
+            both.filter(|(_, curve)| self.mirrors(curve, task)).for_each(|(polynomial, _)| polynomial.negate());
         }
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok(factors) => Kernel::Circle(Box::new(factors)),

@@ -9,12 +9,13 @@ mod piecewise;
 pub(crate) use piecewise::{Piecewise, half, phase};
 
 use super::estrin::estrin;
+use super::kernel::squared;
 use super::reduction::Reduction;
 use super::variables::clamp;
 use crate::program::rounding::Known;
-use crate::program::{Builder, Id, Op};
+use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::worst;
+use crate::supremum::{norm, worst};
 use pendulum_runtime::double::Double;
 
 /// The polynomials of all pieces from one anchor to the next.
@@ -61,28 +62,41 @@ impl Pieces {
 
     /// Emits it, with a phase of its own that shares what it can with the others.
     pub(crate) fn lower(&self, b: &mut Builder, name: &'static str) -> Id {
+        let (value, magic) = self.within_anchor(b, name);
+        if self.alternates { self.alternate(b, value, magic) } else { value }
+    }
+
+    /// The value without the sign that anchors give, and the sum that counts pieces.
+    fn within_anchor(&self, b: &mut Builder, name: &'static str) -> (Id, Id) {
         let t = b.input();
         let phase = self.reduction.lower(b, t);
         let remainder = clamp(b, phase.remainder, self.reduction.half());
         b.name(remainder, POWERS[0]);
         let coefficients = b.look_up(&self.rows, phase.magic);
         let value = estrin(b, remainder, &coefficients, &POWERS);
-        b.name(value, name);
-        // Anchors are passed once for all pieces.
-        let bit = self.rows.len().ilog2();
-        if self.alternates { b.push(Op::Alternate { x: value, magic: phase.magic, bit }) } else { value }
+        (b.name(value, name), phase.magic)
     }
 
-    /// Bounds the rounding of all rows over the whole range of the remainder, taken as exact. A row and its mirror image
-    /// are rounded alike.
+    /// With the other sign from anchor to anchor, which are passed once for all pieces.
+    fn alternate(&self, b: &mut Builder, x: Id, magic: Id) -> Id {
+        let bit = self.rows.len().ilog2();
+        b.push(Op::Alternate { x, magic, bit })
+    }
+
+    /// Bounds the rounding over the whole range of the remainder, taken as exact.
     pub(crate) fn rounding(&self) -> f64 {
         let mut b = Builder::new(self.reduction.float);
         let result = self.lower(&mut b, "result");
-        let program = b.finish(vec![result]);
-        let half = self.reduction.half();
+        self.rounding_of(&b.finish(vec![result]))
+    }
+
+    /// The norm of what all rows of a program's table, whose pieces are these, are rounded by. A row and its mirror image
+    /// are rounded alike.
+    fn rounding_of(&self, program: &Program) -> f64 {
+        let (half, float) = (self.reduction.half(), self.reduction.float);
         let known = |row: &[Double], (id, op): (Id, Op)| match op {
             Op::Entry { column, .. } => {
-                let value = self.reduction.float.round(row[column].hi);
+                let value = float.round(row[column].hi);
                 Some((id, Known::within(value, value, (row[column] - Double::new(value)).hi.abs())))
             }
             _ if program.nodes[id].name == Some(POWERS[0]) => Some((id, Known::between(-half, half))),
@@ -91,9 +105,40 @@ impl Pieces {
         let of_row = |row: &Vec<Double>| {
             let nodes = program.nodes.iter().map(|node| node.op).enumerate();
             let given: Vec<(Id, Known)> = nodes.filter_map(|node| known(row, node)).collect();
-            program.rounding(&given)[0].error
+            norm(program.rounding(&given).iter().map(|known| known.error))
         };
-        worst(self.rows[..=self.rows.len() / 2].iter().map(of_row))
+        worst(program.table[..=program.table.len() / 2].iter().map(of_row))
+    }
+}
+
+/// sin(θ/2) and cos(θ/2) in pieces.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Halves {
+    pub(crate) sine: Pieces,
+    pub(crate) cosine: Pieces,
+}
+
+impl Halves {
+    /// Emits the position.
+    pub(crate) fn lower(&self, b: &mut Builder) -> Vec<Id> {
+        let Self { sine, cosine } = self;
+        let (half_sine, magic) = sine.within_anchor(b, "half_sine");
+        let (half_cosine, _) = cosine.within_anchor(b, "half_cosine");
+        let [x, y] = squared(b, half_sine, half_cosine);
+        // Where both change their sign neither coordinate does.
+        vec![if sine.alternates == cosine.alternates { x } else { sine.alternate(b, x, magic) }, y]
+    }
+
+    pub(crate) fn rounding(&self) -> f64 {
+        let mut b = Builder::new(self.sine.reduction.float);
+        let position = self.lower(&mut b);
+        self.sine.rounding_of(&b.finish(position))
+    }
+
+    /// For the reader.
+    pub(crate) fn describe(&self) -> String {
+        let Self { sine, cosine } = self;
+        format!("sin(θ/2) by {}, cos(θ/2) by as many of {}, squared", sine.describe(), cosine.terms())
     }
 }
 

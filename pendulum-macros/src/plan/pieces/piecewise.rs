@@ -50,7 +50,7 @@ impl Piecewise {
             series: (0..=pieces / 2).map(series).collect(),
             error: error + curve.omitted() + lebesgue(points) * curve.rounding(),
             parity: curve.parity(),
-            alternates: curve.alternates,
+            alternates: curve.is_antiperiodic(),
             met: None,
         })
     }

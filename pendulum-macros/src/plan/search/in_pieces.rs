@@ -14,8 +14,8 @@ pub(super) struct InPieces {
     met: Option<(f64, f64)>,
     /// To the nearest piece.
     pub(super) reductions: Vec<Reduction>,
-    /// None where one of them takes too many points.
-    curves: OnceCell<Option<Vec<Piecewise>>>,
+    /// Those of each output; none where one of them takes too many points.
+    curves: OnceCell<Option<Vec<Vec<Piecewise>>>>,
 }
 
 /// What the powers of a polynomial of some ten terms cost.
@@ -29,7 +29,8 @@ impl InPieces {
             let reductions: Vec<Reduction> =
                 reductions.iter().filter_map(|reduction| reduction.in_pieces(pieces as f64)).collect();
             let few = |aim: &Aim, reduction: &Reduction| {
-                aim.terms_of_pieces(pieces, reduction).is_some_and(|terms| terms <= Piecewise::MOST_TERMS)
+                let terms = aim.terms_of_pieces(pieces, reduction);
+                terms.is_some_and(|terms| terms.into_iter().all(|terms| terms <= Piecewise::MOST_TERMS))
             };
             let serves = reductions.iter().any(|reduction| task.aims.iter().all(|aim| few(aim, reduction)));
             serves.then(|| Self { pieces, met: task.met(scene), reductions, curves: OnceCell::new() })
@@ -40,18 +41,15 @@ impl InPieces {
     /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where
     /// the phase isn't good enough.
     pub(super) fn estimate(&self, scene: &Scene, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
-        let polynomial = |aim: &Aim| {
-            let terms = aim.terms_of_pieces(self.pieces, reduction)?;
-            let sign = f64::from(u8::from(aim.curves.iter().any(|curve| curve.alternates)));
-            Some(2.0 * terms as f64 - 2.0 + sign)
-        };
-        let kernels: f64 = aims.iter().map(polynomial).sum::<Option<f64>>()?;
+        let kernel = |aim: &Aim| Some(aim.cost_of_pieces(&aim.terms_of_pieces(self.pieces, reduction)?));
+        let kernels: f64 = aims.iter().map(kernel).sum::<Option<f64>>()?;
         Some(lanes_lost(scene.float) * (reduction.operations() as f64 + CLAMP + ROW + POWERS + kernels))
     }
 
     /// Made when they are wanted first.
-    pub(super) fn curves(&self, aims: &[Aim]) -> Option<&[Piecewise]> {
-        let one = |aim: &Aim| Some(aim.piecewise(self.pieces)?.meeting(self.met));
+    pub(super) fn curves(&self, aims: &[Aim]) -> Option<&[Vec<Piecewise>]> {
+        let meeting = |curves: Vec<Piecewise>| curves.into_iter().map(|curve| curve.meeting(self.met)).collect();
+        let one = |aim: &Aim| aim.piecewise(self.pieces).map(meeting);
         let all = || aims.iter().map(one).collect();
         self.curves.get_or_init(all).as_deref()
     }

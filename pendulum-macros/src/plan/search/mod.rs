@@ -399,7 +399,7 @@ impl Candidate<'_> {
     fn in_pieces(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
         let Prospect { task, pieces, .. } = self.prospect;
         let curves = pieces.as_ref().and_then(|pieces| pieces.curves(&task.aims)).ok_or(f64::INFINITY)?;
-        let part = |(aim, curve): (&Aim, &Piecewise)| aim.pieces_part(scene, task, self.reduction, curve, most);
+        let part = |(aim, curves): (&Aim, &Vec<Piecewise>)| aim.pieces_part(scene, task, self.reduction, curves, most);
         let parts = task.aims.iter().zip(curves).map(part).collect::<Result<Vec<Part>, f64>>()?;
         Ok(Outputs { parts, more: 0.0, rejected: Vec::new() })
     }
