@@ -22,8 +22,8 @@ pub(super) struct InPieces {
 const POWERS: f64 = 3.0;
 
 impl InPieces {
-    /// `None` where an output has no pieces, or no reduction counts pieces.
-    pub(super) fn new(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Option<Self> {
+    /// By few pieces and by many; none where an output has no pieces, or no reduction counts pieces.
+    pub(super) fn all(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Vec<Self> {
         let serves = task.aims.iter().all(|aim| aim.has_pieces(task));
         let all = |pieces: usize| {
             let reductions: Vec<Reduction> =
@@ -35,7 +35,7 @@ impl InPieces {
             let serves = reductions.iter().any(|reduction| task.aims.iter().all(|aim| few(aim, reduction)));
             serves.then(|| Self { pieces, met: task.met(scene), reductions, curves: OnceCell::new() })
         };
-        Piecewise::COUNTS.into_iter().filter(|_| serves).find_map(all)
+        Piecewise::COUNTS.into_iter().filter(|_| serves).filter_map(all).collect()
     }
 
     /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where

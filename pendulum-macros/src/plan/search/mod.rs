@@ -28,7 +28,8 @@ struct Prospect {
     task: Task,
     approximations: Vec<Approximations>,
     reductions: Vec<Reduction>,
-    pieces: Option<InPieces>,
+    /// Few pieces first.
+    pieces: Vec<InPieces>,
     /// What polynomials gave: more than one candidate may ask.
     found: Memo<Asked, Rc<Found>>,
 }
@@ -77,8 +78,8 @@ enum Way {
     Polynomials,
     /// The passage through the lowest point.
     Passage,
-    /// A polynomial for each of many parts.
-    Pieces,
+    /// A polynomial for each of many parts, which are one of those of the prospect.
+    Pieces(usize),
 }
 
 /// The cheapest plan, or the best that was reached; of several outputs to a tolerance nothing, since what the first came
@@ -110,14 +111,8 @@ fn tasks(scene: &Scene) -> Vec<Task> {
 
 fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     let candidates = candidates(scene, prospects);
-    // Who asks for a polynomial gets one for each of many parts only where one alone doesn't serve.
-    let is_last_resort = |candidate: &Candidate| scene.method.is_some() && candidate.way == Way::Pieces;
-    let (in_pieces, candidates): (Vec<Candidate>, Vec<Candidate>) = candidates.into_iter().partition(is_last_resort);
-    let (candidates, chosen) = match choose(scene, &candidates) {
-        Err(best) => (&in_pieces, choose(scene, &in_pieces).map_err(|reached| reached.min(best))),
-        chosen => (&candidates, chosen),
-    };
-    let Chosen { candidate: index, parts, mut rejected } = chosen.map_err(|best| Refusal::Unreachable { best })?;
+    let (candidates, chosen) = by_resorts(scene, candidates).map_err(|best| Refusal::Unreachable { best })?;
+    let Chosen { candidate: index, parts, mut rejected } = chosen;
     let candidate = &candidates[index];
     let plan = joined(candidate.reduction, candidate.together(scene, parts, &mut rejected));
     if let Some(output) = verify::broken(scene, &candidate.prospect.task, &plan) {
@@ -127,6 +122,23 @@ fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     rejected.extend(next.map(|next| format!("{}: it costs about {:.0} operations", next.describe(), next.cost)));
     rejected.extend(alternatives::reasons(scene));
     Ok(Plan { rejected, ..plan })
+}
+
+/// The first of the resorts in which there is a choice, and that; or the least that any can promise.
+fn by_resorts<'a>(scene: &Scene, mut all: Vec<Candidate<'a>>) -> Result<(Vec<Candidate<'a>>, Chosen), f64> {
+    let mut reached = f64::INFINITY;
+    for resort in 0.. {
+        let (candidates, later): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| one.resort(scene) == resort);
+        match choose(scene, &candidates) {
+            Ok(chosen) => return Ok((candidates, chosen)),
+            Err(best) => reached = reached.min(best),
+        }
+        if later.is_empty() {
+            break;
+        }
+        all = later;
+    }
+    Err(reached)
 }
 
 /// What is to become a plan.
@@ -203,10 +215,12 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
         from_there.min_by(|a, b| (a.error + a.relative_error).total_cmp(&(b.error + b.relative_error)))
     };
     let others = [Origin::Anchor, Origin::Lowest].into_iter().filter_map(of).map(worst_output);
-    let in_pieces = prospect.pieces.iter().flat_map(|pieces| &pieces.reductions).filter_map(|reduction| {
-        let outputs =
-            Candidate { prospect, reduction, way: Way::Pieces, cost: 0.0 }.outputs(scene, f64::INFINITY).ok()?;
-        Some(worst(outputs.parts.iter().map(Part::error)))
+    let in_pieces = prospect.pieces.iter().enumerate().flat_map(|(index, pieces)| {
+        let one = move |reduction| {
+            let candidate = Candidate { prospect, reduction, way: Way::Pieces(index), cost: 0.0 };
+            Some(worst(candidate.outputs(scene, f64::INFINITY).ok()?.parts.iter().map(Part::error)))
+        };
+        pieces.reductions.iter().filter_map(one)
     });
     others.chain(in_pieces).fold(f64::INFINITY, f64::min)
 }
@@ -259,7 +273,7 @@ impl Prospect {
     fn new(scene: &Scene, task: Task) -> Self {
         let reductions = task.reductions(scene);
         let approximations = task.aims.iter().map(|aim| Approximations::new(aim, &reductions)).collect();
-        let pieces = InPieces::new(scene, &task, &reductions);
+        let pieces = InPieces::all(scene, &task, &reductions);
         let reach = task.reach(scene);
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         Self { task, approximations, reductions, pieces, found: Memo::default() }
@@ -284,10 +298,10 @@ impl Prospect {
             Candidate { cost: waiting(scene.float) * passage.cost, ..passage }
         };
         let passages = from_lowest.filter(|_| passes).map(passage);
-        let in_pieces = pieces.iter().flat_map(|pieces| {
+        let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
             let one = move |reduction| {
                 let cost = pieces.estimate(scene, aims, reduction)?;
-                Some(Candidate { prospect: self, reduction, way: Way::Pieces, cost })
+                Some(Candidate { prospect: self, reduction, way: Way::Pieces(index), cost })
             };
             pieces.reductions.iter().filter_map(one)
         });
@@ -331,12 +345,21 @@ fn joined(reduction: &Reduction, parts: Vec<Part>) -> Plan {
 }
 
 impl Candidate<'_> {
+    /// After how many others it is looked at: many pieces, of which the table is large, only where fewer don't serve; and
+    /// who asks for a polynomial gets one for each of many parts only where one alone doesn't.
+    fn resort(&self, scene: &Scene) -> usize {
+        match self.way {
+            Way::Pieces(index) => index + usize::from(scene.method.is_some()),
+            _ => 0,
+        }
+    }
+
     /// For the reader of the docs.
     fn describe(&self) -> String {
         let kernel = match self.way {
             Way::Polynomials => "polynomials",
             Way::Passage => "the passage through the lowest point",
-            Way::Pieces => "pieces",
+            Way::Pieces(_) => "pieces",
         };
         format!("{kernel}, phase by {}", self.reduction.describe())
     }
@@ -355,8 +378,8 @@ impl Candidate<'_> {
 
     /// The outputs, each of which takes at most a part of the limit of it, or what was reached.
     fn outputs(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
-        if self.way == Way::Pieces {
-            return self.in_pieces(scene, most);
+        if let Way::Pieces(index) = self.way {
+            return self.in_pieces(scene, &self.prospect.pieces[index], most);
         }
         let Prospect { task, approximations, .. } = self.prospect;
         let (mut parts, mut more, mut rejected) = (Vec::new(), 0.0, Vec::new());
@@ -396,9 +419,9 @@ impl Candidate<'_> {
         }
     }
 
-    fn in_pieces(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
-        let Prospect { task, pieces, .. } = self.prospect;
-        let curves = pieces.as_ref().and_then(|pieces| pieces.curves(&task.aims)).ok_or(f64::INFINITY)?;
+    fn in_pieces(&self, scene: &Scene, pieces: &InPieces, most: f64) -> Result<Outputs, f64> {
+        let task = &self.prospect.task;
+        let curves = pieces.curves(&task.aims).ok_or(f64::INFINITY)?;
         let part = |(aim, curves): (&Aim, &Vec<Piecewise>)| aim.pieces_part(scene, task, self.reduction, curves, most);
         let parts = task.aims.iter().zip(curves).map(part).collect::<Result<Vec<Part>, f64>>()?;
         Ok(Outputs { parts, more: 0.0, rejected: Vec::new() })
