@@ -79,12 +79,12 @@ macro_rules! plan {
     (@bound velocity) => { Plan::MAX_VELOCITY_ERROR };
     (@bound acceleration) => { Plan::MAX_ACCELERATION_ERROR };
     (@bound position) => { Plan::MAX_POSITION_ERROR };
-    ($all:ident: $name:literal, [$theta0:tt $velocity0:tt $omega:tt] $(tol $tol:literal)? $(within $t_max:literal)?;
-        $($output:ident)*) => {{
+    ($all:ident: $name:literal, [$theta0:tt $velocity0:tt $omega:tt] $(tol $tol:literal)? $(within $t_max:literal)?
+        $(by $method:ident)?; $($output:ident)*) => {{
         pendula::pendulum! {
             struct Plan;
             theta0 = $theta0, velocity0 = $velocity0, omega = $omega,
-            $(tol = $tol,)? $(t_max = $t_max,)? outputs = [$($output),*]
+            $(tol = $tol,)? $(t_max = $t_max,)? $(method = $method,)? outputs = [$($output),*]
         }
         let written = [stringify!($theta0), stringify!($velocity0), stringify!($omega)];
         let tolerances: &[f64] = &[$($tol)?];
@@ -195,6 +195,8 @@ fn near_top(all: &mut Vec<Class>) {
     plan!(all: "any time", [(0.999π) 0 1]; theta velocity position);
     plan!(all: "pieces, any time", [(1π-1e-9) 0 1]; theta velocity);
     plan!(all: "pieces, tol 1e-9, any time", [(3.14) (0.0015) (1.25)] tol 1e-9; theta velocity);
+    plan!(all: "positions in pieces, any time", [(1π-1e-9) 0 1] by polynomial; position);
+    plan!(all: "a series in pieces, any time", [(-0.999π) 0 2] by series; theta velocity);
     plan!(all: "passage, any time", [(1π-1e-9) 0 2]; theta velocity position);
     plan!(all: "pieces, tol 1e-6, 100 periods", [(1π-1e-9) 0 1] tol 1e-6 within 9000; theta);
     plan!(all: "separatrix", [0 2 1]; theta velocity position);
@@ -207,6 +209,7 @@ fn rotations(all: &mut Vec<Class>) {
     plan!(all: "rotation, any time", [1 (-3) 1]; wrapped);
     plan!(all: "rotation, any time", [0 (2.00001) 1]; wrapped velocity);
     plan!(all: "rotation in pieces, any time", [0 (-2.0001) 1]; velocity acceleration);
+    plan!(all: "positions in pieces of a rotation, any time", [0 (-2.00000000000001) 1] by polynomial; position);
 }
 
 /// The paper's θ̂ in pieces and as one polynomial, to be the paper's everywhere; and by the arcsine, away from the

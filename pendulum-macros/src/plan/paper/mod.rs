@@ -51,7 +51,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
         let helped = best < reached * 0.9 || best.is_infinite() && more <= 2;
         // Where what is left out counts, more help, if slowly.
-        let counts = wanted.iter().any(|wanted| wanted.bias > 0.1 * sum.promise(scene, &wanted.curve));
+        let counts = wanted.iter().any(|wanted| wanted.bias > 0.1 * sum.promise(scene, wanted));
         reached = reached.min(best);
         if given || !matches!(method, Method::Fourier | Method::Series) || !helped && !counts {
             break;
@@ -221,13 +221,13 @@ impl Sum {
                 continue;
             }
             // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
-            let lost = |wanted: &Wanted| wanted.curve.size.phase_error(reduction) > self.promise(scene, &wanted.curve);
+            let lost = |wanted: &Wanted| wanted.curve.size.phase_error(reduction) > self.promise(scene, wanted);
             if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
                 continue;
             }
             let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(scene, swing, wanted, reduction)).collect();
             let kept = |error: fn(Bound) -> f64| {
-                let promises = wanted.iter().map(|wanted| self.promise(scene, &wanted.curve));
+                let promises = wanted.iter().map(|wanted| self.promise(scene, wanted));
                 parts.iter().zip(promises).all(|(part, promise)| error(part.bound) <= promise)
             };
             // What computes the arcsine as well is made for what the phase leaves: of a finer one it may be better.
@@ -259,18 +259,21 @@ impl Sum {
         }
     }
 
-    /// The error that an output may have by the recurrence, of whose proven error two thirds are observed.
-    fn promise(&self, scene: &Scene, curve: &Curve) -> f64 {
-        self.promise_observed(2.0 / 3.0, scene, curve)
+    /// The error that an output may have by the recurrence, of whose proven rounding two thirds are observed.
+    fn promise(&self, scene: &Scene, wanted: &Wanted) -> f64 {
+        self.promise_observed(2.0 / 3.0, scene, wanted)
     }
 
     /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to
-    /// be as good as full precision, of which half may be observed, and that part of what is proven is; the others are
-    /// what they are.
-    fn promise_observed(&self, part: f64, scene: &Scene, curve: &Curve) -> f64 {
+    /// be as good as full precision, of which half may be observed: what is left out is met in full, of the rest that
+    /// part. The others are what they are.
+    fn promise_observed(&self, part: f64, scene: &Scene, Wanted { curve, bias, .. }: &Wanted) -> f64 {
         match scene.goal {
             Goal::Tolerance(tol) => curve.size.within(tol),
-            Goal::Full if self.method == Method::Series => 0.5 / part * FULL * scene.float.unit() * curve.size.largest,
+            Goal::Full if self.method == Method::Series => {
+                let half = 0.5 * FULL * scene.float.unit() * curve.size.largest;
+                bias + (half - bias) / part
+            }
             Goal::Full | Goal::Terms(_) => f64::INFINITY,
         }
     }

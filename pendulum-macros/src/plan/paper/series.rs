@@ -43,7 +43,7 @@ impl Sum {
 
     /// What the promise leaves to the phase and pieces.
     pub(super) fn left(&self, scene: &Scene, wanted: &Wanted) -> f64 {
-        self.promise_observed(observed(scene.float), scene, &wanted.curve) - wanted.bias
+        self.promise_observed(observed(scene.float), scene, wanted) - wanted.bias
     }
 
     /// The outputs' sums in so many pieces; `None` if these take too many terms or points.
