@@ -106,6 +106,21 @@ impl<T: Nan> Nan for (T, T) {
     }
 }
 
+/// So slow that no finite time is at the top for good.
+#[test]
+fn the_slowest_separatrices() {
+    pendulum! { struct Lowest; omega = 1e-306, velocity0 = 2e-306, outputs = [theta, velocity] }
+    pendulum! { struct Launched; omega = 1e-306, theta0 = 1π/2, velocity0 = sqrt(2)*1e-306, outputs = [theta, velocity] }
+    for state in [Lowest::state, Launched::state] {
+        for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(state(t).is_all_nan(), "{:?} at {t}", state(t));
+        }
+        for t in [f64::MIN, -1e306, 0.0, 1e-300, 1e306, f64::MAX] {
+            assert!(state(t).is_all_finite() && state(t).0.abs() <= PI, "{:?} at {t}", state(t));
+        }
+    }
+}
+
 #[test]
 fn what_is_not_a_time_gives_nan() {
     macro_rules! check {

@@ -253,24 +253,35 @@ impl<'a> Clock<'a> {
         Reduction { rounding: NARROWING, ..reduction }
     }
 
-    /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point.
+    /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point. Rounded are R, the
+    /// product and, with a launch, two differences.
     pub(crate) fn linear(&self) -> Reduction {
-        let words = if self.launch == Double::ZERO {
-            [self.rate.to_f64(), 0.0, 0.0]
-        } else {
-            let [r1, r2, r3] = split_near(self.rate, &[26, 26]);
-            [r1, r2, r3]
+        // So that t₀ overflows for no R, and its second word doesn't underflow where that matters.
+        let power = match exponent(self.rate.to_f64()) {
+            ..-900 => -200,
+            900.. => 200,
+            _ => 0,
         };
+        let rate = self.rate.scale(-power).to_double();
         let launch = self.launch.hi.abs();
         let furthest = (self.horizon() * self.rate.to_f64() + launch) * (1.0 + 8.0 * self.float.unit());
         let half = self.float.round(furthest).min(LINEAR_HALF);
-        let relative = if self.float == Float::F64 { 3.001 } else { 1.001 } * self.float.unit();
+        let cap = 2.0 * (LINEAR_HALF + launch) / self.rate.to_f64();
+        let (passed, times) = (-(self.launch / rate), libm::exp2(power as f64));
+        let method = Method::Linear { rate: rate.hi, passed, times, half };
+        let roundings = match self.float {
+            Float::F64 if launch == 0.0 => 2.0,
+            Float::F64 => 4.0,
+            // In `f64`, but for the last.
+            Float::F32 => 1.0,
+        };
         Reduction {
             launch: self.launch,
             error: (launch + 1.0) * 2f64.powi(-74),
-            relative_error: relative,
-            cap: Some(2.0 * (LINEAR_HALF + launch) / self.rate.to_f64()).filter(|cap| cap.is_finite()),
-            ..Reduction::exact(Method::Linear { words, half }, Origin::Lowest, self.float)
+            relative_error: (roundings + 0.001) * self.float.unit(),
+            // Infinite times are seen by it, too.
+            cap: Some(cap.min(f64::MAX)),
+            ..Reduction::exact(method, Origin::Lowest, self.float)
         }
     }
 

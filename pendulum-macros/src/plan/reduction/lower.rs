@@ -24,9 +24,9 @@ impl Reduction {
             }
             Method::AnyTime { words, doubled } => self.any_time(b, t, words, *doubled),
             Method::Time { .. } => self.unreduced(b, t),
-            Method::Linear { words, .. } => {
+            Method::Linear { rate, passed, times, .. } => {
                 let wide = b.convert(t, Float::F64);
-                self.linear(b, wide, words)
+                linear(b, wide, [*times, *rate], *passed)
             }
         };
         let remainder = b.convert(phase.remainder, self.float);
@@ -246,30 +246,18 @@ impl Reduction {
         }
         Phase { remainder, magic: t, count: t }
     }
+}
 
-    /// Without a launch the product's rounding is relative to itself. With one, near the lowest point, the product has
-    /// to be exact where the launch cancels it: t in 27 + 26 bits, R in 26 + 26 and the rest.
-    fn linear(&self, b: &mut Builder, t: Id, words: &[f64; 3]) -> Phase {
-        let [r1, r2, r3] = words.map(|word| b.constant(word));
-        if self.launch == Double::ZERO {
-            let remainder = b.mul(t, r1);
-            return Phase { remainder, magic: t, count: t };
-        }
-        let head = b.push(Op::Head(t));
-        b.name(head, "head");
-        let tail = b.sub(t, head);
-        b.name(tail, "tail");
-        let first = b.mul(head, r1);
-        let second = cross(b, (tail, r1), (head, r2));
-        let third = cross(b, (tail, r2), (t, r3));
-        let (launch, rest) = (b.constant(self.launch.hi), b.constant(self.launch.lo));
-        let (sum, lost) = b.two_sum(first, launch);
-        let (sum, lost_too) = b.two_sum(sum, second);
-        let low = b.add(lost, lost_too);
-        let third = b.add(third, rest);
-        let low = b.add(low, third);
-        Phase { remainder: b.add(sum, low), magic: t, count: t }
-    }
+/// Next to t₀ the first difference is exact (Sterbenz), and elsewhere, as the second is, rounded by a part of itself.
+fn linear(b: &mut Builder, t: Id, [times, rate]: [f64; 2], passed: Double) -> Phase {
+    let [times, rate] = [times, rate].map(|factor| b.constant(factor));
+    let time = b.mul(t, times);
+    let words = [passed.hi, passed.lo].into_iter().filter(|&word| word != 0.0);
+    let from_lowest = words.fold(time, |rest, word| {
+        let word = b.constant(word);
+        b.sub(rest, word)
+    });
+    Phase { remainder: b.mul(from_lowest, rate), magic: t, count: t }
 }
 
 /// The sum of parts of which the first is there last.

@@ -92,9 +92,9 @@ pub(crate) enum Method {
     AnyTime { words: Vec<f64>, doubled: bool },
     /// s = t: the horizon is less than an arc, whether the motion over it is symmetric or not.
     Time { lopsided: bool },
-    /// z = t·R + launch, |z| ≤ `half`, never reduced: the separatrix has one lowest point. R in three words where there is
-    /// a launch.
-    Linear { words: [f64; 3], half: f64 },
+    /// z = (t − t₀)·R, |z| ≤ `half`, never reduced: the separatrix has one lowest point, passed at t₀, known in two
+    /// words. Both times are multiplied with a power of two, by which R is divided.
+    Linear { rate: f64, passed: Double, times: f64, half: f64 },
 }
 
 /// The reduced phase in a program.
