@@ -310,10 +310,16 @@ impl<'a> RotationCurves<'a> {
         self.rotation.rate().to_double()
     }
 
-    fn curve(&self, wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
-        let slope = slope / self.rate().hi * (1.0 + 1e-12);
+    fn curve(wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
+        let slope = slope * (1.0 + 1e-12);
         let size = Size { largest, slope, moment, unit };
         Curve { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: false, rises: false, size }
+    }
+
+    /// The largest |derivative| by the phase of what changes by at most that product per unit of time, which itself over-
+    /// or underflows where ω is far from 1.
+    fn slope(&self, factor: f64, per_time: f64) -> f64 {
+        factor * (per_time / self.rate().hi)
     }
 
     /// 1/κ.
@@ -339,36 +345,36 @@ impl Curves for RotationCurves<'_> {
     /// From the top, less 2πs; its slope is that of the whole.
     fn angle(&self) -> Curve {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
-        let slopes = [self.rotation.fastest.to_f64(), self.moments().angle];
+        let slopes = [self.slope(1.0, self.rotation.fastest.to_f64()), self.moments().angle];
         let pulses = Pulses::angle(&self.rotation.elliptic, std::f64::consts::PI, 1.0);
-        self.curve(wave, pulses, std::f64::consts::PI, slopes, 1.0)
+        Self::curve(wave, pulses, std::f64::consts::PI, slopes, 1.0)
     }
 
     /// |θ̇|; its derivative is at most ω².
     fn velocity(&self) -> Curve {
         let omega = self.omega.to_f64();
         let wave = Wave::rotation(self.rotation, 1, self.rate());
-        let slopes = [omega * omega, omega * self.moments().velocity];
+        let slopes = [self.slope(omega, omega), omega * self.moments().velocity];
         let pulses = Pulses::velocity(&self.rotation.elliptic, self.front(), omega);
-        self.curve(wave, pulses, self.rotation.fastest.to_f64(), slopes, omega)
+        Self::curve(wave, pulses, self.rotation.fastest.to_f64(), slopes, omega)
     }
 
     fn acceleration(&self) -> Curve {
         let square = self.omega.square().to_f64();
         let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
-        let slopes = [self.rotation.fastest.to_f64(), self.moments().acceleration].map(|slope| square * slope);
+        let slopes = [self.slope(square, self.rotation.fastest.to_f64()), square * self.moments().acceleration];
         let pulses = Pulses::acceleration(&self.rotation.elliptic, self.front(), square);
-        self.curve(wave, pulses, square, slopes, square)
+        Self::curve(wave, pulses, square, slopes, square)
     }
 
     fn half_sine(&self) -> Curve {
         let pulses = Pulses::half_sine(&self.rotation.elliptic, self.front());
-        self.curve(Wave::from_top(self.rotation, Parity::Even), pulses, 1.0, [f64::INFINITY; 2], 1.0)
+        Self::curve(Wave::from_top(self.rotation, Parity::Even), pulses, 1.0, [f64::INFINITY; 2], 1.0)
     }
 
     fn half_cosine(&self) -> Curve {
         let pulses = Pulses::half_cosine(&self.rotation.elliptic, self.front());
-        self.curve(Wave::from_top(self.rotation, Parity::Odd), pulses, 1.0, [f64::INFINITY; 2], 1.0)
+        Self::curve(Wave::from_top(self.rotation, Parity::Odd), pulses, 1.0, [f64::INFINITY; 2], 1.0)
     }
 }
 

@@ -37,8 +37,8 @@ impl Pieces {
     fn new(reduction: Reduction, half: &[Vec<Double>], parity: Parity, alternates: bool) -> Self {
         let pieces = 2 * (half.len() - 1);
         // From the next anchor back: once reversed for the parity, and once if the curve alternates.
-        let sign = if (parity == Parity::Odd) == alternates { 1.0 } else { -1.0 };
-        let mirrored = |(power, c): (usize, &Double)| *c * (sign * if power % 2 == 1 { -1.0 } else { 1.0 });
+        let reversed = (parity == Parity::Odd) != alternates;
+        let mirrored = |(power, c): (usize, &Double)| if (power % 2 == 1) == reversed { *c } else { -*c };
         let row = |piece: usize| match half.get(piece) {
             Some(row) => row.clone(),
             None => half[pieces - piece].iter().enumerate().map(mirrored).collect(),

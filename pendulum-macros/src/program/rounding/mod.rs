@@ -34,6 +34,11 @@ impl Known {
         Self::within(low, high, 0.0)
     }
 
+    /// Any value, wrong by anything.
+    const fn nothing() -> Self {
+        Self::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY)
+    }
+
     /// A value between two numbers, wrong by at most `error`.
     pub(crate) const fn within(low: f64, high: f64, error: f64) -> Self {
         Self { low, high, error, local: error }
@@ -101,7 +106,7 @@ impl Program {
     pub(crate) fn rounding(&self, given: &[(Id, Known)]) -> Vec<Known> {
         let mut known: Vec<Known> = Vec::with_capacity(self.nodes.len());
         for (id, node) in self.nodes.iter().enumerate() {
-            known.push(of_given(given, id).unwrap_or_else(|| inflate(step(node.op, node.float, &known))));
+            known.push(sound(of_given(given, id).unwrap_or_else(|| inflate(step(node.op, node.float, &known)))));
         }
         let result = |&id: &Id| {
             let forward = known[id];
@@ -123,6 +128,12 @@ fn of_given(given: &[(Id, Known)], id: Id) -> Option<Known> {
     None
 }
 
+/// Of what is bounded by no number nothing is known: no minimum may pass it over.
+fn sound(known: Known) -> Known {
+    let Known { low, high, error, local } = known;
+    if (low + error + local).is_nan() || (high + error + local).is_nan() { Known::nothing() } else { known }
+}
+
 fn inflate(known: Known) -> Known {
     Known { error: known.error * INFLATION, local: known.local * INFLATION, ..known }
 }
@@ -131,9 +142,7 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
     match op {
         Op::Input => Known::between(f64::NEG_INFINITY, f64::INFINITY),
         // Where nothing is known of them.
-        Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => {
-            Known::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY)
-        }
+        Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => Known::nothing(),
         Op::Constant { value, rest } => Known::within(value, value, rest.abs()),
         Op::Add(a, b) => sum(known[a], known[b], float),
         Op::Sub(a, b) => {
@@ -227,7 +236,7 @@ fn rounding(low: f64, high: f64, exact: impl FnOnce() -> bool, float: Float) -> 
 fn quotient(a: Known, b: Known, float: Float) -> Known {
     let least = b.low.abs().min(b.high.abs()) - b.error;
     if b.low <= 0.0 && b.high >= 0.0 || least <= 0.0 {
-        return Known::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
+        return Known::nothing();
     }
     let exact = a.corners(b, |x, y| x / y);
     let magnitude = exact.0.abs().max(exact.1.abs());
@@ -240,7 +249,7 @@ fn quotient(a: Known, b: Known, float: Float) -> Known {
 /// number.
 fn root(x: Known, float: Float) -> Known {
     if x.low < LEAST_UNDER_ROOT {
-        return Known::within(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
+        return Known::nothing();
     }
     let exact = (x.low.max(0.0).sqrt(), x.high.max(0.0).sqrt());
     let inherited = if exact.0 > 0.0 { (x.error / exact.0).min(x.error.sqrt()) } else { x.error.sqrt() };

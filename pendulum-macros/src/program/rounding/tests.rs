@@ -256,3 +256,23 @@ fn programs() {
     let error = program.rounding(&[(0, Known::between(0.0, 0.25))])[0].error;
     assert!((0.5e-10..0.5001e-10).contains(&error), "{error:e}");
 }
+
+/// Of a sum of what is bounded by no number nothing is known, though what is added to it is known to be exact.
+#[test]
+fn what_is_no_number_is_not_passed_over() {
+    let mut b = Builder::new(Float::F64);
+    let x = b.input();
+    let one = b.constant(1.0);
+    let sum = b.add(x, one);
+    let result = b.push(Op::Against { x: sum, sign: x });
+    let program = b.finish(vec![result]);
+    let unknown = [
+        Known::within(f64::NAN, f64::NAN, f64::NAN),
+        Known::within(0.0, 1.0, f64::NAN),
+        Known { low: 0.0, high: f64::NAN, error: 0.0, local: 0.0 },
+    ];
+    for known in unknown {
+        let [found] = program.rounding(&[(sum, known)])[..] else { panic!("one result") };
+        assert_eq!(found.error, f64::INFINITY, "{known:?}: {found:?}");
+    }
+}
