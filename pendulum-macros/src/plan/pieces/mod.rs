@@ -4,12 +4,13 @@
 //! terms, near the top and for the paper's θ̂, it takes half of the operations or less, in one shallow chain, and the row
 //! is known before the remainder is.
 
+mod halves;
 mod piecewise;
 
+pub(crate) use halves::Halves;
 pub(crate) use piecewise::{Piecewise, half, phase};
 
 use super::estrin::estrin;
-use super::kernel::squared;
 use super::reduction::Reduction;
 use super::variables::clamp;
 use crate::program::rounding::Known;
@@ -108,37 +109,6 @@ impl Pieces {
             norm(program.rounding(&given).iter().map(|known| known.error))
         };
         worst(program.table[..=program.table.len() / 2].iter().map(of_row))
-    }
-}
-
-/// sin(θ/2) and cos(θ/2) in pieces.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Halves {
-    pub(crate) sine: Pieces,
-    pub(crate) cosine: Pieces,
-}
-
-impl Halves {
-    /// Emits the position.
-    pub(crate) fn lower(&self, b: &mut Builder) -> Vec<Id> {
-        let Self { sine, cosine } = self;
-        let (half_sine, magic) = sine.within_anchor(b, "half_sine");
-        let (half_cosine, _) = cosine.within_anchor(b, "half_cosine");
-        let [x, y] = squared(b, half_sine, half_cosine);
-        // Where both change their sign neither coordinate does.
-        vec![if sine.alternates == cosine.alternates { x } else { sine.alternate(b, x, magic) }, y]
-    }
-
-    pub(crate) fn rounding(&self) -> f64 {
-        let mut b = Builder::new(self.sine.reduction.float);
-        let position = self.lower(&mut b);
-        self.sine.rounding_of(&b.finish(position))
-    }
-
-    /// For the reader.
-    pub(crate) fn describe(&self) -> String {
-        let Self { sine, cosine } = self;
-        format!("sin(θ/2) by {}, cos(θ/2) by as many of {}, squared", sine.describe(), cosine.terms())
     }
 }
 
