@@ -1,7 +1,7 @@
 //! Invocations as users write them: every regime, horizon, tolerance, output and method.
 
 use super::random::Random;
-use crate::parse::{Keyword, Method, Output};
+use crate::parse::{Float, Keyword, Method, Output};
 
 /// A header (empty for an expression) and parameters.
 pub(crate) struct Invocation {
@@ -101,6 +101,33 @@ fn tolerance(random: &mut Random) -> String {
         1 => power_of_ten(random, -40, 3),
         _ => decimal(random, -14, -1),
     }
+}
+
+/// One whose unit of time is very long or very short.
+pub(crate) fn far_units(random: &mut Random) -> String {
+    let float = random.choose(&[Float::F64, Float::F64, Float::F32]);
+    let unit = if float == Float::F64 { power_of_ten(random, -307, 307) } else { power_of_ten(random, -37, 37) };
+    let theta0 = digits(random, 2, 6);
+    let (small, velocity) = (power_of_ten(random, -9, 0), digits(random, 2, 6));
+    let start = random.choose(&[
+        "theta0 = π - SMALL",
+        "theta0 = THETA",
+        "theta0 = THETA, velocity0 = SPEED * UNIT",
+        "velocity0 = (2 + SMALL) * UNIT",
+        "theta0 = π/2, velocity0 = -sqrt(2) * UNIT",
+        "velocity0 = 2 * UNIT",
+    ]);
+    let output = random.choose(&["theta", "velocity", "velocity", "acceleration", "position", "theta, velocity"]);
+    let goal = if random.one_in(2) { format!(", tol = {}", power_of_ten(random, -9, -1)) } else { String::new() };
+    let horizon = if random.one_in(2) { format!(", t_max = {} / UNIT", decimal(random, 0, 6)) } else { String::new() };
+    let serves = !start.contains("UNIT") && output.contains(['y', 'h']) && random.one_in(2);
+    let method = if serves { ", method = series" } else { "" };
+    let text = format!(
+        "struct A; {start}, omega = UNIT, float = {}, outputs = [{output}]{goal}{horizon}{method}",
+        float.word()
+    );
+    let given = [("THETA", theta0), ("SPEED", velocity), ("SMALL", small), ("UNIT", unit)];
+    given.into_iter().fold(text, |text, (name, number)| text.replace(name, &number))
 }
 
 fn horizon(random: &mut Random) -> String {

@@ -276,7 +276,7 @@ fn promise_is_kept(scene: &Scene, plan: &Plan) -> Result<(), String> {
 /// NaN for NaN and infinities, something finite for every other time, and an amplitude that isn't exceeded.
 fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
     let float = scene.float;
-    let largest = if float == Float::F64 { f64::MAX } else { f64::from(f32::MAX) };
+    let largest = float.largest();
     let speed = if let Regime::Rotation(rotation) = &scene.motion.regime { rotation.fastest.to_f64() } else { 0.0 };
     let times = [0.0, 5e-324, 1e-310, 1e-40, 1.0, 1e7, 1e16, 1e22, 1e38, 1e100, 1e300, largest];
     for function in &plan.functions {

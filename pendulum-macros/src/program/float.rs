@@ -20,6 +20,14 @@ impl Float {
         }
     }
 
+    /// The largest finite number.
+    pub(crate) const fn largest(self) -> f64 {
+        match self {
+            Self::F64 => f64::MAX,
+            Self::F32 => f32::MAX as f64,
+        }
+    }
+
     /// Significant bits.
     pub(crate) const fn bits(self) -> i32 {
         match self {

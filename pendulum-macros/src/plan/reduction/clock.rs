@@ -280,7 +280,7 @@ impl<'a> Clock<'a> {
             error: (launch + 1.0) * 2f64.powi(-74),
             relative_error: (roundings + 0.001) * self.float.unit(),
             // Infinite times are seen by it, too.
-            cap: Some(cap.min(f64::MAX)),
+            cap: Some(cap.min(self.float.largest())),
             ..Reduction::exact(method, Origin::Lowest, self.float)
         }
     }

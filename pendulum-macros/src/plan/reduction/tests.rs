@@ -299,7 +299,10 @@ fn the_separatrix() {
             assert!(excess > 0.0 && excess < 20.0 * float.unit(), "{excess:e}");
             // Beyond the cap nothing moves; no time is so late for a motion that is slow enough.
             let cap = 2.0 * (700.0 + launch.to_f64().abs()) / rate.to_f64();
-            assert_eq!((reduction.half() == 700.0, reduction.cap), (cap < f64::MAX, Some(cap.min(f64::MAX))));
+            assert_eq!(
+                (reduction.half() == 700.0, reduction.cap),
+                (cap < float.largest(), Some(cap.min(float.largest())))
+            );
             let horizon = 60.0 / rate.to_f64();
             let mut trial = Trial { reduction, rate, launch, horizon, worst: 0.0 };
             trial.run(&mut random, 60);
