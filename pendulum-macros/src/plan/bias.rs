@@ -194,7 +194,7 @@ const SLACK: f64 = 1e-3;
 
 /// So near the top that θ has more harmonics, an approximation of it comes to be as far from it as they are large, and
 /// so does the derivative.
-const MOST_TERMS: usize = 400;
+pub(super) const MOST_TERMS: usize = 400;
 
 /// Cells of the half wave, and how many of them are halved: next to an overshoot the arcsine's derivative peaks within
 /// a millionth of the half wave.

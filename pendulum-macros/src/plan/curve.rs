@@ -62,6 +62,12 @@ impl Size {
 const TOWARDS_POLES: [f64; 6] = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94];
 
 impl Curve {
+    /// A whole one with poles, of that size and those largest slopes.
+    fn new(wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Self {
+        let size = Size { largest, slope: slope * (1.0 + 1e-12), moment, unit };
+        Self { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: false, rises: false, size }
+    }
+
     pub(crate) fn parity(&self) -> Parity {
         self.wave.parity_about(self.arc.halves())
     }
@@ -242,9 +248,8 @@ impl<'a> SwingCurves<'a> {
         if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { libm::sin(amplitude) }
     }
 
-    fn curve(wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
-        let size = Size { largest, slope: slope * (1.0 + 1e-12), moment, unit };
-        Curve { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: true, rises: false, size }
+    fn curve(wave: Wave, pulses: Pulses, largest: f64, slopes: [f64; 2], unit: f64) -> Curve {
+        Curve { alternates: true, ..Curve::new(wave, pulses, largest, slopes, unit) }
     }
 
     fn moments(&self) -> &Moments {
@@ -289,7 +294,7 @@ impl Curves for SwingCurves<'_> {
     /// dn.
     fn half_cosine(&self) -> Curve {
         let pulses = Pulses::half_cosine(&self.swing.elliptic, 1.0);
-        Curve { alternates: false, ..Self::curve(Wave::half_cosine(self.swing), pulses, 1.0, [f64::INFINITY; 2], 1.0) }
+        Curve::new(Wave::half_cosine(self.swing), pulses, 1.0, [f64::INFINITY; 2], 1.0)
     }
 }
 
@@ -308,12 +313,6 @@ impl<'a> RotationCurves<'a> {
     /// Turns per unit of time.
     fn rate(&self) -> Double {
         self.rotation.rate().to_double()
-    }
-
-    fn curve(wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Curve {
-        let slope = slope * (1.0 + 1e-12);
-        let size = Size { largest, slope, moment, unit };
-        Curve { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: false, rises: false, size }
     }
 
     /// The largest |derivative| by the phase of what changes by at most that product per unit of time, which itself over-
@@ -347,7 +346,7 @@ impl Curves for RotationCurves<'_> {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
         let slopes = [self.slope(1.0, self.rotation.fastest.to_f64()), self.moments().angle];
         let pulses = Pulses::angle(&self.rotation.elliptic, std::f64::consts::PI, 1.0);
-        Self::curve(wave, pulses, std::f64::consts::PI, slopes, 1.0)
+        Curve::new(wave, pulses, std::f64::consts::PI, slopes, 1.0)
     }
 
     /// |θ̇|; its derivative is at most ω².
@@ -356,7 +355,7 @@ impl Curves for RotationCurves<'_> {
         let wave = Wave::rotation(self.rotation, 1, self.rate());
         let slopes = [self.slope(omega, omega), omega * self.moments().velocity];
         let pulses = Pulses::velocity(&self.rotation.elliptic, self.front(), omega);
-        Self::curve(wave, pulses, self.rotation.fastest.to_f64(), slopes, omega)
+        Curve::new(wave, pulses, self.rotation.fastest.to_f64(), slopes, omega)
     }
 
     fn acceleration(&self) -> Curve {
@@ -364,17 +363,17 @@ impl Curves for RotationCurves<'_> {
         let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
         let slopes = [self.slope(square, self.rotation.fastest.to_f64()), square * self.moments().acceleration];
         let pulses = Pulses::acceleration(&self.rotation.elliptic, self.front(), square);
-        Self::curve(wave, pulses, square, slopes, square)
+        Curve::new(wave, pulses, square, slopes, square)
     }
 
     fn half_sine(&self) -> Curve {
         let pulses = Pulses::half_sine(&self.rotation.elliptic, self.front());
-        Self::curve(Wave::from_top(self.rotation, Parity::Even), pulses, 1.0, [f64::INFINITY; 2], 1.0)
+        Curve::new(Wave::from_top(self.rotation, Parity::Even), pulses, 1.0, [f64::INFINITY; 2], 1.0)
     }
 
     fn half_cosine(&self) -> Curve {
         let pulses = Pulses::half_cosine(&self.rotation.elliptic, self.front());
-        Self::curve(Wave::from_top(self.rotation, Parity::Odd), pulses, 1.0, [f64::INFINITY; 2], 1.0)
+        Curve::new(Wave::from_top(self.rotation, Parity::Odd), pulses, 1.0, [f64::INFINITY; 2], 1.0)
     }
 }
 

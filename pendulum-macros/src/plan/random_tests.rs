@@ -159,15 +159,21 @@ impl<'a> Probe<'a> {
     }
 }
 
-/// Bound over largest error found, of a plan with a tolerance well above rounding.
-fn tightness(text: &str, random: &mut Random, density: usize) -> Option<f64> {
-    let (scene, plan) = planned(text)?;
-    let mut probe = Probe::new(&scene, &plan);
+/// The largest error found of a plan, which is within its bound.
+pub(super) fn largest_error(text: &str, scene: &Scene, plan: &Plan, random: &mut Random, density: usize) -> f64 {
+    let mut probe = Probe::new(scene, plan);
     probe.everywhere(random, density);
     let part = &plan.parts[0];
     let (t, error) = probe.worst;
     let bound = part.bound.total();
     assert!(error <= bound, "{text}: {error:e} at t = {t:e}, bound {bound:e} ({:?}), {}", part.bound, part.description);
+    error
+}
+
+/// Bound over largest error found, of a plan with a tolerance well above rounding.
+fn tightness(text: &str, random: &mut Random, density: usize) -> Option<f64> {
+    let (scene, plan) = planned(text)?;
+    let (error, bound) = (largest_error(text, &scene, &plan, random, density), plan.parts[0].bound.total());
     let covered = match (scene.goal, scene.float) {
         (Goal::Tolerance(tol), Float::F64) => tol >= 1e-12,
         (Goal::Tolerance(tol), Float::F32) => tol >= 1e-5,
@@ -470,10 +476,8 @@ fn far_units() {
         let text = crate::fuzz::grammar::far_units(&mut random);
         let Some((scene, plan)) = planned(&text) else { continue };
         planned_at += 1;
-        let mut probe = Probe::new(&scene, &plan);
-        probe.everywhere(&mut random, 2);
-        let (bound, program) = (plan.parts[0].bound, &plan.functions[0].program);
-        assert!(probe.worst.1 <= bound.total(), "{text}: {:?} of {bound:?}", probe.worst);
+        largest_error(&text, &scene, &plan, &mut random, 2);
+        let program = &plan.functions[0].program;
         let numbers = |t: f64, test: fn(f64) -> bool| program.run(t).into_iter().all(test);
         let no_times = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
         assert!(no_times.into_iter().all(|t| numbers(t, f64::is_nan)), "{text}");
@@ -494,9 +498,7 @@ fn once_wrong_in_far_units() {
     ] {
         let text = format!("struct Motion; {text}");
         let (scene, plan) = planned(&text).unwrap();
-        let mut probe = Probe::new(&scene, &plan);
-        probe.everywhere(&mut random, 10);
-        assert!(probe.worst.1 <= plan.parts[0].bound.total(), "{text}: {:?}", probe.worst);
+        largest_error(&text, &scene, &plan, &mut random, 10);
         assert!(plan.functions[0].program.run(f64::MAX)[0].is_finite(), "{text}");
     }
 }

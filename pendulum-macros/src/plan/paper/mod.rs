@@ -6,7 +6,7 @@ mod series;
 mod whole;
 
 use super::aim::FULL;
-use super::bias::Approximate;
+use super::bias::{Approximate, MOST_TERMS};
 use super::curve::{Curve, Curves, SwingCurves};
 use super::kernel;
 use super::met::Met;
@@ -24,9 +24,6 @@ use pendulum_runtime::double::Double;
 /// second.
 const MOST_CHOSEN: usize = 128;
 
-/// The same where the sum is taken in pieces: what it leaves out is known of no longer ones.
-const MOST_IN_PIECES: usize = 400;
-
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
     if let Some(&output) = scene.outputs.iter().find(|output| !matches!(output, Output::Theta | Output::Velocity)) {
@@ -42,7 +39,8 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
             _ => Sum::of_one(scene, swing, method),
         };
         let given = matches!(scene.goal, Goal::Terms(_));
-        let most = if method == Method::Series { MOST_IN_PIECES } else { MOST_CHOSEN };
+        // In pieces as many as it is known of what they leave out.
+        let most = if method == Method::Series { MOST_TERMS } else { MOST_CHOSEN };
         if sum.weights.len() >= most && !given {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
         }
@@ -112,12 +110,12 @@ impl Sum {
             Self::of_weights(Method::Series, swing.rate(), weights)
         };
         let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
-        if fewest >= MOST_IN_PIECES {
-            return first(MOST_IN_PIECES);
+        if fewest >= MOST_TERMS {
+            return first(MOST_TERMS);
         }
         let serves = |&kept: &usize| first(kept).approximate(&theta, scene, swing).angle() <= aim;
         let kept = (fewest..=terms.len()).find(serves).unwrap_or(terms.len());
-        first((kept + more).min(MOST_IN_PIECES).min(terms.len()))
+        first((kept + more).min(MOST_TERMS).min(terms.len()))
     }
 
     /// What of our phase a short horizon meets.

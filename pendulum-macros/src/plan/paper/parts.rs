@@ -50,6 +50,13 @@ impl Wanted {
         self.whole.as_ref().is_some_and(|whole| whole.approximation.is_some() || whole.pieces.is_some())
     }
 
+    /// The output by that kernel.
+    pub(super) fn part(&self, kernel: Kernel, description: String, bound: Bound) -> Part {
+        let Self { output, curve: Curve { size, .. }, .. } = self;
+        let (unit, largest) = (size.unit, size.largest);
+        Part { output: *output, kernel, description, bound, unit, largest, share: 0.0 }
+    }
+
     /// Whether there are pieces for reductions that can count them.
     pub(super) fn has_pieces(&self) -> bool {
         self.whole.as_ref().is_some_and(|whole| whole.pieces.is_some())
@@ -109,15 +116,7 @@ impl Sum {
             let phase = curve.size.phase_error(reduction);
             (summed, description, Bound { truncation: *bias, phase, evaluation })
         };
-        Part {
-            output: *output,
-            kernel,
-            description,
-            bound,
-            unit: curve.size.unit,
-            largest: curve.size.largest,
-            share: 0.0,
-        }
+        wanted.part(kernel, description, bound)
     }
 
     fn harmonics(&self, scene: &Scene, output: Output, reduction: &Reduction, direction: f64) -> Harmonics {
@@ -182,6 +181,9 @@ fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
     kernel::function(reduction, &[kernel]).cost_of_calls_too()
 }
 
+/// Parts of what the phase leaves that the truncation may take; the first that leaves enough to the rounding counts.
+pub(super) const SHARES: [f64; 2] = [4.0, 16.0];
+
 /// The kernel with a table whose truncation is at most that, the truncation, and the rounding.
 pub(super) fn kernel_in_pieces(
     sum: &Piecewise,
@@ -203,7 +205,7 @@ impl Whole {
         let first = |reduction: &Reduction, kernel: &dyn Fn(f64, f64) -> Option<(Kernel, f64, f64)>| {
             let phase = size.phase_error(reduction);
             let left = self.allowed.iter().map(|allowed| allowed - phase);
-            let mut shared = left.flat_map(|left| [4.0, 16.0].map(|share| (left, self.truncation.min(left / share))));
+            let mut shared = left.flat_map(|left| SHARES.map(|share| (left, self.truncation.min(left / share))));
             let (kernel, truncation, evaluation) = shared.find_map(|(left, truncation)| kernel(left, truncation))?;
             Some(Candidate { kernel, bound: Bound { truncation, phase, evaluation } })
         };

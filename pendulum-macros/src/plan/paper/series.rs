@@ -5,7 +5,7 @@
 //! curve, too, bounded in the strip of the whole by what the whole is bounded by; so it is interpolated as that would be.
 
 use super::Sum;
-use super::parts::{Wanted, kernel_in_pieces};
+use super::parts::{SHARES, Wanted, kernel_in_pieces};
 use crate::motion::{Swing, direction};
 use crate::plan::part::observed;
 use crate::plan::pieces::Piecewise;
@@ -13,9 +13,6 @@ use crate::plan::reduction::Reduction;
 use crate::plan::{Bound, Part, Plan};
 use crate::scene::Scene;
 use crate::supremum::worst;
-
-/// Parts of what the phase leaves that the truncation may take; the first that leaves enough to the rounding counts.
-const SHARES: [f64; 2] = [4.0, 16.0];
 
 /// By how much better than what is left of the promise sums are interpolated.
 const NEGLIGIBLE: f64 = 512.0 * SHARES[1];
@@ -65,8 +62,8 @@ impl Sum {
         sum: &Piecewise,
         reduction: &Reduction,
     ) -> Result<Part, f64> {
-        let Wanted { output, curve, bias, .. } = wanted;
-        let (unit, largest, phase) = (curve.size.unit, curve.size.largest, curve.size.phase_error(reduction));
+        let Wanted { curve, bias, .. } = wanted;
+        let phase = curve.size.phase_error(reduction);
         let left = self.left(scene, wanted) - phase;
         let made = |share: f64| kernel_in_pieces(sum, left / share, reduction, direction(swing.mirrored));
         let mut reached = f64::INFINITY;
@@ -74,9 +71,9 @@ impl Sum {
             let bound = Bound { truncation: bias + truncation, phase, evaluation };
             if truncation + evaluation <= left {
                 let description = format!("{} harmonics, their sum as {}", self.weights.len(), kernel.describe());
-                return Ok(Part { output: *output, kernel, description, bound, unit, largest, share: 0.0 });
+                return Ok(wanted.part(kernel, description, bound));
             }
-            reached = reached.min(bound.total() / unit);
+            reached = reached.min(bound.total() / curve.size.unit);
         }
         Err(reached)
     }

@@ -40,7 +40,7 @@ impl Aim {
 
     /// Its curves in so many pieces.
     pub(in crate::plan) fn piecewise(&self, parts: usize) -> Option<Vec<Piecewise>> {
-        let negligible = |curve: &Curve| (self.truncation.min(curve.size.largest) / 512.0).max(self.floor() / 512.0);
+        let negligible = |curve: &Curve| self.truncation.min(curve.size.largest).max(self.floor()) / 512.0;
         self.curves.iter().map(|curve| Piecewise::new(curve, parts, negligible(curve))).collect()
     }
 
