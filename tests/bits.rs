@@ -104,6 +104,9 @@ fn generated() -> String {
         f64 velocity { theta0 = 7π/8, tol = 1e-9, t_max = 1000 }
         f64 theta { theta0 = 7π/8, n = 4 }
         f64 velocity { theta0 = 7π/8, n = 4 }
+        f64 acceleration { theta0 = 7π/8, n = 4 }
+        f32 position { theta0 = -0.93π, n = 4 }
+        f64 acceleration { theta0 = 2, method = series, tol = 1e-9 }
         f64 theta { theta0 = PI - 1e-7 }
         f64 velocity { theta0 = PI - 1e-5, omega = 3, velocity0 = 1e-6 }
         f64 acceleration { velocity0 = 2.0001 }

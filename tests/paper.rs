@@ -96,6 +96,31 @@ fn every_n_gives_the_papers_own_function() {
     assert_eq!(count, 16 * 24);
 }
 
+/// The acceleration is that of the equation of motion at θ̂, and the position that of θ̂, computed without it.
+#[test]
+fn what_follows_from_the_papers_function() {
+    pendulum! {
+        struct Hat;
+        theta0 = -7π/8, omega = 2, n = 4, outputs = [theta, velocity, acceleration, position]
+    }
+    pendulum! { struct Exact; theta0 = -7π/8, omega = 2, outputs = [acceleration, position] }
+    let mut worst = [0.0_f64; 2];
+    for i in -300..300 {
+        let t = f64::from(i) / 16.0;
+        let ((x, y), (sine, cosine)) = (Hat::position(t), Hat::theta(t).sin_cos());
+        assert!((x - sine).abs() < 4e-15 && (y + cosine).abs() < 4e-15, "{t}: {x} {y}");
+        assert!((Hat::acceleration(t) + 4.0 * sine).abs() < 2e-14, "{t}");
+        let (exact_x, exact_y) = Exact::position(t);
+        worst[0] = worst[0].max((x - exact_x).hypot(y - exact_y));
+        worst[1] = worst[1].max((Hat::acceleration(t) - Exact::acceleration(t)).abs() / 4.0);
+    }
+    for (seen, bound) in worst.into_iter().zip([Hat::MAX_POSITION_ERROR, Hat::MAX_ACCELERATION_ERROR]) {
+        assert!(seen <= bound && bound < 1.1 * seen, "{seen} {bound}");
+    }
+    assert!(Hat::position(f64::NAN).0.is_nan() && Hat::acceleration(f64::INFINITY).is_nan());
+    assert_eq!(Hat::position(1.25).1, Hat::position(-1.25).1);
+}
+
 /// Just below an overshoot the argument y of the arcsine comes near 1 in mid-swing, too, and the arcsine's slope,
 /// 1/√(1 − y²), multiplies its roundings: 8 ulp of θ0 where the slope is at most 4, 3 ulp times the slope beyond.
 #[test]

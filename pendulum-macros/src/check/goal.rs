@@ -153,18 +153,35 @@ impl Checker<'_> {
         Err(self.refuse(&given.tokens, message))
     }
 
-    /// θ̂ and its derivative are what the paper gives; nothing else has `n` terms.
-    pub(super) fn served_by_terms(&mut self, outputs: &Given<Vec<Output>>) -> Checked<()> {
+    /// Refuses outputs that a sum of harmonics, asked for by `method` or `n`, doesn't give.
+    pub(super) fn served_by_method(&mut self, motion: Option<&Motion>, outputs: &Given<Vec<Output>>) -> Checked<()> {
+        let by_terms = self.request.n.as_ref().map(|_| Method::Fourier);
+        let method = self.request.method.as_ref().map(|given| given.value).or(by_terms);
+        let Some(method) = method else { return Ok(()) };
+        if motion.is_some_and(|motion| !serves(method, &motion.regime)) {
+            return Ok(());
+        }
         let mut verdict = Ok(());
-        for &output in &outputs.value {
-            if !matches!(output, Output::Theta | Output::Velocity) {
-                let word = output.word();
-                let message =
-                    format!("output `{word}` isn't defined by `n` terms of θ̂: state the error as `tol` instead of `n`");
-                verdict = Err(self.refuse(word_in(&outputs.tokens, word), message));
-            }
+        for &output in outputs.value.iter().filter(|&&output| !gives(method, output)) {
+            let (word, method) = (output.word(), method.word());
+            let remedy = match output {
+                Output::Wrapped => "θ of a swing, which stays within [−π, π) by itself: use `theta`",
+                _ => "θ and its derivatives only: use `method = fourier` or `polynomial`, or leave `method` out",
+            };
+            let message = format!("output `{word}`: `{method}` gives {remedy}");
+            verdict = Err(self.refuse(word_in(&outputs.tokens, word), message));
         }
         verdict
+    }
+}
+
+/// Whether a method has an output: from the sine that the paper's formula is made of a position follows, from θ as a sum
+/// of harmonics by another sine only.
+fn gives(method: Method, output: Output) -> bool {
+    match (method, output) {
+        (Method::Polynomial, _) | (_, Output::Theta | Output::Velocity | Output::Acceleration) => true,
+        (_, Output::Position) => method == Method::Fourier,
+        (_, Output::Wrapped) => false,
     }
 }
 

@@ -91,9 +91,7 @@ impl Checker<'_> {
     fn outputs(&mut self, motion: Option<&Motion>) -> Checked<Vec<Output>> {
         let Some(given) = &self.request.outputs else { return Ok(vec![Output::Theta]) };
         let outputs: Vec<Output> = Output::ALL.iter().copied().filter(|output| given.value.contains(output)).collect();
-        if self.request.n.is_some() {
-            self.served_by_terms(given)?;
-        }
+        self.served_by_method(motion, given)?;
         if let (Form::Expression, [first, second, ..]) = (&self.request.form, given.value.as_slice()) {
             let message = format!(
                 "the expression form is one function, of one output: use the item form, `struct Name; …`, for `{}` beside \

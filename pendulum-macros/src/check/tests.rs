@@ -141,7 +141,8 @@ fn refuses_goals_that_cannot_be_kept() {
     refused("theta0 = 1, t_max = 0", &["`t_max = 0` is not positive"]);
     refused("theta0 = 1, t_max = 1e300", &["`t_max = 1e300`", "2⁵³ periods"]);
     refused("velocity0 = 3, n = 4", &["`n = 4`", "rotation", "`tol`"]);
-    refused("struct A; theta0 = 1, n = 4, outputs = [theta, position]", &["`position`", "`tol`"]);
+    refused("struct A; theta0 = 1, n = 4, outputs = [theta, wrapped]", &["`wrapped`", "`fourier`", "`theta`"]);
+    refused("struct A; theta0 = 1, method = series, outputs = [position]", &["`position`", "`series`", "`method`"]);
     refused("theta0 = 1, outputs = [theta, velocity]", &["item form", "`velocity`"]);
 }
 

@@ -222,7 +222,7 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
             if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
         }
         Refusal::Broken { .. } => Err(message),
-        _ => Ok(()),
+        Refusal::Overshoot { .. } => Ok(()),
     }
 }
 

@@ -1,4 +1,4 @@
-//! How far an approximate θ is from θ, and its derivative from θ̇.
+//! How far an approximate θ is from θ, its derivative from θ̇, and what follows from it for θ̈ from that.
 
 use super::cosines::Cosines;
 use super::curve::{Curve, Curves, SwingCurves};
@@ -70,6 +70,31 @@ impl<'a> Approximate<'a> {
         ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
     }
 
+    /// How far −ω² sin θ̂ by the paper's formula, or otherwise θ̂″, is from θ̈ over the horizon at most, in rad per unit of
+    /// t squared.
+    pub(super) fn acceleration(&self) -> f64 {
+        let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
+        if self.method != Method::Fourier {
+            let (weights, theta) = (bends(self.weights, self.rate, 1.0), curves.acceleration());
+            return Approximate { weights: &weights, theta: &theta, ..*self }.at_most();
+        }
+        let by_angle = self.everywhere();
+        let apart = if self.theta.terms().len() > MOST_TERMS {
+            by_angle
+        } else {
+            let met = self.met().map_or([0.0, 0.5], |Met { least, farthest }| [least, farthest]);
+            by_angle.min(self.at_same_phase(met, Sines::sines_apart, 0))
+        };
+        apart * self.scene.motion.omega.square().to_f64() * (1.0 + 1e-9)
+    }
+
+    /// sup |θ̂ − θ| over the horizon, as far as what is met of it is known.
+    fn at_most(&self) -> f64 {
+        let everywhere = self.everywhere();
+        self.met().map_or(everywhere, |Met { least, farthest }| everywhere.min(self.within([least, farthest])))
+            * (1.0 + 1e-9)
+    }
+
     /// sup |θ̂ − θ| over all phases.
     fn everywhere(&self) -> f64 {
         match self.method {
@@ -80,11 +105,12 @@ impl<'a> Approximate<'a> {
     }
 
     /// sup |θ0 cos πs − θ(s)|, of which both are sums of harmonics. So near the top that these are many, θ stays at ±θ0
-    /// while the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart.
+    /// while the cosine passes zero: they have the same sign, so θ0 is a bound, and they come to be that far apart. So of
+    /// their second derivatives the larger one is.
     fn of_cosine(&self) -> f64 {
         let theta = self.theta;
         if theta.terms().len() > MOST_TERMS {
-            return self.swing.amplitude.to_f64() * (1.0 + f64::EPSILON);
+            return theta.size.largest.max(self.weights[0].hi.abs()) * (1.0 + 8.0 * f64::EPSILON);
         }
         let mut terms = theta.terms().to_vec();
         if let Some(first) = terms.first_mut() {
@@ -132,7 +158,7 @@ impl<'a> Approximate<'a> {
     /// What another rate comes to for phases that go so far from an anchor: of the one cosine θ0 cos πs, which alone has
     /// one.
     fn moved(&self, farthest: f64) -> f64 {
-        if self.is_cosine() { self.weights[0].hi * of_moved_cosine(farthest, self.drift) } else { 0.0 }
+        if self.is_cosine() { self.weights[0].hi.abs() * of_moved_cosine(farthest, self.drift) } else { 0.0 }
     }
 
     fn is_cosine(&self) -> bool {
@@ -147,6 +173,16 @@ impl<'a> Approximate<'a> {
         let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
         Sines::new(self.weights, sum_of(self.theta.terms()), &curves)
     }
+}
+
+/// The weights of θ̂″ at that rate, mirrored if `direction` is negative: −wₙ((2n − 1)π·rate)².
+pub(super) fn bends(weights: &[Double], rate: &Real, direction: f64) -> Vec<Double> {
+    let rate = rate.to_double() * Double::PI;
+    let bend = |(index, &w): (usize, &Double)| {
+        let frequency = rate * (2 * index + 1) as f64;
+        w * frequency * frequency * -direction
+    };
+    weights.iter().enumerate().map(bend).collect()
 }
 
 /// sup |cos πs − cos πs′| for phases s up to `farthest` that differ from s′ by up to `drift`, in anchors: it is
@@ -243,6 +279,15 @@ impl Sines {
         }
         let divisor = least * exact + least_whole * ours;
         by_slope.min(2.0 * libm::asin((rest * (most + most_whole) / divisor).min(1.0)))
+    }
+
+    /// Bounds |sin θ̂ − sin θ| between two phases, 2|cos ½(θ̂ + θ) sin ½(θ̂ − θ)|.
+    fn sines_apart(&self, low: f64, high: f64) -> f64 {
+        let [(a, b), (c, d)] = [&self.ours, &self.whole].map(|sum| sum.over(low, high).range(0));
+        let half = |sine: f64| libm::asin(sine.clamp(-1.0, 1.0));
+        let (least, most) = (2.0 * half(a.min(c - self.omitted[0])), 2.0 * half(b.max(d + self.omitted[0])));
+        let steepest = if least <= 0.0 { 1.0 } else { libm::cos(least).abs().max(libm::cos(most).abs()) };
+        self.angles_apart(low, high) * steepest
     }
 
     /// Bounds |θ̂′ − θ′| between two phases. With m = 1 − y² it is |2ρ′ + θ′ρ·tan ¼(θ̂ + θ)|/√m, in which nothing is

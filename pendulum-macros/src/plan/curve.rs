@@ -141,6 +141,12 @@ impl Curve {
         Self { wave: self.wave.negated(), ..self }
     }
 
+    /// As large as a position, which an error of the phase changes by as much as this, the angle.
+    pub(crate) fn into_position(mut self) -> Self {
+        self.size.largest = 1.0;
+        self
+    }
+
     /// The sum of the first terms of its series.
     pub(crate) fn first(self, terms: usize) -> Self {
         Self { wave: self.wave.first(terms), pulses: None, rises: false, ..self }

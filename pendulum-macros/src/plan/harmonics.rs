@@ -1,5 +1,5 @@
-//! Sums of harmonics of one cosine, evaluated by Clenshaw's recurrence: the paper's θ̂ (Eq. 22), its derivative, and
-//! the series of θ (Eq. 17 being its shape with one term).
+//! Sums of harmonics of one cosine, evaluated by Clenshaw's recurrence: the paper's θ̂ (Eq. 22) and what follows from
+//! it, and the series of θ and of its derivatives (Eq. 17 being its shape with one term).
 //!
 //! With X = 2 cos 2φ and uₙ = wₙ + X·uₙ₊₁ − uₙ₊₂, Σ wₙ cos((2n−1)φ) = cos φ·(u₁ − u₂) and
 //! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). Errors of the recurrence add, they don't multiply (`recurrence.rs`).
@@ -32,10 +32,24 @@ pub(crate) struct Harmonics {
     pub(crate) sines: Vec<Double>,
     /// The sum of cosines as one polynomial, where that is as accurate: its chain of operations is the shorter.
     pub(crate) folded: Option<Polynomial>,
-    /// Of the sum of cosines, in the paper's formula.
-    pub(crate) arcsine: Option<Arcsine>,
-    /// −1 for a mirror image; the weights of cosines under an arcsine are never mirrored.
+    pub(crate) made: Made,
+    /// −1 for a mirror image; the weights of a sum that is sin(θ̂/2) are never mirrored.
     pub(crate) direction: f64,
+}
+
+/// What is made of the sums: of that of cosines, y, which in the paper's formula is sin(θ̂/2), and of its derivative.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Made {
+    /// The one sum that there is.
+    Sum,
+    /// θ̂ = 2 arcsin y.
+    Angle(Arcsine),
+    /// θ̂′ = 2y′/√(1 − y²).
+    Velocity,
+    /// −ω² sin θ̂ = −2ω²y√(1 − y²), given ω².
+    Acceleration(Double),
+    /// sin θ̂ = 2y√(1 − y²) and −cos θ̂ = 2y² − 1.
+    Position,
 }
 
 /// How often slices are halved where the rounding peaks.
@@ -50,9 +64,14 @@ impl Harmonics {
         self.sine.is_some()
     }
 
-    /// Whether the rounding has a narrow peak: that of the derivative of an arcsine, where its argument comes near 1.
+    /// Whether the rounding has a narrow peak: where y comes near 1, of what a root of 1 − y² makes of it.
     fn peaks(&self) -> bool {
-        self.is_odd() && self.arcsine.is_some()
+        !matches!(self.made, Made::Sum | Made::Angle(_))
+    }
+
+    /// Whether the sum of cosines is that of the paper's formula.
+    fn is_of_paper(&self) -> bool {
+        self.made != Made::Sum
     }
 
     pub(super) fn terms(&self) -> usize {
@@ -61,39 +80,36 @@ impl Harmonics {
 
     pub(super) fn describe(&self) -> String {
         let terms = self.terms();
-        if let (Some(folded), Some(arcsine)) = (&self.folded, &self.arcsine) {
-            let (sum, arcsine) = (folded.describe(), arcsine.terms());
-            return format!("{terms} harmonics folded into a {sum}, an arcsine by a polynomial of {arcsine} terms");
-        }
-        let cosine = self.cosine.terms();
-        let arcsine = self
-            .arcsine
-            .as_ref()
-            .map_or(String::new(), |arcsine| format!(", an arcsine by a polynomial of {} terms", arcsine.terms()));
-        format!("{terms} harmonics by recurrence from one cosine of {cosine} terms{arcsine}")
+        let sum = match &self.folded {
+            Some(folded) => format!("{terms} harmonics folded into a {}", folded.describe()),
+            None => format!("{terms} harmonics by recurrence from one cosine of {} terms", self.cosine.terms()),
+        };
+        let made = match &self.made {
+            Made::Sum => String::new(),
+            Made::Angle(arcsine) => format!(", an arcsine by a polynomial of {} terms", arcsine.terms()),
+            Made::Velocity | Made::Acceleration(_) | Made::Position => ", a square root".to_owned(),
+        };
+        sum + &made
     }
 
-    pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
-        let value = match (&self.sine, &self.folded) {
-            (None, Some(folded)) => {
-                let sum = folded.magnitude(b, variables);
-                b.name(sum, ARGUMENT);
-                self.arcsine.as_ref().map_or(sum, |arcsine| arcsine.lower(b, sum, self.direction))
-            }
-            (None, None) => {
-                let cosine = self.cosine(b, variables);
-                self.value(b, cosine)
-            }
-            (Some(sine), _) => {
-                let cosine = self.cosine(b, variables);
-                let sine = sine.magnitude(b, variables);
-                b.name(sine, "sine");
-                self.derivative(b, cosine, sine)
-            }
+    /// Emits the output; a position has two results.
+    pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
+        let signed = |b: &mut Builder, value: Id| {
+            let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
+            variables.signed(b, value, true, parity)
         };
+        if let Made::Position = self.made {
+            let y = self.argument(b, variables);
+            let x = self.sine_of_angle(b, y);
+            b.name(x, "x");
+            let (square, one) = (b.mul(y, y), b.constant(1.0));
+            let twice = b.add(square, square);
+            let height = b.sub(twice, one);
+            return vec![signed(b, x), b.name(height, "y")];
+        }
+        let value = self.value(b, variables);
         b.name(value, name);
-        let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
-        variables.signed(b, value, true, parity)
+        vec![signed(b, value)]
     }
 
     fn cosine(&self, b: &mut Builder, variables: &Variables) -> Id {
@@ -101,9 +117,34 @@ impl Harmonics {
         b.name(cosine, "cosine")
     }
 
-    fn value(&self, b: &mut Builder, cosine: Id) -> Id {
-        let sum = self.sum_of_cosines(b, cosine);
-        self.arcsine.as_ref().map_or(sum, |arcsine| arcsine.lower(b, sum, self.direction))
+    /// A single result without the sign of the phase.
+    fn value(&self, b: &mut Builder, variables: &Variables) -> Id {
+        if let Some(sine) = &self.sine {
+            let cosine = self.cosine(b, variables);
+            let sine = sine.magnitude(b, variables);
+            b.name(sine, "sine");
+            return self.derivative(b, cosine, sine);
+        }
+        let sum = self.argument(b, variables);
+        match &self.made {
+            Made::Angle(arcsine) => arcsine.lower(b, sum, self.direction),
+            Made::Acceleration(square) => {
+                let sine = self.sine_of_angle(b, sum);
+                let square = b.exact(-*square);
+                b.mul(sine, square)
+            }
+            _ => sum,
+        }
+    }
+
+    /// The sum of cosines.
+    fn argument(&self, b: &mut Builder, variables: &Variables) -> Id {
+        if let Some(folded) = &self.folded {
+            let sum = folded.magnitude(b, variables);
+            return b.name(sum, ARGUMENT);
+        }
+        let cosine = self.cosine(b, variables);
+        self.sum_of_cosines(b, cosine)
     }
 
     /// The sum of sines; of an arcsine, 2y′/√((1 − y)(1 + y)).
@@ -112,14 +153,11 @@ impl Harmonics {
         let sum = second.map_or(first, |second| b.add(first, second));
         let slope = b.mul(sine, sum);
         b.name(slope, SLOPE);
-        if self.arcsine.is_none() {
+        if !self.is_of_paper() {
             return slope;
         }
         let y = self.sum_of_cosines(b, cosine);
-        let one = b.constant(1.0);
-        let (below, above) = (b.sub(one, y), b.add(one, y));
-        let product = b.mul(below, above);
-        let root = b.push(Op::Root(product));
+        let root = root_of_rest(b, y);
         let quotient = b.div(slope, root);
         b.add(quotient, quotient)
     }
@@ -131,8 +169,15 @@ impl Harmonics {
         b.name(sum, ARGUMENT)
     }
 
-    /// The rounding over the whole range of the phase; some number above `cap` as soon as it is known to be, but for a
-    /// derivative of an arcsine.
+    /// sin θ̂, mirrored or not.
+    fn sine_of_angle(&self, b: &mut Builder, y: Id) -> Id {
+        let two = b.constant(2.0 * self.direction);
+        let (root, twice) = (root_of_rest(b, y), b.mul(y, two));
+        b.mul(twice, root)
+    }
+
+    /// The rounding over the whole range of the phase; some number above `cap` as soon as it is known to be, but where it
+    /// peaks.
     pub(super) fn rounding(&self, program: &Program, reduction: &Reduction, cap: f64) -> f64 {
         let of_polynomial =
             |polynomial: &Polynomial| Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
@@ -148,7 +193,7 @@ impl Harmonics {
         // A sum of few terms that is the result itself is analysed better step by step.
         let between = |low: f64, high: f64| {
             let closed = given(&closed, &sums, low, high);
-            if self.arcsine.is_none() { closed.min(given(&by_steps, &[], low, high)) } else { closed }
+            if self.is_of_paper() { closed } else { closed.min(given(&by_steps, &[], low, high)) }
         };
         if self.peaks() {
             return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
@@ -166,7 +211,7 @@ impl Harmonics {
     /// The sums that the program computes, given the errors of the cosine and the sine.
     fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
         let sum = |name, curve, order, weights: &[Double], sine: Option<f64>| {
-            let name = if self.arcsine.is_some() { name } else { RESULT };
+            let name = if self.is_of_paper() { name } else { RESULT };
             let recurrence = || Error::Recurrence(Recurrence::new(weights, cosine, sine, reduction.float));
             let error = if self.folded.is_some() { Error::Everywhere(cosine) } else { recurrence() };
             Sum { name, curve, order, error }
@@ -180,6 +225,14 @@ impl Harmonics {
         }
         all
     }
+}
+
+/// √((1 − y)(1 + y)), cos(θ̂/2).
+fn root_of_rest(b: &mut Builder, y: Id) -> Id {
+    let one = b.constant(1.0);
+    let (below, above) = (b.sub(one, y), b.add(one, y));
+    let product = b.mul(below, above);
+    b.push(Op::Root(product))
 }
 
 /// A sum in a program, and how wrong it is computed.

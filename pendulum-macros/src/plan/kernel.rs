@@ -45,7 +45,7 @@ impl Kernel {
             Self::Circle(factors) => circle(b, variables, factors),
             Self::Pieces(pieces) => vec![pieces.lower(b, name)],
             Self::Halves(halves) => halves.lower(b),
-            Self::Harmonics(harmonics) => vec![harmonics.lower(b, variables, name)],
+            Self::Harmonics(harmonics) => harmonics.lower(b, variables, name),
             Self::Passage(passage) => passage.lower(b, variables, name),
             Self::Turning(turning) => vec![turning.lower(b, variables, name)],
             Self::Within(angle) => {

@@ -54,7 +54,8 @@ fn random_scene(random: &mut Random) -> String {
         4 => ", method = polynomial",
         _ => "",
     };
-    let papers = goal.starts_with(", tol") && matches!(output, "theta" | "velocity");
+    let has_position = method.ends_with("fourier") && output == "position";
+    let papers = goal.starts_with(", tol") && (has_position || !matches!(output, "position" | "wrapped"));
     let method = if papers || method.ends_with("polynomial") { method } else { "" };
     let float = if single { ", float = f32" } else { "" };
     format!("{start}{goal}{horizon}{method}{float}, outputs = [{output}]")

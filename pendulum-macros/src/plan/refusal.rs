@@ -1,7 +1,7 @@
 //! Why a scene can't be planned, and what its author is told.
 
 use crate::motion::Regime;
-use crate::parse::{Float, Method, Output, source};
+use crate::parse::{Float, Output, source};
 use crate::scene::{Goal, Scene};
 
 /// Why there is no plan.
@@ -13,8 +13,6 @@ pub(crate) enum Refusal {
     Overshoot { terms: usize, overshoot: f64, smallest: Option<usize> },
     /// The planner saw its own promise broken.
     Broken { output: Output },
-    /// The method doesn't give this output.
-    Output { method: Method, output: Output },
 }
 
 impl Refusal {
@@ -38,14 +36,6 @@ impl Refusal {
                     output.word()
                 );
                 (&blame.start, message)
-            }
-            Self::Output { method, output } => {
-                let message = format!(
-                    "`{}` gives θ and its derivative, not `{}`: use `method = polynomial`, or leave `method` out",
-                    method.word(),
-                    output.word()
-                );
-                (&blame.method, message)
             }
         };
         syn::Error::new_spanned(tokens, message)

@@ -1,5 +1,5 @@
 use pendula::pendulum;
 
 fn main() {
-    let _theta: fn(f64) -> f64 = pendulum!(theta0 = 1, method = harmonic, tol = 0.5, outputs = [acceleration]);
+    let _theta: fn(f64) -> f64 = pendulum!(theta0 = 1, method = harmonic, tol = 0.5, outputs = [position]);
 }

@@ -26,12 +26,9 @@ const MOST_CHOSEN: usize = 128;
 
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
-    if let Some(&output) = scene.outputs.iter().find(|output| !matches!(output, Output::Theta | Output::Velocity)) {
-        return Err(Refusal::Output { method, output });
-    }
     let mut reached = f64::INFINITY;
     let fewest = if method == Method::Fourier { fewest(scene, swing) } else { 1 };
-    // The terms are chosen for θ; its derivative may need some more, as long as these help.
+    // Derivatives may need some terms more, as long as these help.
     for more in MORE {
         let sum = match method {
             Method::Fourier => Sum::fourier(scene, swing, fewest + more)?,
@@ -58,7 +55,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     Err(Refusal::Unreachable { best: reached })
 }
 
-/// How many terms more than θ needs are tried.
+/// How many terms more are tried.
 const MORE: [usize; 8] = [0, 1, 2, 3, 5, 8, 13, 21];
 
 /// The weights that a method gives to the harmonics of the phase.
@@ -97,24 +94,28 @@ impl Sum {
         Ok(Self { coefficients, ..Self::of_weights(Method::Fourier, swing.rate(), weights) })
     }
 
-    /// The series of θ.
+    /// The series of θ: as many terms as that takes to come within what is asked, and so many that what a derivative's
+    /// leave out may be as little.
     fn series(scene: &Scene, swing: &Swing, more: usize) -> Self {
-        let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        let theta = curves.angle();
         let terms = theta.terms();
-        let aim = match scene.goal {
-            Goal::Tolerance(tol) => tol * 0.98,
-            _ => scene.float.unit() * swing.amplitude.to_f64(),
-        };
         let first = |kept: usize| {
             let weights = terms[..kept].iter().map(|&(_, a)| a).collect();
             Self::of_weights(Method::Series, swing.rate(), weights)
         };
-        let fewest = (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len());
+        let fewest = fewest_of_series(scene, &theta);
         if fewest >= MOST_TERMS {
             return first(MOST_TERMS);
         }
-        let serves = |&kept: &usize| first(kept).approximate(&theta, scene, swing).angle() <= aim;
+        let serves = |&kept: &usize| first(kept).approximate(&theta, scene, swing).angle() <= aim(scene, &theta);
         let kept = (fewest..=terms.len()).find(serves).unwrap_or(terms.len());
+        let of_derivative = |output: &Output| match output {
+            Output::Velocity => fewest_of_series(scene, &curves.velocity()),
+            Output::Acceleration => fewest_of_series(scene, &curves.acceleration()),
+            _ => 0,
+        };
+        let kept = scene.outputs.iter().map(of_derivative).fold(kept, usize::max);
         first((kept + more).min(MOST_TERMS).min(terms.len()))
     }
 
@@ -127,6 +128,20 @@ impl Sum {
     fn approximate<'a>(&'a self, theta: &'a Curve, scene: &'a Scene, swing: &'a Swing) -> Approximate<'a> {
         Approximate::new((self.method, &self.weights, &self.rate), theta, scene, swing)
     }
+}
+
+/// What the terms of a series that are left out may come to.
+fn aim(scene: &Scene, curve: &Curve) -> f64 {
+    match scene.goal {
+        Goal::Tolerance(tol) => tol * curve.size.unit * 0.98,
+        _ => scene.float.unit() * curve.size.largest,
+    }
+}
+
+/// How many terms there are before one that is no more than twice that: with fewer its own harmonic is too much.
+fn fewest_of_series(scene: &Scene, curve: &Curve) -> usize {
+    let (terms, aim) = (curve.terms(), aim(scene, curve));
+    (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len())
 }
 
 /// The first number of terms from `smallest` on, of a few, that is planned: without overshoot an error may still be too

@@ -2,12 +2,13 @@
 
 use super::{Sum, pieces, whole};
 use crate::motion::{Swing, direction};
-use crate::parse::Output;
+use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
+use crate::plan::bias::bends;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
 use crate::plan::form::{Division, Form};
-use crate::plan::harmonics::Harmonics;
+use crate::plan::harmonics::{Harmonics, Made};
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::pieces::Piecewise;
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
@@ -69,11 +70,15 @@ impl Sum {
         let theta = curves.angle();
         let approximate = self.approximate(&theta, scene, swing);
         let one = |&output: &Output| {
-            if output == Output::Velocity {
-                return Wanted { output, curve: curves.velocity(), bias: approximate.velocity(), whole: None };
-            }
-            let bias = approximate.angle();
-            Wanted { output, curve: theta.clone(), bias, whole: self.whole(scene, swing, bias) }
+            let (curve, bias) = match output {
+                Output::Velocity => (curves.velocity(), approximate.velocity()),
+                Output::Acceleration => (curves.acceleration(), approximate.acceleration()),
+                // The chord of an angle is no longer than its arc.
+                Output::Position => (theta.clone().into_position(), approximate.angle()),
+                Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
+            };
+            let whole = if output == Output::Theta { self.whole(scene, swing, bias) } else { None };
+            Wanted { output, curve, bias, whole }
         };
         scene.outputs.iter().map(one).collect()
     }
@@ -86,7 +91,7 @@ impl Sum {
             Goal::Tolerance(tol) => vec![tol - bias],
             _ => [8.0, 11.0].map(units).into(),
         };
-        if self.coefficients.is_empty() {
+        if self.method != Method::Fourier {
             return None;
         }
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
@@ -130,15 +135,27 @@ impl Sum {
         let one = scene.motion.omega.context().integer(1);
         let cosine = base(&Curve::cosine(&one));
         let sine = derivative.then(|| base(&Curve::sine()));
-        let arcsine = (!self.coefficients.is_empty()).then(|| self.arcsine(reduction));
-        let cosines = match (derivative, &arcsine) {
-            (_, Some(_)) => self.weights.clone(),
-            (false, None) => self.weights.iter().map(|&weight| weight * direction).collect(),
-            (true, None) => Vec::new(),
+        let made = self.made(scene, output, reduction);
+        let cosines = match (&made, output) {
+            (Made::Sum, Output::Velocity) => Vec::new(),
+            (Made::Sum, Output::Acceleration) => bends(&self.weights, &self.rate, direction),
+            (Made::Sum, _) => self.weights.iter().map(|&weight| weight * direction).collect(),
+            _ => self.weights.clone(),
         };
         let sines = if derivative { self.slopes(direction) } else { Vec::new() };
-        let folded = arcsine.as_ref().filter(|_| !derivative).and_then(|_| self.folded(scene, reduction));
-        Harmonics { cosine, sine, cosines, sines, folded, arcsine, direction }
+        let folded = if made == Made::Sum || derivative { None } else { self.folded(scene, reduction) };
+        Harmonics { cosine, sine, cosines, sines, folded, made, direction }
+    }
+
+    /// What an output is made of: in the paper's formula the sum is sin(θ̂/2).
+    fn made(&self, scene: &Scene, output: Output, reduction: &Reduction) -> Made {
+        match output {
+            _ if self.method != Method::Fourier => Made::Sum,
+            Output::Theta | Output::Wrapped => Made::Angle(self.arcsine(reduction)),
+            Output::Velocity => Made::Velocity,
+            Output::Acceleration => Made::Acceleration(scene.motion.omega.square().to_double()),
+            Output::Position => Made::Position,
+        }
     }
 
     /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.

@@ -3,11 +3,12 @@
 use super::*;
 use crate::fuzz::random::Random;
 use crate::motion::Regime;
+use crate::parse::Float;
 use crate::plan::kernel::Kernel;
 use crate::plan::plan;
 use crate::plan::random_tests::{Probe, largest_error};
 use crate::plan::tests::scene;
-use crate::plan::truth::State;
+use crate::plan::truth::{State, distance};
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 fn planned(text: &str) -> Result<Plan, Refusal> {
@@ -97,6 +98,9 @@ fn the_series_in_pieces() {
         ("theta0 = π - 1e-9, tol = 3e-14", "f64"),
         ("theta0 = π - 1e-9", "f64"),
         ("theta0 = π - 1e-9, outputs = [velocity]", "f64"),
+        ("theta0 = -0.9π, outputs = [acceleration]", "f64"),
+        ("theta0 = π - 1e-6, omega = 3, t_max = 100, outputs = [acceleration]", "f64"),
+        ("theta0 = π - 1e-4, outputs = [acceleration]", "f32"),
     ] {
         let text = format!("struct A; {start}, method = series, float = {float}");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
@@ -289,7 +293,7 @@ fn the_harmonic_motion_near_the_top() {
     assert!(excess > 0.0 && excess < 1e-14, "{excess:e}");
 }
 
-/// Methods that can't keep a tolerance say what they reach; outputs that they don't have, so.
+/// Methods that can't keep a tolerance say what they reach.
 #[test]
 fn what_methods_cannot_do() {
     let Err(Refusal::Unreachable { best }) = planned("theta0 = 1, tol = 1e-3, method = harmonic") else {
@@ -297,11 +301,6 @@ fn what_methods_cannot_do() {
     };
     let reached = truncation(&planned("theta0 = 1, method = harmonic").unwrap());
     assert!(best >= reached && best < 1.1 * reached, "{best:e} {reached:e}");
-    for output in ["acceleration", "position"] {
-        let refused =
-            planned(&format!("struct A; theta0 = 1, tol = 0.1, method = series, outputs = [{output}]")).unwrap_err();
-        assert!(matches!(refused, Refusal::Output { .. }), "{output}: {refused:?}");
-    }
     // As many terms as are asked for; for a tolerance no more than are of use.
     assert_eq!(planned("theta0 = π - 1e-7, n = 139").unwrap().terms, 139);
     assert!(planned("theta0 = π - 1e-14, tol = 1e-9, method = fourier").is_err());
@@ -348,6 +347,69 @@ fn the_paper_and_its_derivative() {
             let most = if index == 0 { 1.2 } else { most };
             assert!(worst <= bound && bound <= most * worst, "{text} {index}: {worst:e} of {bound:e}");
         }
+    }
+}
+
+/// What follows from θ̂: −ω² sin θ̂ and (sin θ̂, −cos θ̂), of swings to either side; and the distance of both from the exact
+/// motion.
+#[test]
+fn what_follows_from_the_paper() {
+    for (start, n, most) in [("theta0 = 1", 1, 1.1), ("theta0 = -0.7π", 2, 1.1), ("theta0 = 7π/8, omega = 2", 4, 1.2)]
+    {
+        let text = format!("struct Motion; {start}, n = {n}, outputs = [theta, acceleration, position]");
+        let (scene, plan) = (scene(&text), planned(&text).unwrap());
+        let square = scene.motion.omega.square().to_f64();
+        let mut worst = [0.0_f64; 2];
+        for i in 0..160 {
+            let t = (f64::from(i) + 0.37) / 8.0;
+            let [theta, acceleration, position] =
+                [0, 1, 2].map(|function: usize| plan.functions[function].program.run(t));
+            let (sine, cosine) = theta[0].sin_cos();
+            let known = [(acceleration[0], -square * sine), (position[0], sine), (position[1], -cosine)];
+            assert!(known.iter().all(|(found, known)| (found - known).abs() < 1e-14 * square), "{text} {t}: {known:?}");
+            let state = State::at(&scene.motion, t);
+            let context = scene.motion.omega.context();
+            for (index, (output, found)) in
+                [(Output::Acceleration, acceleration), (Output::Position, position)].into_iter().enumerate()
+            {
+                worst[index] = worst[index].max(distance(context, &found, &state.output(output)));
+            }
+        }
+        for (part, worst) in plan.parts[1..].iter().zip(worst) {
+            let bound = part.bound.total();
+            assert!(worst <= bound && bound <= most * worst, "{text} {:?}: {worst:e} of {bound:e}", part.output);
+        }
+    }
+}
+
+/// The second derivative of a sum, −Σ wₙ((2n − 1)π·rate)² cos((2n−1)πs), and its distance from θ̈.
+#[test]
+fn accelerations_of_sums() {
+    for (start, method, most) in [
+        ("theta0 = 1", "harmonic", 1.05),
+        ("theta0 = -2, omega = 3", "series, tol = 1e-3", 1.05),
+        ("theta0 = 3, velocity0 = 0.05", "series, tol = 1e-6", 1.2),
+        ("theta0 = 0.1, omega = 0.5, t_max = 30", "small_angle", 1.3),
+        ("theta0 = 1.5, float = f32", "series, tol = 1e-4", 1.2),
+    ] {
+        let text = format!("struct A; {start}, method = {method}, outputs = [theta, acceleration]");
+        let (scene, plan) = (scene(&text), planned(&text).unwrap());
+        // θ̂″ from θ̂ by differences, whose step leaves as much as their rounding does.
+        let theta = |t: f64| plan.functions[0].program.run(t)[0];
+        let h = if scene.float == Float::F64 { 2f64.powi(-12) } else { 2f64.powi(-5) } / scene.motion.omega.to_f64();
+        let square = scene.motion.omega.square().to_f64();
+        for i in 0..40 {
+            let t = f64::from(i - 20) / 8.0;
+            let second = (theta(t + h) - 2.0 * theta(t) + theta(t - h)) / (h * h);
+            let found = plan.functions[1].program.run(t)[0];
+            let off = (found - second).abs() / square;
+            assert!(off < if scene.float == Float::F64 { 1e-6 } else { 2e-3 }, "{text} {t}: {found} {second}");
+        }
+        let alone = text.replace("theta, acceleration", "acceleration");
+        let (scene, plan) = (self::scene(&alone), planned(&alone).unwrap());
+        let error = largest_error(&alone, &scene, &plan, &mut Random::new(3), 12);
+        let bound = plan.parts[0].bound.total();
+        assert!(bound <= most * error, "{text}: {error:e} of {bound:e}");
     }
 }
 

@@ -2,7 +2,7 @@ use pendula::pendulum;
 
 pendulum! {
     struct Clock;
-    theta0 = 1, n = 4, outputs = [theta, acceleration, position]
+    theta0 = 1, n = 4, outputs = [theta, wrapped]
 }
 
 fn main() {

@@ -1,5 +1,0 @@
-use pendula::pendulum;
-
-fn main() {
-    let _theta: fn(f64) -> f64 = pendulum!(theta0 = 1, n = 4, outputs = [position]);
-}
