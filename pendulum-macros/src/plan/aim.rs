@@ -205,7 +205,8 @@ impl Task {
 
     /// Turns within the horizon, each from one anchor to the next.
     pub(super) fn turns(&self, scene: &Scene) -> f64 {
-        let horizon = scene.t_max.as_ref().map_or(f64::INFINITY, |t_max| (t_max * &self.rate).to_f64());
+        let longest = || self.rate.context().float(scene.float.largest());
+        let horizon = scene.t_max.clone().or_else(longest).map_or(f64::INFINITY, |t_max| (t_max * &self.rate).to_f64());
         horizon.min(UNLIMITED) + 2.0
     }
 

@@ -35,7 +35,7 @@ impl<'a> Approximate<'a> {
     ) -> Self {
         let exact = swing.rate();
         let horizon = Clock::new(scene, &exact, &swing.launch).horizon();
-        let drift = (rate - &exact).abs().to_f64() * horizon;
+        let drift = rate.context().float(horizon).map_or(f64::INFINITY, |t| ((rate - &exact).abs() * t).to_f64());
         Self { method, weights, rate, drift, theta, scene, swing }
     }
 
@@ -165,8 +165,11 @@ impl<'a> Approximate<'a> {
         matches!(self.method, Method::Harmonic | Method::SmallAngle)
     }
 
+    /// The phases of both that may be compared within the horizon.
     fn met(&self) -> Option<Met> {
-        Met::within(self.scene, &self.swing.rate(), &self.swing.launch)
+        let Swing { launch, .. } = self.swing;
+        let met = Met::within(self.scene, &self.swing.rate(), launch);
+        met.map(|met| met.as_reduced(launch, self.scene.float))
     }
 
     fn sines(&self) -> Sines {

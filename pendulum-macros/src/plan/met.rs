@@ -2,6 +2,7 @@
 
 use super::arc::Arc;
 use crate::exact::Real;
+use crate::parse::Float;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
@@ -34,6 +35,18 @@ impl Met {
         let least = if passes(0.0) { 0.0 } else { ends[0].min(ends[1]) };
         let farthest = if passes(0.5) { 0.5 } else { ends[0].max(ends[1]) };
         Self { least, farthest }
+    }
+
+    /// The same of phases so near to those that a reduction over so short a horizon may give them instead: wrong by a few
+    /// units of rounding of an anchor, or, where an anchor is passed at t = 0, of themselves.
+    pub(super) fn as_reduced(self, launch: &Real, float: Float) -> Self {
+        let wrong = self.wrong(launch, float);
+        Self { least: (self.least - wrong).max(0.0), farthest: (self.farthest + wrong).min(0.5) }
+    }
+
+    /// What those may be wrong by.
+    pub(super) fn wrong(self, launch: &Real, float: Float) -> f64 {
+        16.0 * float.unit() * if launch.is_zero() { self.farthest } else { 1.0 }
     }
 
     /// How far polynomials have to reach, `None` if as far as ever.

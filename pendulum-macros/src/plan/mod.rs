@@ -217,12 +217,15 @@ fn three_digits(x: f64) -> f64 {
 }
 
 pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
-    match &scene.motion.regime {
+    let plan = match &scene.motion.regime {
         Regime::Swing(swing) if is_of_paper(scene) => {
             paper::plan(scene, swing, scene.method.unwrap_or(Method::Fourier))
         }
         _ => search::plan(scene),
-    }
+    }?;
+    // What overflows where units are far from 1 is known by no bound if it precedes what is given to the analysis.
+    let finite = plan.functions.iter().all(|function| function.program.is_finite());
+    if finite { Ok(plan) } else { Err(Refusal::Unreachable { best: f64::INFINITY }) }
 }
 
 /// Whether it is to be planned by a method of the paper's, or the series of θ.

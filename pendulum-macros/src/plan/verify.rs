@@ -1,14 +1,15 @@
-//! The planner checks its own promise: a plan of polynomials, in pieces or not, or of a swing's passage, is interpreted
-//! at a few times and compared with the exact curves. Those of the paper's formulas, of the passage on the separatrix and
-//! of angles that are joined from turns are not.
+//! The planner checks its own promise: a plan of polynomials, in pieces or not, or of a passage of a swing or a rotation,
+//! is interpreted at a few times and compared with the exact curves. Those of the paper's formulas and of the separatrix
+//! are not.
 //!
 //! The bound is proven, but a proof is only as good as the program that computes it. Should a value ever be outside,
 //! the macro refuses rather than emit a promise that it has just seen broken.
 
 use super::aim::{Aim, Task};
+use super::reduction::UNLIMITED;
 use super::{Part, Plan};
 use crate::exact::Real;
-use crate::parse::Output;
+use crate::parse::{Float, Output};
 use crate::program::rounding::UNDERFLOW;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
@@ -18,19 +19,24 @@ use std::f64::consts::TAU;
 /// released from rest, and places between; of an arc both ends.
 const PROBES: [f64; 7] = [0.0, 0.37, 1.0, 1.62, 2.9, -0.93, -1.0];
 
+/// The same in parts of the horizon, at whose ends phases are most wrong and products largest.
+const FAR_PROBES: [f64; 3] = [1.0, -1.0, 0.8671];
+
 /// The first output seen outside its bound.
 pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> {
     let context = task.rate.context();
-    let horizon = scene.t_max.as_ref().map_or(f64::INFINITY, Real::to_f64);
-    let probe = |probe: f64| -> Option<Output> {
-        let t = scene.float.round((probe / (2.0 * task.rate.to_f64())).clamp(-horizon, horizon));
+    let horizon = horizon(scene, task);
+    let near = PROBES.map(|probe| (probe / (2.0 * task.rate.to_f64())).clamp(-horizon, horizon));
+    let far = FAR_PROBES.map(|probe| probe * horizon);
+    let probe = |t: f64| -> Option<Output> {
+        let t = within(scene.float.round(t), horizon, scene.float);
         let phase = &task.rate * &context.float(t)? + &task.launch;
         let number = phase.round();
         let odd = !(number.scale(-1) - number.scale(-1).round()).is_zero();
-        let s = (phase - number).to_double();
+        let s = (&phase - &number).to_double();
         let broken = |((aim, part), function): ((&Aim, &Part), &super::Function)| {
             let values = function.program.run(t);
-            let error = aim.distance(task, s, odd, &values)?;
+            let error = aim.distance(task, s, &number, odd, &values)?;
             // The curves themselves are good to 2⁻⁷⁵ of the largest value, and where that underflows, being sums of up to
             // a thousand terms, to this.
             let most = part.bound.total() + part.largest * 2f64.powi(-70) + 16.0 * UNDERFLOW;
@@ -39,7 +45,22 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
         let differs = || (!both_alike(plan, t)).then_some(Output::Theta);
         task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken).or_else(differs)
     };
-    PROBES.into_iter().find_map(probe)
+    near.into_iter().chain(far).find_map(probe)
+}
+
+/// The largest |t| that is promised, and a number of the float.
+fn horizon(scene: &Scene, task: &Task) -> f64 {
+    let horizon = scene.t_max.as_ref().map_or_else(|| UNLIMITED / task.rate.to_f64(), Real::to_f64);
+    horizon.min(scene.float.largest())
+}
+
+/// The time, or the next smaller one of the float where it was rounded up beyond the horizon.
+fn within(t: f64, horizon: f64, float: Float) -> f64 {
+    match float {
+        _ if t.abs() <= horizon => t,
+        Float::F64 => horizon.copysign(t),
+        Float::F32 => f64::from((t.abs() as f32).next_down()).copysign(t),
+    }
 }
 
 /// Whether the function of θ and velocity, if there is one, gives what the functions of either give, to the bit.
@@ -54,12 +75,21 @@ fn both_alike(plan: &Plan, t: f64) -> bool {
 }
 
 impl Aim {
-    /// How far `values` are from the output at the phase s from an anchor; `None` where there are no curves, or where
-    /// turns are counted.
-    fn distance(&self, task: &Task, s: Double, odd: bool, values: &[f64]) -> Option<f64> {
+    /// How far `values` are from the output at the phase s from an anchor; `None` where there are no curves.
+    fn distance(&self, task: &Task, s: Double, number: &Real, odd: bool, values: &[f64]) -> Option<f64> {
         let sign = |alternates: bool| if alternates && odd { -1.0 } else { 1.0 };
         match self.curves.as_slice() {
-            [curve] if !(task.turning && self.output.is_angle()) => {
+            // From the top numbered 0, half a turn before the lowest point; the curve is what it has beside uniform turns.
+            [curve] if task.turning && self.output.is_angle() => {
+                let exact = curve.at(s) + (s - Double::new(0.5)) * Double::PI * 2.0;
+                let context = number.context();
+                let [value, high, low] = [values[0] * task.direction, exact.hi, exact.lo].map(|x| context.float(x));
+                let turn = context.pi().scale(1);
+                let apart = (value? - high? - low?) / &turn - number;
+                let whole = if self.output == Output::Wrapped { apart.round() } else { context.integer(0) };
+                Some(((apart - whole) * turn).abs().to_f64())
+            }
+            [curve] => {
                 let exact = curve.at(s) * (sign(curve.alternates) * task.direction);
                 let error = (Double::new(values[0]) - exact).hi.abs();
                 Some(if self.output == Output::Wrapped { error.min((TAU - error).abs()) } else { error })

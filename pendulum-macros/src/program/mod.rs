@@ -170,6 +170,15 @@ impl Program {
         Self { nodes, results: self.results.iter().map(|&id| renamed[id]).collect(), table }
     }
 
+    /// Whether all its constants are numbers, and what they are rounded by is.
+    pub(crate) fn is_finite(&self) -> bool {
+        let constants = self.nodes.iter().all(|node| match node.op {
+            Op::Constant { value, rest } => value.is_finite() && rest.is_finite(),
+            _ => true,
+        });
+        constants && self.table.iter().flatten().all(|entry| entry.hi.is_finite() && entry.lo.is_finite())
+    }
+
     /// The node of this name, if the program has one.
     pub(crate) fn named(&self, name: &str) -> Option<Id> {
         self.nodes.iter().position(|node| node.name == Some(name))

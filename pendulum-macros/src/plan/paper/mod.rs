@@ -200,12 +200,14 @@ impl Sum {
         in_pieces.map_err(|reached| Refusal::Unreachable { best: best.min(reached) })
     }
 
-    /// The reductions, cheapest first.
+    /// The reductions, cheapest first; over a short horizon those that are as good as is taken for granted there.
     fn reductions(&self, scene: &Scene, swing: &Swing) -> Vec<Reduction> {
-        let reach = self.met(scene, swing).and_then(Met::reach);
-        let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing);
+        let met = self.met(scene, swing);
+        let most = met.map_or(f64::INFINITY, |met| met.wrong(&swing.launch, scene.float));
+        let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing).into_iter();
+        let fine = reductions.filter(|reduction| reduction.error + 0.5 * reduction.relative_error <= most);
         let mut reductions: Vec<Reduction> =
-            reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
+            fine.map(|reduction| reduction.reaching(met.and_then(Met::reach))).collect();
         reductions.sort_by_key(Reduction::operations);
         reductions
     }

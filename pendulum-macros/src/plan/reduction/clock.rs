@@ -104,7 +104,7 @@ impl<'a> Clock<'a> {
 
     /// What keeps the product of the time with its factor from overflowing: a power of two beside a factor above 1, or,
     /// of factors so large that powers of the phase would get out of hand, a cap of the time. Products of Cody and
-    /// Waite's overflow without harm; those of `f32` times with `f64` words don't.
+    /// Waite's overflow beyond the horizon only, without harm; those of `f32` times with `f64` words don't.
     fn within_range(&self, method: &Method) -> (f64, Option<f64>) {
         let rate = self.rate.to_f64();
         let factor = match method {
@@ -135,7 +135,7 @@ impl<'a> Clock<'a> {
     fn product(&self, origin: Origin, float: Float) -> Option<Product> {
         let anchors = self.horizon() * self.rate.to_f64();
         let rate = float.round(self.rate.to_f64());
-        let error = self.horizon() * self.off(&[rate]) + self.rounding_in_one_word(anchors, float);
+        let error = self.drift(&[rate]) + self.rounding_in_one_word(anchors, float);
         let overshoot = 2.0 * self.rounding_of_sum(origin, float);
         // Beyond, the sum that rounds has no odd numbers.
         (anchors < float.magic() / 8.0).then_some(Product { rate, error, overshoot })
@@ -169,7 +169,8 @@ impl<'a> Clock<'a> {
         let anchor = anchor.min_by(|&a, &b| off(a).total_cmp(&off(b)))?;
         let scaled = self.float.round((rate * anchor).hi);
         let rounding = half_ulp(anchors * anchor * 1.001, self.float) + half_ulp(anchor, self.float);
-        let error = self.horizon() * off(anchor) * 1.001 + rounding / anchor;
+        let left = self.rate - self.exact(scaled) / self.exact(anchor);
+        let error = self.over_horizon(left) * 1.001 + rounding / anchor;
         let rate = self.float.round(rate.hi);
         let method = Method::Scaled { rate, scaled, anchor };
         let overshoot = self.misplaced(rate, Origin::Anchor, error);
@@ -181,7 +182,7 @@ impl<'a> Clock<'a> {
         let anchors = (self.horizon() * self.rate.to_f64() + 1.0).max(2.0);
         let k = libm::log2(anchors).floor() as i32 + 2;
         let p = self.float.bits();
-        if k > 2 * p / 3 {
+        if k > 2 * p / 3 || !self.has_moderate_multiples() {
             return None;
         }
         let time = self.rate.context().integer(1) / self.rate;
@@ -214,10 +215,17 @@ impl<'a> Clock<'a> {
         Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, overshoot))
     }
 
+    /// Whether the time between anchors is one whose multiples, up to one beyond the horizon, and whose product with the
+    /// launch in two words neither over- nor underflow.
+    fn has_moderate_multiples(&self) -> bool {
+        let time = 1.0 / self.rate.to_f64();
+        (1e-280..1e280).contains(&time) && self.horizon() + time < self.float.largest() / 4.0
+    }
+
     /// How far beyond half an anchor a remainder, wrong by `error`, may be that isn't what n was rounded from: by what
     /// the rate in one word is off by, and the roundings of its product with the time and of the sum with the launch.
     fn misplaced(&self, rate: f64, origin: Origin, error: f64) -> f64 {
-        let drift = self.horizon() * self.off(&[rate]);
+        let drift = self.drift(&[rate]);
         let product = half_ulp(self.horizon() * self.rate.to_f64() * 1.001, self.float);
         (drift + product + self.rounding_of_sum(origin, self.float) + error) * 1.001
     }
@@ -234,7 +242,7 @@ impl<'a> Clock<'a> {
     fn wide_any_time(&self, origin: Origin) -> Reduction {
         let words = split_down(self.rate, 29, 2, Float::F64);
         let product = half_ulp(self.horizon() * words[1] * 1.001, Float::F64);
-        let error = self.horizon() * self.off(&words) + product + 2.0 * SUM;
+        let error = self.drift(&words) + product + 2.0 * SUM;
         self.wide_words(origin, words, error)
     }
 
@@ -297,7 +305,7 @@ impl<'a> Clock<'a> {
     /// What the words leave, the roundings of the last part, and those of sums, relative to the result.
     fn any_time(&self, count: usize, origin: Origin, doubled: bool) -> Reduction {
         let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
-        let drift = self.horizon() * self.off(&words) + self.rounding_of_last_part(&words);
+        let drift = self.drift(&words) + self.rounding_of_last_part(&words);
         let method = Method::AnyTime { words, doubled };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         let overshoot = 2f64.powi(-20);
@@ -354,9 +362,14 @@ impl<'a> Clock<'a> {
         self.rate.context().float(x).unwrap_or_else(|| self.rate.context().integer(0))
     }
 
-    /// |R − Σ words|.
-    fn off(&self, words: &[f64]) -> f64 {
-        words.iter().fold(self.rate.clone(), |rest, &word| rest - self.exact(word)).abs().to_f64()
+    /// |t|·|R − Σ words| at the end of the horizon. What words leave may be below every `f64` where that is not.
+    fn drift(&self, words: &[f64]) -> f64 {
+        self.over_horizon(words.iter().fold(self.rate.clone(), |rest, &word| rest - self.exact(word)))
+    }
+
+    /// What a rate comes to by then.
+    fn over_horizon(&self, rate: Real) -> f64 {
+        (rate.abs() * self.exact(self.horizon())).to_f64()
     }
 
     /// Words below this would lose bits to underflow in products.

@@ -16,7 +16,7 @@ mod words;
 pub(crate) use clock::{Clock, UNLIMITED};
 
 use crate::parse::Float;
-use crate::program::{Builder, Id};
+use crate::program::{Builder, Id, Program};
 use pendulum_runtime::double::Double;
 use std::ops::Range;
 use words::exponent;
@@ -241,9 +241,9 @@ impl Reduction {
         one_word && exact && self.origin == Origin::Anchor
     }
 
-    /// Whether the phase is known at all at the end of the horizon.
+    /// Whether the phase is known at all at the end of the horizon, by numbers that there are.
     fn is_useful(&self) -> bool {
-        self.error < 0.5 && self.half().is_finite()
+        self.error < 0.5 && self.half().is_finite() && self.program().is_finite()
     }
 
     /// Whether the phase is that of the separatrix, which isn't reduced.
@@ -251,12 +251,16 @@ impl Reduction {
         matches!(self.method, Method::Linear { .. })
     }
 
-    /// The number of its operations.
-    pub(crate) fn operations(&self) -> usize {
+    fn program(&self) -> Program {
         let mut b = Builder::new(self.float);
         let t = b.input();
         let Phase { remainder, magic, .. } = self.lower(&mut b, t);
-        b.finish(vec![remainder, magic]).operations()
+        b.finish(vec![remainder, magic])
+    }
+
+    /// The number of its operations.
+    pub(crate) fn operations(&self) -> usize {
+        self.program().operations()
     }
 
     /// For the reader.

@@ -31,8 +31,9 @@ pub(super) fn split_near<const N: usize>(x: &Real, bits: &[i32]) -> [f64; N] {
     for (index, word) in words.iter_mut().enumerate() {
         let head = rest.to_f64();
         *word = head;
-        if let Some(&bits) = bits.get(index) {
-            unit *= 2f64.powi(-bits);
+        unit *= bits.get(index).map_or(1.0, |&bits| 2f64.powi(-bits));
+        // Of a unit that underflows all floats are multiples.
+        if index < bits.len() && unit > 0.0 {
             *word = (head / unit).round_ties_even() * unit;
         }
         if let Some(exact) = x.context().float(*word) {
