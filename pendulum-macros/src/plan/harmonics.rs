@@ -55,7 +55,9 @@ pub(crate) enum Made {
 /// How often slices are halved where the rounding peaks.
 const MOST_HALVED: usize = 200;
 
-/// The sums, whose ranges the analysis of the rounding knows.
+/// The cosine and the sine of the phase, and the sums, whose ranges the analysis of the rounding knows.
+const COSINE: &str = "cosine";
+const SINE: &str = "sine";
 const ARGUMENT: &str = "argument";
 const SLOPE: &str = "slope";
 
@@ -114,7 +116,7 @@ impl Harmonics {
 
     fn cosine(&self, b: &mut Builder, variables: &Variables) -> Id {
         let cosine = self.cosine.magnitude(b, variables);
-        b.name(cosine, "cosine")
+        b.name(cosine, COSINE)
     }
 
     /// A single result without the sign of the phase.
@@ -122,7 +124,7 @@ impl Harmonics {
         if let Some(sine) = &self.sine {
             let cosine = self.cosine(b, variables);
             let sine = sine.magnitude(b, variables);
-            b.name(sine, "sine");
+            b.name(sine, SINE);
             return self.derivative(b, cosine, sine);
         }
         let sum = self.argument(b, variables);
@@ -184,21 +186,43 @@ impl Harmonics {
         let sums = self.sums(reduction, self.errors(of_polynomial));
         let phase = reduction.origin.phase();
         let names: Vec<&str> = sums.iter().map(|sum| sum.name).chain([phase]).collect();
-        let [closed, by_steps] = [&names[..], &[phase]].map(|names| after_named(program, names));
-        let given = |program: &Program, sums: &[Sum], low: f64, high: f64| {
+        let closed = after_named(program, &names);
+        let by_steps = self.by_steps(program, phase);
+        let in_closed_form = |low: f64, high: f64| {
             let known_sums = sums.iter().map(|sum| (sum.name, sum.known(reduction, low, high)));
             let known: Vec<(&str, Known)> = known_sums.chain([(phase, Known::between(low, high))]).collect();
-            rounding_given(program, &known)
+            rounding_given(&closed, &known)
         };
         // A sum of few terms that is the result itself is analysed better step by step.
         let between = |low: f64, high: f64| {
-            let closed = given(&closed, &sums, low, high);
-            if self.is_of_paper() { closed } else { closed.min(given(&by_steps, &[], low, high)) }
+            let closed = in_closed_form(low, high);
+            if self.is_of_paper() { closed } else { closed.min(by_steps(low, high)) }
         };
         if self.peaks() {
             return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
         }
         from_lowest(reduction, cap, between)
+    }
+
+    /// What a sum is wrong by between two phases, operation by operation: of the cosine and the sine what their
+    /// polynomials differ by from them is passed on, too.
+    fn by_steps(&self, program: &Program, phase: &'static str) -> impl Fn(f64, f64) -> f64 {
+        let sine = self.sine.as_ref().map_or(0.0, |sine| sine.truncation);
+        let waves = [(COSINE, self.cosine.truncation), (SINE, sine)];
+        let waves = waves.into_iter().filter(|(name, _)| program.named(name).is_some()).collect::<Vec<_>>();
+        let polynomials: Vec<Program> =
+            waves.iter().map(|(name, _)| after_named(&program.up_to(name), &[phase])).collect();
+        let rest = after_named(program, &[COSINE, SINE, phase]);
+        move |low: f64, high: f64| {
+            let phase = (phase, Known::between(low, high));
+            let wave = |(&(name, truncation), polynomial): (&(&'static str, f64), &Program)| {
+                let given = polynomial.named(phase.0).map(|id| (id, phase.1));
+                let Known { low, high, error, .. } = polynomial.rounding(given.as_slice())[0];
+                (name, Known::within(low, high, error + truncation))
+            };
+            let known: Vec<(&str, Known)> = waves.iter().zip(&polynomials).map(wave).chain([phase]).collect();
+            rounding_given(&rest, &known)
+        }
     }
 
     /// The errors of the cosine and the sine, given the rounding of a polynomial.

@@ -537,9 +537,9 @@ fn the_ends_of_far_horizons() {
         let horizon = probe.horizon;
         for i in 0..300 {
             let part = 1.0 - 0.2 * f64::from(i) / 300.0;
-            [part, -part].into_iter().for_each(|part| {
+            for part in [part, -part] {
                 probe.at(horizon * part);
-            });
+            }
         }
         let ((t, error), bound) = (probe.worst, plan.parts[0].bound.total());
         assert!(error <= bound, "{text}: {error:e} of {bound:e} at {t:e}");

@@ -149,6 +149,11 @@ impl Program {
         program.pruned()
     }
 
+    /// What it computes up to the node of this name, if it has one, which is its result.
+    pub(crate) fn up_to(&self, name: &str) -> Self {
+        Self { results: self.named(name).into_iter().collect(), ..self.clone() }.pruned()
+    }
+
     fn pruned(self) -> Self {
         let mut needed = vec![false; self.nodes.len()];
         for &result in &self.results {

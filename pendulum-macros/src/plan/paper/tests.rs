@@ -413,6 +413,29 @@ fn accelerations_of_sums() {
     }
 }
 
+/// In a moment the polynomials of cosine and sine are off by more than rounding, of which a sum by steps has its part.
+#[test]
+fn waves_of_a_moment() {
+    for (text, most) in [
+        ("theta0 = 0.0009765625, omega = 2, t_max = 0.0055, method = harmonic, tol = 1e-3", 2.0),
+        ("theta0 = 1, t_max = 0.01, method = series", 1.8),
+        ("theta0 = 1, t_max = 0.01, method = series, tol = 1e-7", 1.8),
+        ("theta0 = 2.5, t_max = 0.0498, method = series, tol = 1.6e-7", 7.0),
+        ("theta0 = 0.0009765625, t_max = 0.01, method = small_angle, tol = 1", 2.5),
+        ("theta0 = -1.5, omega = 2, t_max = 0.0049, method = series", 6.0),
+    ] {
+        let text = format!("struct A; {text}, float = f32, outputs = [velocity]");
+        let (scene, plan) = (scene(&text), planned(&text).unwrap());
+        let t_max = scene.t_max.as_ref().unwrap().to_f64();
+        let mut probe = Probe::new(&scene, &plan);
+        (0..4000).for_each(|i| {
+            probe.at(t_max * (1.0 - f64::from(i) / 8000.0));
+        });
+        let ((t, seen), bound) = (probe.worst, plan.parts[0].bound.total());
+        assert!(seen <= bound && bound <= most * seen, "{text}: {seen:e} of {bound:e} at {t}");
+    }
+}
+
 /// Next to the top, where terms are hardly more than rounding, there is a smallest number still: one less overshoots.
 #[test]
 fn the_smallest_number_next_to_the_top() {
