@@ -116,6 +116,18 @@ fn small_angles_in_motion() {
     }
 }
 
+/// Turns of the initial angle are turns of the approximations, too.
+#[test]
+fn approximations_from_other_turns() {
+    let (turn, velocity) = (core::f64::consts::TAU, 0.05);
+    let launch = |theta: f64| Pendulum::<f64>::from_state(theta, velocity, 1.0).unwrap();
+    let (here, there) = (launch(0.25), launch(0.25 + 3.0 * turn));
+    for t in [0.0, 0.4, 2.5, 100.0] {
+        assert!((there.small_angle(t) - here.small_angle(t) - 3.0 * turn).abs() <= 1e-14, "{t}");
+        assert!((there.harmonic(t) - here.harmonic(t) - 3.0 * turn).abs() <= 1e-14, "{t}");
+    }
+}
+
 /// Times are in units of 1/ω, whatever its magnitude.
 #[test]
 fn times_scale_with_omega() {

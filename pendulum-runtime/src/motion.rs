@@ -171,11 +171,12 @@ impl Motion {
         if self.k.hi > 1e150 { f64::INFINITY } else { (self.k * self.k).scale(2.0).to_f64() }
     }
 
-    /// Eq. 3, the linearised motion from the same initial state: θ cos ωt + (θ̇/ω) sin ωt.
+    /// Eq. 3, the linearised motion from the same initial state, about the lowest point next to it: θ cos ωt + (θ̇/ω) sin ωt.
     pub(crate) fn small_angle(&self, t: f64) -> f64 {
         let (sine, cosine) = sine_cosine(Phase::new(Double::INVERSE_TURN, self.omega, Double::ZERO).reduce(t));
-        let cosine_part = self.theta * cosine;
-        if self.velocity == 0.0 { cosine_part } else { cosine_part + self.velocity / self.omega * sine }
+        let cosine_part = (Double::new(self.theta) - self.base).to_f64() * cosine;
+        let angle = if self.velocity == 0.0 { cosine_part } else { cosine_part + self.velocity / self.omega * sine };
+        self.with_turns(0.0, angle)
     }
 
     /// Eq. 17: the exact period and amplitude, but a cosine; NaN unless the motion is a swing (or rest).

@@ -187,7 +187,8 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow_or_infinite(self.motion.energy())
     }
 
-    /// The small-angle approximation θ(0) cos ωt + (θ̇(0)/ω) sin ωt (Eq. 3, there from rest), with ωt reduced exactly.
+    /// The small-angle approximation θ(0) cos ωt + (θ̇(0)/ω) sin ωt (Eq. 3, there from rest), θ being counted from the
+    /// lowest point next to θ(0), with ωt reduced exactly.
     ///
     /// Its period is off by θ0²/16, so its error grows with t: at 10° 0.9 % of θ0 within one period, 12 % within ten.
     pub fn small_angle(&self, t: F) -> F {

@@ -170,7 +170,7 @@ impl<'a> Clock<'a> {
         let scaled = self.float.round((rate * anchor).hi);
         let rounding = half_ulp(anchors * anchor * 1.001, self.float) + half_ulp(anchor, self.float);
         let left = self.rate - self.exact(scaled) / self.exact(anchor);
-        let error = self.over_horizon(left) * 1.001 + rounding / anchor;
+        let error = self.over_horizon(&left) * 1.001 + rounding / anchor;
         let rate = self.float.round(rate.hi);
         let method = Method::Scaled { rate, scaled, anchor };
         let overshoot = self.misplaced(rate, Origin::Anchor, error);
@@ -364,11 +364,11 @@ impl<'a> Clock<'a> {
 
     /// |t|·|R − Σ words| at the end of the horizon. What words leave may be below every `f64` where that is not.
     fn drift(&self, words: &[f64]) -> f64 {
-        self.over_horizon(words.iter().fold(self.rate.clone(), |rest, &word| rest - self.exact(word)))
+        self.over_horizon(&words.iter().fold(self.rate.clone(), |rest, &word| rest - self.exact(word)))
     }
 
     /// What a rate comes to by then.
-    fn over_horizon(&self, rate: Real) -> f64 {
+    fn over_horizon(&self, rate: &Real) -> f64 {
         (rate.abs() * self.exact(self.horizon())).to_f64()
     }
 
