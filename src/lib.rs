@@ -1,10 +1,10 @@
 //! The exact motion of a pendulum, θ̈ + ω² sin θ = 0, as code generated at compile time.
 //!
-//! State what a scene needs, an amplitude, an error, a duration, which quantities; [`pendulum!`] works the mathematics
-//! out in high precision, plans the cheapest evaluation that provably keeps the promise, and emits straight-line Rust
-//! with folded constants. The result can be asked at any time directly, is `const` and `no_std`, has the same bits on
-//! every platform, and in a loop over an array usually costs less than one call of `sin`. For an amplitude known only
-//! when the program runs there is [`Pendulum`].
+//! You state an amplitude, an error, a duration, and which quantities you need; [`pendulum!`] solves the motion in high
+//! precision, plans the cheapest evaluation that provably keeps the error, and emits straight-line Rust with folded
+//! constants. The result can be asked at any time directly, is `const` and `no_std`, has the same bits on every platform,
+//! and in a loop over an array usually costs less than one call of `sin`. For an amplitude known only when the program
+//! runs there is [`Pendulum`].
 //!
 //! The idea of a periodic approximation that stays accurate for ever is that of F. M. S. Lima, *Simple but accurate
 //! periodic solutions for the nonlinear pendulum equation* (Rev. Bras. Ens. Fís., 2019); equation numbers are the
@@ -38,12 +38,11 @@
 //! unit, ω in radians per that unit.
 //!
 //! # `no_std`, determinism
-//! Neither the generated code nor the run-time part allocates, panics, or calls the platform's mathematical library.
-//! Generated code is + − × ÷, comparisons and manipulations of a number's bits in a fixed order, without branches, and
-//! `const`; where polynomials would be long and for the paper's θ̂ a row of a table of coefficients is chosen by a mask,
-//! which can't miss it. The run-time part takes correctly rounded square roots besides. A fused multiply-add, whose
-//! bits would differ, is in neither. So the bits are the same on every platform and at every optimisation level, but
-//! for the sign and payload of a NaN, which IEEE 754 leaves open.
+//! Nothing allocates, panics, or calls the platform's mathematical library. Generated code is `const`: + − × ÷, comparisons
+//! and manipulations of a number's bits in a fixed order, without branches. Plans with a table of coefficients choose its
+//! row by a mask, which can't miss it. The run-time part takes correctly rounded square roots besides. A fused
+//! multiply-add, whose bits would differ, is in neither. So the bits are the same on every platform and at every
+//! optimisation level, but for the sign and payload of a NaN, which IEEE 754 leaves open.
 #![no_std]
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
@@ -112,12 +111,20 @@ struct Readme;
 /// | `velocity0` | θ̇ at t = 0, rad per unit of t (`90deg` is 90 degrees, π/2 rad, per unit of t) | any up to 10¹³⁵·ω | 0, released at rest |
 /// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0 | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
-/// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing; θ and θ̇ only | from 1 to what `float` can use | |
+/// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing | from 1 to what `float` can use | |
 /// | `tol` | largest error allowed, rounding included: rad for θ, wrapped or not, rad·ω for θ̇, rad·ω² for θ̈, lengths for the position; not with `n` | > 0, within reach of `float` | full precision, below |
-/// | `t_max` | the promise holds for \|t\| ≤ `t_max`; a shorter horizon is a cheaper reduction of the phase, and less than a quarter of a period none at all | > 0, up to 2⁵³ periods | 2⁵³ periods |
-/// | `method` | `small_angle` (Eq. 3; its phase drifts, so give `t_max`), `harmonic` (Eq. 17), `fourier` (Eq. 22; with `n` or `tol`), `series` (the Fourier series of θ itself; its sum in pieces where a recurrence would be rounded by too much), `polynomial` (in pieces where one can't serve) | any for a swing (of θ and θ̇; `polynomial` of everything), `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
+/// | `t_max` | the promise holds for \|t\| ≤ `t_max`, the horizon; a shorter one is a cheaper reduction of the phase, and less than a quarter of a period none at all | > 0, up to 2⁵³ periods | 2⁵³ periods |
+/// | `method` | how θ is approximated, below | any for a swing, `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
 /// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
+///
+/// | `method` | is | gives |
+/// |---|---|---|
+/// | `small_angle` | Eq. 3; its phase drifts, so give `t_max` | θ and its derivatives |
+/// | `harmonic` | Eq. 17 | θ and its derivatives |
+/// | `fourier` | Eq. 22, θ̂ = 2 arcsin y with `n` terms, or as many as `tol` takes | θ̂ and its derivative, −ω² sin θ̂, (sin θ̂, −cos θ̂) |
+/// | `series` | the Fourier series of θ itself; its sum in pieces where a recurrence would be rounded by too much | θ and its derivatives |
+/// | `polynomial` | one in the phase, in pieces where one can't serve | everything |
 ///
 /// **Numbers** are decimal literals of up to 500 digits (every digit counts) and exponents between ±400, with
 /// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`:
@@ -139,11 +146,12 @@ struct Readme;
 /// | `OPERATIONS: usize` | operations in one call of the first function, a square root, a minimum and a look-up of a table's row being one each | always |
 /// | `COEFFICIENTS: [_; N]` | b₁, b₃, … (Eq. 20) | for a plan by Eq. 22 |
 /// | `MAX_ERROR` | proven bound of the error of `theta`, rad | if `theta` is an output |
-/// | `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR` | likewise, in rad·ω and rad·ω², as `tol`: times `OMEGA`, or its square, in the units of the result | if it is an output |
+/// | `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR` | likewise, in rad·ω and rad·ω², as `tol`; times `OMEGA`, or its square, in the units of the result | if it is an output |
 /// | `MAX_POSITION_ERROR` | likewise, the distance of (x, y) from the exact point, in lengths | if `position` is an output |
 /// | `MAX_WRAPPED_ERROR` | likewise, rad | if `wrapped` is an output |
 ///
-/// Functions are `const fn`, of every plan, one for each of the `outputs`; the first is the first of this table.
+/// Functions are `const fn`, one for each of the `outputs`. The first, of which `TERMS` and `OPERATIONS` tell, is the first
+/// in this table, in whatever order `outputs` has them.
 ///
 /// | function | result |
 /// |---|---|
@@ -152,11 +160,12 @@ struct Readme;
 /// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
-/// NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞). For a
-/// release from rest θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit within the horizon; beyond it, the θ of a
-/// swing stays within ±(`AMPLITUDE` + `MAX_ERROR`), and of a horizon of less than a quarter of a period all outputs may
-/// stay as they are at its end. Of θ̇ the bound alone is promised: near the top, where `METHOD` is `"passage"`, it is
-/// not exactly 0 at the release.
+/// * NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞).
+/// * Released from rest, within the horizon: θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit, but for the sign of
+///   a result that is exactly 0.
+/// * Beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`). If that is less than a quarter of a
+///   period, all outputs may stay as they are at its end.
+/// * Of θ̇ the bound alone is promised: where `METHOD` is `"passage"` it is not exactly 0 at the release.
 ///
 /// ```
 /// pendula::pendulum! {
@@ -203,17 +212,24 @@ struct Readme;
 /// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂, and `MAX_ERROR` bounds its
 /// distance from the exact motion over the horizon, wherever it is attained.
 ///
-/// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of the largest value: of \|θ0\| for a release, of
-/// `AMPLITUDE` for any swing, of π on the separatrix and for the angle of a rotation, to which the rounding of its
-/// turns is added unless it is wrapped, of the largest θ̇ and θ̈; thrice that for a position.
+/// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of
+///
+/// | output | of |
+/// |---|---|
+/// | θ of a swing | `AMPLITUDE`, which is \|θ0\| of a release |
+/// | θ on the separatrix, `wrapped` | π |
+/// | θ of a rotation | π, and the rounding of its turns besides |
+/// | θ̇, θ̈ | the largest of them |
+/// | position | three lengths |
 ///
 /// # Greek letters
 /// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a
 /// lone `π`, in a crate that has no other Greek. `theta0`, `PI` and suffixes (`7π/8`, `1π`) don't trigger it.
 ///
 /// # Constants in lower case
-/// A pattern finds constants that are in scope, whatever macro it is in: beside a `const t` the generated `theta(t)` is
-/// an error, *refutable pattern in function argument* (E0005). The compiler warns of such names by itself.
+/// A function's parameter is a pattern, and a pattern names a constant that is in scope, whatever macro it is in: beside a
+/// `const t` the generated `theta(t)` is an error, *refutable pattern in function argument* (E0005). The compiler warns of
+/// such names by itself.
 #[macro_export]
 macro_rules! pendulum {
     ($($input:tt)*) => { $crate::__private::pendulum! { [$crate] $($input)* } };
