@@ -97,7 +97,7 @@ fn outline(text: &str) -> String {
     for part in &plan.parts {
         let (word, bound) = (part.output.word(), part.bound);
         let [truncation, phase, evaluation] = [bound.truncation, bound.phase, bound.evaluation];
-        lines.push(format!("  {word} by a {}", part.description));
+        lines.push(format!("  {word}: {}", part.description));
         lines.push(format!("    wrong by {truncation:.1e} + {phase:.1e} + {evaluation:.1e}"));
     }
     lines.extend(plan.rejected.iter().map(|reason| format!("  not {reason}")));

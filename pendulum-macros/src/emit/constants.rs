@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// Those of the motion, of which each regime has its own.
+/// The names of those that some regime has; a stub has them all.
 pub(super) const OF_MOTION: [&str; 8] = ["THETA0", "OMEGA", "AMPLITUDE", "MODULUS", "K", "K_PRIME", "NOME", "PERIOD"];
 
 /// Every constant that makes sense for the regime and the plan.
@@ -73,9 +73,8 @@ impl Writer {
 
     fn plan(&mut self, plan: &Plan) {
         let method = plan.method;
-        self.tokens
-            .extend(quote!(#[doc = " How the motion is approximated."] pub const METHOD: &'static str = #method;));
-        self.count("TERMS", plan.terms, "The number of terms of the approximation.");
+        self.tokens.extend(quote!(#[doc = " The kind of plan."] pub const METHOD: &'static str = #method;));
+        self.count("TERMS", plan.terms, "Terms, or harmonics, of the first function.");
         self.count("OPERATIONS", plan.operations(), "Operations of one call of the first function.");
         if !plan.coefficients.is_empty() {
             self.coefficients(&plan.coefficients);

@@ -60,8 +60,9 @@ fn regime(scene: &Scene) -> Vec<String> {
 
 fn elliptic(elliptic: &Elliptic, modulus: &str) -> String {
     format!(
-        "* {modulus} = {}, K = {}, K′ = {}, q = {}",
+        "* {modulus} = {}, {modulus}′ = {}, K = {}, K′ = {}, q = {}",
         shown(&elliptic.modulus),
+        shown(&elliptic.complementary),
         shown(&elliptic.quarter),
         shown(&elliptic.quarter_complementary),
         shown(&elliptic.nome)
@@ -81,8 +82,12 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     };
     let mut lines = vec![format!("Planned for {goal}, over {horizon}:"), String::new()];
     let reduction = &plan.reduction;
-    // Of the separatrix it is ωt, farther from the lowest point the less it matters.
-    let (most, unit) = if reduction.is_linear() { (reduction.half(), "rad of ωt") } else { (0.5, "anchors") };
+    let (most, unit) = match scene.motion.regime {
+        Regime::Swing(_) => (0.5, "half periods"),
+        Regime::Rotation(_) => (0.5, "turns"),
+        // Farther from the lowest point the less it matters; over an arc it is taken in units of that.
+        Regime::Separatrix(_) => (if reduction.is_linear() { reduction.half() } else { 0.5 }, "rad of ωt"),
+    };
     let wrong = match reduction.error + most * reduction.relative_error {
         0.0 => String::new(),
         error => format!(", wrong by at most {error:.1e} {unit}"),
@@ -94,7 +99,10 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
             plan.coefficients.iter().enumerate().map(|(i, b)| format!("b{} = {}", 2 * i + 1, shown(b))).collect();
         lines.push(format!("* coefficients of sn: {}", all.join(", ")));
     }
-    lines.extend(plan.rejected.iter().map(|why| format!("* not {why}")));
+    if !plan.rejected.is_empty() {
+        lines.extend(["", "Not chosen:", ""].map(str::to_owned));
+        lines.extend(plan.rejected.iter().map(|why| format!("* {why}")));
+    }
     lines
 }
 
@@ -107,7 +115,7 @@ fn part(part: &Part, plan: &Plan) -> String {
         .find(|function| function.output == Some(part.output))
         .map_or(String::new(), |function| format!("; {} operations", function.program.operations()));
     format!(
-        "* {}: {}; proven error ≤ {:.3e} {unit} ({:.1e} of truncation, {:.1e} of phase, {:.1e} of rounding){operations}",
+        "* {}: {}; error ≤ {:.3e} {unit}, proven: {:.1e} of truncation, {:.1e} of phase, {:.1e} of rounding{operations}",
         part.output.word(),
         part.description,
         part.error(),

@@ -22,17 +22,17 @@ pub(super) fn reasons(scene: &Scene) -> Vec<String> {
     let mut lost = Vec::new();
     if theta.terms().len() > 1 {
         let error = error_of_cosine(&theta);
-        lost.push(format!("`{}`: it is wrong by about {error:.0e}", Method::Harmonic.word()));
+        lost.push(format!("`{}`: it is wrong by about {error:.0e} rad", Method::Harmonic.word()));
     }
     // The mean of |error·cos| is half of the first coefficient that is left out, and at most 2/π of the largest error.
     let needed = |after: usize| theta.terms().iter().skip(after).all(|(_, a)| a.hi.abs() * FRAC_PI_4 <= aim);
     let harmonics = (1..theta.terms().len()).find(|&terms| needed(terms)).unwrap_or(theta.terms().len());
     lost.push(format!(
-        "`{}`: {harmonics} harmonics at least, of three operations each beside a cosine",
+        "`{}`: it takes {harmonics} harmonics at least, of three operations each, and a cosine",
         Method::Series.word()
     ));
     lost.push(format!(
-        "`{}`: what stands for the arcsine of its sum bends no less than θ, and the sum has an error of its own",
+        "`{}`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides",
         Method::Fourier.word()
     ));
     lost

@@ -81,10 +81,10 @@ impl Harmonics {
     }
 
     pub(super) fn describe(&self) -> String {
-        let terms = self.terms();
+        let harmonics = harmonics(self.terms());
         let sum = match &self.folded {
-            Some(folded) => format!("{terms} harmonics folded into a {}", folded.describe()),
-            None => format!("{terms} harmonics by recurrence from one cosine of {} terms", self.cosine.terms()),
+            Some(folded) => format!("{harmonics} folded into a {}", folded.describe()),
+            None => format!("{harmonics} by recurrence from one cosine of {} terms", self.cosine.terms()),
         };
         let made = match &self.made {
             Made::Sum => String::new(),
@@ -249,6 +249,11 @@ impl Harmonics {
         }
         all
     }
+}
+
+/// So many, for the reader.
+pub(super) fn harmonics(count: usize) -> String {
+    if count == 1 { "one harmonic".to_owned() } else { format!("{count} harmonics") }
 }
 
 /// √((1 − y)(1 + y)), cos(θ̂/2).

@@ -7,19 +7,22 @@
 ///
 /// * θ(0) = 1.5707963267948966 rad, θ̇(0) = 0.0, ω = 1.0
 /// * a swing between ±1.5707963267948966 rad with the period T = 7.4162987092054875
-/// * k = 0.7071067811865476, K = 1.8540746773013719, K′ = 1.8540746773013719, q = 0.04321391826377225
+/// * k = 0.7071067811865476, k′ = 0.7071067811865476, K = 1.8540746773013719, K′ = 1.8540746773013719, q = 0.04321391826377225
 ///
 /// Planned for the full precision of `f64`, over 2⁵³ periods:
 ///
-/// * phase: exact products with the rate in 4 words, wrong by at most 1.7e-16 anchors
-/// * theta: polynomial of 17 terms in s² + c, coefficients adapted in blocks of 4; proven error ≤ 1.880e-15 rad (7.3e-17 of truncation, 8.7e-16 of phase, 9.3e-16 of rounding); 59 operations
-/// * not a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
-/// * not a polynomial in s² over two pairs of poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
-/// * not a polynomial in s² over poles for `theta`: it costs about 0.5 operations more
-/// * not pieces, phase by exact products with the rate in 4 words: it costs about 107 operations
-/// * not `harmonic`: it is wrong by about 4e-2
-/// * not `series`: 11 harmonics at least, of three operations each beside a cosine
-/// * not `fourier`: what stands for the arcsine of its sum bends no less than θ, and the sum has an error of its own
+/// * phase: exact products with the rate in 4 words, wrong by at most 1.7e-16 half periods
+/// * theta: polynomial of 17 terms in s² (shifted), coefficients adapted in blocks of 4; error ≤ 1.880e-15 rad, proven: 7.3e-17 of truncation, 8.7e-16 of phase, 9.3e-16 of rounding; 59 operations
+///
+/// Not chosen:
+///
+/// * a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
+/// * a polynomial in s² over two pairs of poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
+/// * a polynomial in s² over poles for `theta`: it costs about 0.5 additions more
+/// * pieces, phase by exact products with the rate in 4 words: it costs as much as 107 additions
+/// * `harmonic`: it is wrong by about 4e-2 rad
+/// * `series`: it takes 11 harmonics at least, of three operations each, and a cosine
+/// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
 pub struct Forever;
 #[allow(
     dead_code,
@@ -55,9 +58,9 @@ impl Forever {
     pub const NOME: f64 = 0.04321391826377225;
     /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f64 = 7.4162987092054875;
-    /// How the motion is approximated.
+    /// The kind of plan.
     pub const METHOD: &'static str = "polynomial";
-    /// The number of terms of the approximation.
+    /// Terms, or harmonics, of the first function.
     pub const TERMS: usize = 17;
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 59;

@@ -10,19 +10,22 @@
 ///
 /// * θ(0) = 2.748893571891069 rad, θ̇(0) = 0.0, ω = 3.1415307243047144
 /// * a swing between ±2.748893571891069 rad with the period T = 3.870979890311913
-/// * k = 0.9807852804032304, K = 3.0402005646451418, K′ = 1.5860712391076077, q = 0.19418044072494273
+/// * k = 0.9807852804032304, k′ = 0.19509032201612828, K = 3.0402005646451418, K′ = 1.5860712391076077, q = 0.19418044072494273
 ///
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
-/// * phase: one product with the rate, wrong by at most 3.9e-12 anchors
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; proven error ≤ 6.219e-10 rad (5.8e-10 of truncation, 4.7e-11 of phase, 3.8e-14 of rounding); 27 operations
-/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; proven error ≤ 4.308e-10 rad·ω (4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of rounding); 23 operations
-/// * not a polynomial in s² over poles for `theta`: it costs about 1.0 operations more
-/// * not a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 operations more
-/// * not pieces, phase by one product with the rate: it costs about 81 operations
-/// * not `harmonic`: it is wrong by about 3e-1
-/// * not `series`: 12 harmonics at least, of three operations each beside a cosine
-/// * not `fourier`: what stands for the arcsine of its sum bends no less than θ, and the sum has an error of its own
+/// * phase: one product with the rate, wrong by at most 3.9e-12 half periods
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; error ≤ 6.219e-10 rad, proven: 5.8e-10 of truncation, 4.7e-11 of phase, 3.8e-14 of rounding; 27 operations
+/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; error ≤ 4.308e-10 rad·ω, proven: 4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of rounding; 23 operations
+///
+/// Not chosen:
+///
+/// * a polynomial in s² over poles for `theta`: it costs about 1.0 additions more
+/// * a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 additions more
+/// * pieces, phase by one product with the rate: it costs as much as 81 additions
+/// * `harmonic`: it is wrong by about 3e-1 rad
+/// * `series`: it takes 12 harmonics at least, of three operations each, and a cosine
+/// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
 pub struct Clock;
 #[allow(
     dead_code,
@@ -58,9 +61,9 @@ impl Clock {
     pub const NOME: f64 = 0.19418044072494273;
     /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f64 = 3.870979890311913;
-    /// How the motion is approximated.
+    /// The kind of plan.
     pub const METHOD: &'static str = "polynomial";
-    /// The number of terms of the approximation.
+    /// Terms, or harmonics, of the first function.
     pub const TERMS: usize = 9;
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 27;

@@ -7,19 +7,22 @@
 ///
 /// * θ(0) = 2.0 rad, θ̇(0) = 0.0, ω = 1.0
 /// * a swing between ±2.0 rad with the period T = 8.349752926918494
-/// * k = 0.8414709848078965, K = 2.0874382317296236, K′ = 1.7091975942731685, q = 0.07635659780391943
+/// * k = 0.8414709848078965, k′ = 0.5403023058681398, K = 2.0874382317296236, K′ = 1.7091975942731685, q = 0.07635659780391943
 ///
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
-/// * phase: one product with the rate, wrong by at most 8.2e-6 anchors
-/// * theta: polynomial of 3 terms in s² over one of 3; proven error ≤ 9.140e-5 rad (3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of rounding); 15 operations
-/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; proven error ≤ 7.718e-5 lengths (1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of rounding); 28 operations
-/// * not a polynomial in s² over poles for `theta`: it costs about 0.0 operations more
-/// * not a polynomial in s² over poles for `position`: it costs about 2.0 operations more
-/// * not pieces, phase by one product with the rate in `f64`: it costs about 165 operations
-/// * not `harmonic`: it is wrong by about 9e-2
-/// * not `series`: 4 harmonics at least, of three operations each beside a cosine
-/// * not `fourier`: what stands for the arcsine of its sum bends no less than θ, and the sum has an error of its own
+/// * phase: one product with the rate, wrong by at most 8.2e-6 half periods
+/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of rounding; 15 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of rounding; 28 operations
+///
+/// Not chosen:
+///
+/// * a polynomial in s² over poles for `theta`: it costs no less
+/// * a polynomial in s² over poles for `position`: it costs about 2.0 additions more
+/// * pieces, phase by one product with the rate in `f64`: it costs as much as 165 additions
+/// * `harmonic`: it is wrong by about 9e-2 rad
+/// * `series`: it takes 4 harmonics at least, of three operations each, and a cosine
+/// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
 pub(crate) struct Lamp;
 #[allow(
     dead_code,
@@ -55,9 +58,9 @@ impl Lamp {
     pub const NOME: f32 = 0.0763566;
     /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f32 = 8.349753;
-    /// How the motion is approximated.
+    /// The kind of plan.
     pub const METHOD: &'static str = "polynomial";
-    /// The number of terms of the approximation.
+    /// Terms, or harmonics, of the first function.
     pub const TERMS: usize = 3;
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 15;

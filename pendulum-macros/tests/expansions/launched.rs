@@ -7,19 +7,22 @@
 ///
 /// * θ(0) = 1.0 rad, θ̇(0) = -0.5, ω = 3.0
 /// * a swing between ±1.0164196714351632 rad with the period T = 2.2382200703644872
-/// * k = 0.4866141094444083, K = 1.6786650527733653, K′ = 2.1808718766608886, q = 0.016882730376268574
+/// * k = 0.4866141094444083, k′ = 0.8736170262132175, K = 1.6786650527733653, K′ = 2.1808718766608886, q = 0.016882730376268574
 ///
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
-/// * phase: exact products with the rate in 2 words, wrong by at most 5.3e-8 anchors
-/// * theta: polynomial of 3 terms in s² over one of 3; proven error ≤ 4.689e-7 rad (3.0e-7 of truncation, 1.7e-7 of phase, 5.2e-16 of rounding); 27 operations
-/// * acceleration: polynomial of 7 terms in s² + c, coefficients adapted; proven error ≤ 6.430e-7 rad·ω² (4.7e-7 of truncation, 1.7e-7 of phase, 6.6e-16 of rounding); 31 operations
-/// * not a polynomial in s² over poles for `theta`: it costs about 0.0 operations more
-/// * not a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 operations more
-/// * not pieces, phase by exact products with the rate in 2 words: it costs about 85 operations
-/// * not `harmonic`: it is wrong by about 9e-3
-/// * not `series`: 3 harmonics at least, of three operations each beside a cosine
-/// * not `fourier`: what stands for the arcsine of its sum bends no less than θ, and the sum has an error of its own
+/// * phase: exact products with the rate in 2 words, wrong by at most 5.3e-8 half periods
+/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 4.689e-7 rad, proven: 3.0e-7 of truncation, 1.7e-7 of phase, 5.2e-16 of rounding; 27 operations
+/// * acceleration: polynomial of 7 terms in s² (shifted), coefficients adapted; error ≤ 6.430e-7 rad·ω², proven: 4.7e-7 of truncation, 1.7e-7 of phase, 6.6e-16 of rounding; 31 operations
+///
+/// Not chosen:
+///
+/// * a polynomial in s² over poles for `theta`: it costs no less
+/// * a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 additions more
+/// * pieces, phase by exact products with the rate in 2 words: it costs as much as 85 additions
+/// * `harmonic`: it is wrong by about 9e-3 rad
+/// * `series`: it takes 3 harmonics at least, of three operations each, and a cosine
+/// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
 struct Pushed;
 #[allow(
     dead_code,
@@ -55,9 +58,9 @@ impl Pushed {
     pub const NOME: f64 = 0.016882730376268574;
     /// T = 4K/ω, the time of one swing to and fro, in the unit of t.
     pub const PERIOD: f64 = 2.2382200703644872;
-    /// How the motion is approximated.
+    /// The kind of plan.
     pub const METHOD: &'static str = "polynomial";
-    /// The number of terms of the approximation.
+    /// Terms, or harmonics, of the first function.
     pub const TERMS: usize = 3;
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 27;

@@ -7,12 +7,12 @@ fn expression() -> impl Copy {
     ///
     /// * θ(0) = 2.748893571891069 rad, θ̇(0) = 0.0, ω = 1.0
     /// * a swing between ±2.748893571891069 rad with the period T = 12.160802258580567
-    /// * k = 0.9807852804032304, K = 3.0402005646451418, K′ = 1.5860712391076077, q = 0.19418044072494273
+    /// * k = 0.9807852804032304, k′ = 0.19509032201612828, K = 3.0402005646451418, K′ = 1.5860712391076077, q = 0.19418044072494273
     ///
     /// Planned for the paper's θ̂ with 4 terms (Eq. 22), over 2⁵³ periods:
     ///
-    /// * phase: exact products with the rate in 4 words, wrong by at most 1.7e-16 anchors
-    /// * theta: 4 harmonics, twice the arcsine of their sum as 32 polynomials of 12 terms, one for each part of half a period; proven error ≤ 1.098e-2 rad (1.1e-2 of truncation, 1.2e-16 of phase, 1.1e-15 of rounding); 52 operations
+    /// * phase: exact products with the rate in 4 words, wrong by at most 1.7e-16 half periods
+    /// * theta: 4 harmonics, twice the arcsine of their sum as 32 polynomials of 12 terms, one for each part of half a period; error ≤ 1.098e-2 rad, proven: 1.1e-2 of truncation, 1.2e-16 of phase, 1.1e-15 of rounding; 52 operations
     /// * coefficients of sn: b1 = 1.1523081413695546, b3 = 0.18163662447513268, b5 = 0.03502170732398364, b7 = 0.0067987238779056575
     #[allow(
         dead_code,
@@ -33,7 +33,7 @@ fn expression() -> impl Copy {
     )]
     #[inline(always)]
     const fn theta(t: f64) -> f64 {
-        /// For each of 32 parts from one turning point (top) to the next, the first about it: powers of the phase from the part's middle.
+        /// A row for each of 32 parts of the way from one turning point (top) to the next, the first part about it: coefficients of powers of the phase from the part's middle.
         const TABLE: &[[f64; 12]; 32] = &[
             [
                 2.7379291667973695,

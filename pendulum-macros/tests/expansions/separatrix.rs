@@ -11,7 +11,7 @@
 /// Planned for an error of at most `tol`, over any time:
 ///
 /// * phase: the time itself from the lowest point, wrong by at most 4.2e-5 rad of ωt
-/// * theta: 2 gd w by an exponential of 5 terms, an arctangent of 5 terms; proven error ≤ 1.230e-4 rad (0.0e0 of truncation, 7.9e-8 of phase, 1.2e-4 of rounding); 42 operations
+/// * theta: an exponential of 5 terms, an arctangent of 5 terms; error ≤ 1.230e-4 rad, proven: 0.0e0 of truncation, 7.9e-8 of phase, 1.2e-4 of rounding; 42 operations
 pub struct Over;
 #[allow(
     dead_code,
@@ -37,9 +37,9 @@ impl Over {
     pub const OMEGA: f32 = 1.0;
     /// k = 1: between swinging and turning over.
     pub const MODULUS: f32 = 1.0;
-    /// How the motion is approximated.
+    /// The kind of plan.
     pub const METHOD: &'static str = "passage";
-    /// The number of terms of the approximation.
+    /// Terms, or harmonics, of the first function.
     pub const TERMS: usize = 5;
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 42;

@@ -8,7 +8,7 @@ use crate::plan::bias::bends;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
 use crate::plan::form::{Division, Form};
-use crate::plan::harmonics::{Harmonics, Made};
+use crate::plan::harmonics::{Harmonics, Made, harmonics};
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::pieces::Piecewise;
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
@@ -112,9 +112,9 @@ impl Sum {
             .min_by(|(a, _), (b, _)| a.total_cmp(b))
             .filter(|&(least, _)| least < cost(reduction, &summed));
         let (kernel, description, bound) = if let Some((_, Candidate { kernel, bound })) = whole {
-            let (terms, word) = (self.weights.len(), kernel.describe());
+            let (harmonics, word) = (harmonics(self.weights.len()), kernel.describe());
             let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
-            let description = format!("{terms} harmonics, twice the arcsine of their sum as {one}{word}");
+            let description = format!("{harmonics}, twice the arcsine of their sum as {one}{word}");
             (kernel, description, Bound { truncation: bias + bound.truncation, ..bound })
         } else {
             let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));

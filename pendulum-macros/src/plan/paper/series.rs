@@ -7,6 +7,7 @@
 use super::Sum;
 use super::parts::{SHARES, Wanted, kernel_in_pieces};
 use crate::motion::{Swing, direction};
+use crate::plan::harmonics::harmonics;
 use crate::plan::part::observed;
 use crate::plan::pieces::Piecewise;
 use crate::plan::reduction::Reduction;
@@ -70,7 +71,7 @@ impl Sum {
         for (kernel, truncation, evaluation) in SHARES.into_iter().filter_map(made) {
             let bound = Bound { truncation: bias + truncation, phase, evaluation };
             if truncation + evaluation <= left {
-                let description = format!("{} harmonics, their sum as {}", self.weights.len(), kernel.describe());
+                let description = format!("{}, their sum as {}", harmonics(self.weights.len()), kernel.describe());
                 return Ok(wanted.part(kernel, description, bound));
             }
             reached = reached.min(bound.total() / curve.size.unit);

@@ -144,7 +144,7 @@ impl Passage {
     pub(crate) fn describe(&self) -> String {
         let angle =
             self.arctangent.as_ref().map_or(String::new(), |fit| format!(", an arctangent of {} terms", fit.terms()));
-        format!("2 gd w by an exponential of {} terms{angle}", self.terms())
+        format!("an exponential of {} terms{angle}", self.terms())
     }
 
     pub(crate) fn terms(&self) -> usize {

@@ -229,7 +229,7 @@ impl Polynomial {
             Divided::Rest(pole, rest) => format!(" plus one of {} over one of {}", rest.powers.len(), pole.terms()),
         };
         let adapted = matches!(self.form, Form::Adapted { .. });
-        let shift = if adapted && self.shift != Double::ZERO { " + c" } else { "" };
+        let shift = if adapted && self.shift != Double::ZERO { " (shifted)" } else { "" };
         let (variable, how) = (self.form.variable(self.parity), self.blocks.describe());
         let image = self.map.map_or(String::new(), |map| format!(", s² replaced by {}", map.describe()));
         format!("polynomial of {terms} terms in {variable}{shift}{over}{image}{how}")

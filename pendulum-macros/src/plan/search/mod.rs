@@ -119,7 +119,7 @@ fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
         return Err(Refusal::Broken { output });
     }
     let next = candidates[index..].iter().find(|next| next.way != candidate.way);
-    rejected.extend(next.map(|next| format!("{}: it costs about {:.0} operations", next.describe(), next.cost)));
+    rejected.extend(next.map(|next| format!("{}: it costs as much as {:.0} additions", next.describe(), next.cost)));
     rejected.extend(alternatives::reasons(scene));
     Ok(Plan { rejected, ..plan })
 }
@@ -239,6 +239,11 @@ fn parts<'a>(
     let passage = task.passage.as_ref().filter(|_| passes);
     let by_passage = |passage| aim.passage_part(scene, task, &all.drafts, reduction, passage, f64::INFINITY).ok();
     polynomials.chain(passage.and_then(by_passage))
+}
+
+/// For the reader: what costs so many additions more.
+fn more(additions: f64) -> String {
+    if additions < 0.05 { "costs no less".to_owned() } else { format!("costs about {additions:.1} additions more") }
 }
 
 /// All plans of a scene with one output that keep the promise, whatever they cost.
@@ -454,7 +459,7 @@ impl Candidate<'_> {
         let why = |one: &Tried| match (one.reached, least) {
             (Some(reached), _) if reached.is_infinite() => None,
             (Some(reached), _) if reached >= error => Some(format!("can promise only {reached:.1e}")),
-            (_, least) => least.map(|least| format!("costs about {:.1} operations more", one.cost - least)),
+            (_, least) => least.map(|least| more(one.cost - least)),
         };
         let (word, parity) = (aim.output.word(), aim.curves.first().map_or(Parity::Even, Curve::parity));
         let line = |one: &Tried| Some(format!("{} for `{word}`: it {}", one.variant.describe(parity), why(one)?));

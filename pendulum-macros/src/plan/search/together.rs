@@ -30,8 +30,7 @@ impl Candidate<'_> {
         let [name, of_other] =
             [first, other].map(|variant| format!("{} for `{}`: ", variant.describe(parity), Output::Velocity.word()));
         rejected.retain(|line| !line.starts_with(&of_other));
-        let more = before - less;
-        rejected.push(format!("{name}beside `{}` it costs about {more:.1} operations more", Output::Theta.word()));
+        rejected.push(format!("{name}beside `{}` it {}", Output::Theta.word(), super::more(before - less)));
         parts[velocity] = part;
         parts
     }
