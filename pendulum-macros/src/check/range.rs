@@ -10,18 +10,38 @@ use crate::parse::{Float, Given, Output};
 const SMALLEST_AMPLITUDE: f64 = 1e-300;
 const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
 
+const LONGEST_PERIOD: f64 = 1e280;
+
 impl Checker<'_> {
     pub(super) fn representable_motion(&mut self, motion: &Motion) -> Checked<()> {
         match &motion.regime {
             Regime::Swing(swing) => {
                 self.representable_result(&swing.period, "the period")?;
+                self.has_words(&swing.period)?;
                 self.swings_visibly(swing)
             }
             Regime::Rotation(rotation) => {
                 self.representable_result(&rotation.period, "the time of one turn")?;
+                self.has_words(&rotation.period)?;
                 self.turns_unevenly(rotation)
             }
             Regime::Separatrix(_) => Ok(()),
+        }
+    }
+
+    /// Refuses periods whose inverse isn't the sum of a few normal numbers.
+    fn has_words(&mut self, period: &Real) -> Checked<()> {
+        let request = self.request;
+        match request.omega.as_ref().or(request.length.as_ref()).or(request.velocity0.as_ref()) {
+            Some(given) if period.to_f64() > LONGEST_PERIOD => {
+                let message = format!(
+                    "`{given}` makes a period of {:e}, above {LONGEST_PERIOD:e}, where rates lose digits to underflow: count time in a \
+                     larger unit",
+                    period.to_f64()
+                );
+                Err(self.refuse(&given.tokens, message))
+            }
+            _ => Ok(()),
         }
     }
 

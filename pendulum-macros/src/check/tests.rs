@@ -116,6 +116,8 @@ fn refuses_rates_that_are_none() {
     refused("theta0 = 1, length = 2", &["`length = 2` alone", "`g`"]);
     refused("theta0 = 1, omega = 1, g = 9.81", &["`g`", "`omega`", "keep"]);
     refused("theta0 = 1, omega = 1e-308", &["below the smallest normal"]);
+    refused("theta0 = 1, omega = 1e-285", &["`omega = 1e-285` makes a period of 6.69", "above 1e280", "a larger unit"]);
+    refused("velocity0 = 3e-300, omega = 1e-300", &["`omega = 1e-300` makes a period of", "a larger unit"]);
     refused("struct A; theta0 = 1, omega = 1e200, outputs = [acceleration]", &["the largest acceleration above"]);
     refused("theta0 = 1, omega = 2deg", &["`omega = 2deg` has the suffix `deg`"]);
     // One mistake, one message, where removing one token's parameter mends it.

@@ -44,9 +44,9 @@ impl Met {
         Self { least: (self.least - wrong).max(0.0), farthest: (self.farthest + wrong).min(0.5) }
     }
 
-    /// What those may be wrong by.
+    /// What those may be wrong by; of the shortest horizons, as they underflow.
     pub(super) fn wrong(self, launch: &Real, float: Float) -> f64 {
-        16.0 * float.unit() * if launch.is_zero() { self.farthest } else { 1.0 }
+        16.0 * float.unit() * if launch.is_zero() { self.farthest.max(1e-30) } else { 1.0 }
     }
 
     /// How far polynomials have to reach, `None` if as far as ever.

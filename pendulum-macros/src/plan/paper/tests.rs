@@ -413,6 +413,18 @@ fn accelerations_of_sums() {
     }
 }
 
+/// Of horizons below all times but 0, too, there are plans.
+#[test]
+fn the_shortest_moments() {
+    for (horizon, float) in [("1e-225", "f32"), ("1e-300", "f64"), ("1e-44", "f32"), ("1e-30", "f64")] {
+        for output in ["theta", "velocity", "acceleration", "position"] {
+            let text =
+                format!("struct A; theta0 = 7.24deg, n = 1, t_max = {horizon}, float = {float}, outputs = [{output}]");
+            assert!(planned(&text).is_ok(), "{text}");
+        }
+    }
+}
+
 /// In a moment the polynomials of cosine and sine are off by more than rounding, of which a sum by steps has its part.
 #[test]
 fn waves_of_a_moment() {
