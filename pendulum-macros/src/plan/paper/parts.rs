@@ -199,22 +199,7 @@ fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
 }
 
 /// Parts of what the phase leaves that the truncation may take; the first that leaves enough to the rounding counts.
-pub(super) const SHARES: [f64; 2] = [4.0, 16.0];
-
-/// The kernel with a table whose truncation is at most that, the truncation, and the rounding.
-pub(super) fn kernel_in_pieces(
-    sum: &Piecewise,
-    truncation: f64,
-    reduction: &Reduction,
-    direction: f64,
-) -> Option<(Kernel, f64, f64)> {
-    let (mut pieces, truncation) = sum.kernel(reduction, truncation)?;
-    let rounding = pieces.rounding();
-    if direction < 0.0 {
-        pieces.negate();
-    }
-    Some((Kernel::Pieces(Box::new(pieces)), truncation, rounding))
-}
+const SHARES: [f64; 2] = [4.0, 16.0];
 
 impl Whole {
     /// The kernels, of one polynomial in the cheapest form and of many, that are off by no more than is allowed.
@@ -236,9 +221,12 @@ impl Whole {
 
     /// The kernel with a table, wrong by so much, of which the truncation is that part.
     fn pieces(&self, left: f64, truncation: f64, reduction: &Reduction, direction: f64) -> Option<(Kernel, f64, f64)> {
-        let made = kernel_in_pieces(self.pieces.as_ref()?, truncation, reduction, direction)?;
-        let (_, truncation, rounding) = made;
-        (rounding <= left - truncation).then_some(made)
+        let (mut pieces, truncation) = self.pieces.as_ref()?.kernel(reduction, truncation)?;
+        let rounding = pieces.rounding();
+        if direction < 0.0 {
+            pieces.negate();
+        }
+        (rounding <= left - truncation).then(|| (Kernel::Pieces(Box::new(pieces)), truncation, rounding))
     }
 
     /// The same as one polynomial.

@@ -5,35 +5,32 @@
 //! curve, too, bounded in the strip of the whole by what the whole is bounded by; so it is interpolated as that would be.
 
 use super::Sum;
-use super::parts::{SHARES, Wanted, kernel_in_pieces};
-use crate::motion::{Swing, direction};
+use super::parts::Wanted;
+use crate::motion::Swing;
+use crate::plan::aim::{Aim, Task};
 use crate::plan::harmonics::harmonics;
-use crate::plan::part::observed;
-use crate::plan::pieces::Piecewise;
-use crate::plan::reduction::Reduction;
+use crate::plan::part::{InPieces, observed};
 use crate::plan::{Bound, Part, Plan};
 use crate::scene::Scene;
 use crate::supremum::worst;
 
-/// By how much better than what is left of the promise sums are interpolated.
-const NEGLIGIBLE: f64 = 512.0 * SHARES[1];
-
 impl Sum {
-    /// With the cheapest reduction to pieces that keeps the promise; or the error reached, in units of the tolerance.
+    /// In few pieces if those serve, with the cheapest reduction that keeps the promise; or the error reached, in units of
+    /// the tolerance.
     pub(super) fn in_pieces(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Result<Plan, f64> {
-        let sums = |pieces: usize| Some((pieces, self.piecewise(scene, wanted, pieces)?));
-        let sums = Piecewise::COUNTS.into_iter().find_map(sums);
-        let (pieces, sums) = sums.ok_or(f64::INFINITY)?;
-        let counted =
-            self.reductions(scene, swing).into_iter().filter_map(|reduction| reduction.in_pieces(pieces as f64));
+        let mut task = Task::new(scene);
+        task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.aim(scene, wanted, aim));
+        let bias = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
+        let all = InPieces::all(scene, &task, &self.reductions(scene, swing));
+        let pieces = all.first().ok_or(f64::INFINITY)?;
         let mut reached = f64::INFINITY;
-        for reduction in counted.filter(|reduction| Self::serves(scene, wanted, reduction)) {
-            let part = |(wanted, sum)| self.part_in_pieces(scene, swing, wanted, sum, &reduction);
-            let parts: Vec<Result<Part, f64>> = wanted.iter().zip(&sums).map(part).collect();
-            let error = |part: &Result<Part, f64>| part.as_ref().map_or_else(|&error| error, Part::error);
-            reached = reached.min(worst(parts.iter().map(error)));
-            if let Ok(parts) = parts.into_iter().collect() {
-                return Ok(self.joined(&reduction, parts));
+        for reduction in pieces.reductions.iter().filter(|reduction| Self::serves(scene, wanted, reduction)) {
+            match pieces.parts(scene, &task, reduction, f64::INFINITY) {
+                Ok(parts) => {
+                    let parts = parts.into_iter().zip(wanted).map(|(part, wanted)| self.of_sum(part, wanted));
+                    return Ok(self.joined(reduction, parts.collect()));
+                }
+                Err(best) => reached = reached.min(best + bias),
             }
         }
         Err(reached)
@@ -44,38 +41,19 @@ impl Sum {
         self.promise_observed(observed(scene.float), scene, wanted) - wanted.bias
     }
 
-    /// The outputs' sums in so many pieces; `None` if these take too many terms or points.
-    fn piecewise(&self, scene: &Scene, wanted: &[Wanted], pieces: usize) -> Option<Vec<Piecewise>> {
-        let one = |wanted: &Wanted| {
-            let (sum, left) = (wanted.curve.clone().first(self.weights.len()), self.left(scene, wanted));
-            let few = Piecewise::estimate(&sum, pieces, left) <= Piecewise::MOST_TERMS;
-            few.then(|| Piecewise::new(&sum, pieces, left.min(sum.size.largest) / NEGLIGIBLE))?
-        };
-        wanted.iter().map(one).collect()
+    /// The sum in place of the whole curve, with what is left to it.
+    fn aim(&self, scene: &Scene, wanted: &Wanted, aim: &mut Aim) {
+        aim.curves = vec![wanted.curve.clone().first(self.weights.len())];
+        // A sum has no logarithms.
+        aim.power = 1;
+        aim.limit = self.left(scene, wanted);
+        aim.truncation = aim.limit;
     }
 
-    /// The part, or the error reached, in units of the tolerance.
-    fn part_in_pieces(
-        &self,
-        scene: &Scene,
-        swing: &Swing,
-        wanted: &Wanted,
-        sum: &Piecewise,
-        reduction: &Reduction,
-    ) -> Result<Part, f64> {
-        let Wanted { curve, bias, .. } = wanted;
-        let phase = curve.size.phase_error(reduction);
-        let left = self.left(scene, wanted) - phase;
-        let made = |share: f64| kernel_in_pieces(sum, left / share, reduction, direction(swing.mirrored));
-        let mut reached = f64::INFINITY;
-        for (kernel, truncation, evaluation) in SHARES.into_iter().filter_map(made) {
-            let bound = Bound { truncation: bias + truncation, phase, evaluation };
-            if truncation + evaluation <= left {
-                let description = format!("{}, their sum as {}", harmonics(self.weights.len()), kernel.describe());
-                return Ok(wanted.part(kernel, description, bound));
-            }
-            reached = reached.min(bound.total() / curve.size.unit);
-        }
-        Err(reached)
+    /// An output that is of the sum, as one of the curve.
+    fn of_sum(&self, part: Part, wanted: &Wanted) -> Part {
+        let bound = Bound { truncation: part.bound.truncation + wanted.bias, ..part.bound };
+        let description = format!("{}, their sum as {}", harmonics(self.weights.len()), part.description);
+        Part { bound, description, share: 0.0, ..part }
     }
 }

@@ -2,6 +2,7 @@
 //! promise.
 
 mod draft;
+mod in_pieces;
 mod passage;
 mod pieces;
 mod polynomials;
@@ -18,6 +19,7 @@ use crate::scene::{Goal, Scene};
 use draft::Draft;
 #[cfg(test)]
 pub(super) use draft::Drafts;
+pub(super) use in_pieces::InPieces;
 use pendulum_runtime::double::Double;
 pub(super) use polynomials::Approximations;
 use std::f64::consts::PI;

@@ -2,15 +2,13 @@
 //! order of their estimated cost, until one keeps the promise.
 
 mod choice;
-mod in_pieces;
 mod together;
 
 use super::aim::{Aim, Task};
 use super::curve::Curve;
 use super::form::Variant;
 use super::memo::Memo;
-use super::part::{Approximations, observed};
-use super::pieces::Piecewise;
+use super::part::{Approximations, InPieces, observed};
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use super::{Part, Plan, Refusal, alternatives, kernel, verify};
@@ -20,7 +18,6 @@ use crate::scene::{Goal, Scene};
 use crate::series::Parity;
 use crate::supremum::worst;
 use choice::{Choice, comfortable, tolerable};
-use in_pieces::InPieces;
 use std::rc::Rc;
 
 /// A task, and what all ways of doing it share.
@@ -383,10 +380,11 @@ impl Candidate<'_> {
 
     /// The outputs, each of which takes at most a part of the limit of it, or what was reached.
     fn outputs(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
+        let Prospect { task, approximations, pieces, .. } = self.prospect;
         if let Way::Pieces(index) = self.way {
-            return self.in_pieces(scene, &self.prospect.pieces[index], most);
+            let parts = pieces[index].parts(scene, task, self.reduction, most)?;
+            return Ok(Outputs { parts, more: 0.0, rejected: Vec::new() });
         }
-        let Prospect { task, approximations, .. } = self.prospect;
         let (mut parts, mut more, mut rejected) = (Vec::new(), 0.0, Vec::new());
         for (output, (aim, all)) in task.aims.iter().zip(approximations).enumerate() {
             let passage = || match &task.passage {
@@ -422,14 +420,6 @@ impl Candidate<'_> {
             Way::Passage => waiting(scene.float) * aim.passage_estimate(),
             _ => aim.variants(all, self.reduction).first().map_or(0.0, |&(_, cost)| cost),
         }
-    }
-
-    fn in_pieces(&self, scene: &Scene, pieces: &InPieces, most: f64) -> Result<Outputs, f64> {
-        let task = &self.prospect.task;
-        let curves = pieces.curves(&task.aims).ok_or(f64::INFINITY)?;
-        let part = |(aim, curves): (&Aim, &Vec<Piecewise>)| aim.pieces_part(scene, task, self.reduction, curves, most);
-        let parts = task.aims.iter().zip(curves).map(part).collect::<Result<Vec<Part>, f64>>()?;
-        Ok(Outputs { parts, more: 0.0, rejected: Vec::new() })
     }
 
     /// The output's variant that is taken of those that keep the promise, or what was reached. Those that lost, and the

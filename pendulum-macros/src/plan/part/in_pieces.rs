@@ -1,5 +1,6 @@
 //! All outputs in pieces: how many pieces, with which reductions, and at what cost.
 
+use crate::plan::Part;
 use crate::plan::aim::{Aim, Task};
 use crate::plan::pieces::Piecewise;
 use crate::plan::reduction::Reduction;
@@ -8,12 +9,12 @@ use crate::scene::Scene;
 use std::cell::OnceCell;
 
 /// All outputs in pieces.
-pub(super) struct InPieces {
+pub(in crate::plan) struct InPieces {
     pieces: usize,
     /// The phases within a short horizon.
     met: Option<(f64, f64)>,
     /// To the nearest piece.
-    pub(super) reductions: Vec<Reduction>,
+    pub(in crate::plan) reductions: Vec<Reduction>,
     /// Those of each output; none where one of them takes too many points.
     curves: OnceCell<Option<Vec<Vec<Piecewise>>>>,
 }
@@ -23,7 +24,7 @@ const POWERS: f64 = 3.0;
 
 impl InPieces {
     /// By few pieces and by many; none where an output has no pieces, or no reduction counts pieces.
-    pub(super) fn all(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Vec<Self> {
+    pub(in crate::plan) fn all(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Vec<Self> {
         let serves = task.aims.iter().all(|aim| aim.has_pieces(task));
         let all = |pieces: usize| {
             let reductions: Vec<Reduction> =
@@ -40,14 +41,27 @@ impl InPieces {
 
     /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where
     /// the phase isn't good enough.
-    pub(super) fn estimate(&self, scene: &Scene, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
+    pub(in crate::plan) fn estimate(&self, scene: &Scene, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
         let kernel = |aim: &Aim| Some(aim.cost_of_pieces(&aim.terms_of_pieces(self.pieces, reduction)?));
         let kernels: f64 = aims.iter().map(kernel).sum::<Option<f64>>()?;
         Some(lanes_lost(scene.float) * (reduction.operations() as f64 + CLAMP + ROW + POWERS + kernels))
     }
 
+    /// All outputs with one of its reductions, each of which takes at most a part of the limit of it, or what was reached.
+    pub(in crate::plan) fn parts(
+        &self,
+        scene: &Scene,
+        task: &Task,
+        reduction: &Reduction,
+        most: f64,
+    ) -> Result<Vec<Part>, f64> {
+        let curves = self.curves(&task.aims).ok_or(f64::INFINITY)?;
+        let part = |(aim, curves): (&Aim, &Vec<Piecewise>)| aim.pieces_part(scene, task, reduction, curves, most);
+        task.aims.iter().zip(curves).map(part).collect()
+    }
+
     /// Made when they are wanted first.
-    pub(super) fn curves(&self, aims: &[Aim]) -> Option<&[Vec<Piecewise>]> {
+    fn curves(&self, aims: &[Aim]) -> Option<&[Vec<Piecewise>]> {
         let meeting = |curves: Vec<Piecewise>| curves.into_iter().map(|curve| curve.meeting(self.met)).collect();
         let one = |aim: &Aim| aim.piecewise(self.pieces).map(meeting);
         let all = || aims.iter().map(one).collect();
