@@ -27,12 +27,16 @@ const MOST_CHOSEN: usize = 128;
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
     let mut reached = f64::INFINITY;
-    let fewest = if method == Method::Fourier { fewest(scene, swing) } else { 1 };
+    let fewest = match method {
+        Method::Fourier => fewest(scene, swing),
+        Method::Series => fewest_of_series(scene, swing),
+        _ => 1,
+    };
     // Derivatives may need some terms more, as long as these help.
     for more in MORE {
         let sum = match method {
             Method::Fourier => Sum::fourier(scene, swing, fewest + more)?,
-            Method::Series => Sum::series(scene, swing, more),
+            Method::Series => Sum::series(scene, swing, fewest + more),
             _ => Sum::of_one(scene, swing, method),
         };
         let given = matches!(scene.goal, Goal::Terms(_));
@@ -94,29 +98,14 @@ impl Sum {
         Ok(Self { coefficients, ..Self::of_weights(Method::Fourier, swing.rate(), weights) })
     }
 
-    /// The series of θ: as many terms as that takes to come within what is asked, and so many that what a derivative's
-    /// leave out may be as little.
-    fn series(scene: &Scene, swing: &Swing, more: usize) -> Self {
-        let curves = SwingCurves::new(swing, &scene.motion.omega);
-        let theta = curves.angle();
-        let terms = theta.terms();
-        let first = |kept: usize| {
-            let weights = terms[..kept].iter().map(|&(_, a)| a).collect();
-            Self::of_weights(Method::Series, swing.rate(), weights)
-        };
-        let fewest = fewest_of_series(scene, &theta);
-        if fewest >= MOST_TERMS {
-            return first(MOST_TERMS);
-        }
-        let serves = |&kept: &usize| first(kept).approximate(&theta, scene, swing).angle() <= aim(scene, &theta);
-        let kept = (fewest..=terms.len()).find(serves).unwrap_or(terms.len());
-        let of_derivative = |output: &Output| match output {
-            Output::Velocity => fewest_of_series(scene, &curves.velocity()),
-            Output::Acceleration => fewest_of_series(scene, &curves.acceleration()),
-            _ => 0,
-        };
-        let kept = scene.outputs.iter().map(of_derivative).fold(kept, usize::max);
-        first((kept + more).min(MOST_TERMS).min(terms.len()))
+    /// The first terms of the series of θ.
+    fn series(scene: &Scene, swing: &Swing, kept: usize) -> Self {
+        Self::of_curve(swing, &SwingCurves::new(swing, &scene.motion.omega).angle(), kept)
+    }
+
+    fn of_curve(swing: &Swing, theta: &Curve, kept: usize) -> Self {
+        let first = theta.terms().iter().take(kept.min(MOST_TERMS));
+        Self::of_weights(Method::Series, swing.rate(), first.map(|&(_, a)| a).collect())
     }
 
     /// What of our phase a short horizon meets.
@@ -138,10 +127,43 @@ fn aim(scene: &Scene, curve: &Curve) -> f64 {
     }
 }
 
-/// How many terms there are before one that is no more than twice that: with fewer its own harmonic is too much.
-fn fewest_of_series(scene: &Scene, curve: &Curve) -> usize {
+/// As many terms of the series as θ takes to come within what is asked, and so many that what derivatives leave out may be
+/// as little.
+fn fewest_of_series(scene: &Scene, swing: &Swing) -> usize {
+    let curves = SwingCurves::new(swing, &scene.motion.omega);
+    let theta = curves.angle();
+    let most = theta.terms().len().min(MOST_TERMS);
+    let serves = |kept: usize| {
+        let sum = Sum::of_curve(swing, &theta, kept);
+        sum.approximate(&theta, scene, swing).angle() <= aim(scene, &theta)
+    };
+    let of_theta = first_serving(negligible_after(scene, &theta), most, serves);
+    let of_derivative = |output: &Output| match output {
+        Output::Velocity => negligible_after(scene, &curves.velocity()),
+        Output::Acceleration => negligible_after(scene, &curves.acceleration()),
+        _ => 0,
+    };
+    scene.outputs.iter().map(of_derivative).fold(of_theta, usize::max)
+}
+
+/// How many terms there are before one that is no more than twice what may be left out: with fewer its own harmonic is too
+/// much.
+fn negligible_after(scene: &Scene, curve: &Curve) -> usize {
     let (terms, aim) = (curve.terms(), aim(scene, curve));
     (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len())
+}
+
+/// The least number from `least` on that serves, or `most`, by bisection: more are better.
+fn first_serving(least: usize, most: usize, serves: impl Fn(usize) -> bool) -> usize {
+    let (mut fails, mut found, mut step) = (least, least, 1);
+    while found < most && !serves(found) {
+        (fails, found, step) = (found, most.min(found + step), 2 * step);
+    }
+    while found > fails + 1 {
+        let middle = usize::midpoint(fails, found);
+        *(if serves(middle) { &mut found } else { &mut fails }) = middle;
+    }
+    found
 }
 
 /// The first number of terms from `smallest` on, of a few, that is planned: without overshoot an error may still be too
@@ -159,17 +181,9 @@ fn fewest(scene: &Scene, swing: &Swing) -> usize {
         Goal::Tolerance(tol) => tol * 0.99,
         Goal::Full => scene.float.unit() * swing.amplitude.to_f64(),
     };
-    let Some(mut fails) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
+    let Some(smallest) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
     let analysis = swing.elliptic.fourier_analysis();
-    let mut serves = fails;
-    while serves < MOST_CHOSEN && analysis.supremum(serves) >= tol {
-        (fails, serves) = (serves, (serves * 2).min(MOST_CHOSEN));
-    }
-    while serves > fails + 1 {
-        let middle = usize::midpoint(fails, serves);
-        *(if analysis.supremum(middle) < tol { &mut serves } else { &mut fails }) = middle;
-    }
-    serves
+    first_serving(smallest, MOST_CHOSEN, |n| analysis.supremum(n) < tol)
 }
 
 /// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the
