@@ -22,6 +22,13 @@ pub(crate) struct Scene {
     pub(crate) blame: Blame,
 }
 
+impl Scene {
+    /// The same, asking for that tolerance.
+    pub(crate) fn asking(&self, tolerance: f64) -> Self {
+        Self { goal: Goal::Tolerance(tolerance), ..self.clone() }
+    }
+}
+
 /// The tokens at fault where only the planner can tell that a request can't be kept: overshoot of the arcsine's
 /// argument, a tolerance out of reach.
 #[derive(Clone, Debug)]

@@ -182,6 +182,7 @@ fn refusals_of_forced_methods_near_the_top_take_less_than_a_second() {
     };
     planned(&both("1e-3"));
     refused(&both("1e-12"), "leave `method` out");
+    refused("velocity0 = 2 - 1e-254, tol = 9.6e-4, method = series, t_max = 5.27, float = f32", "leave `method` out");
 }
 
 /// Each limit of an expression was harmless by itself: 240 literals of 490 digits took eleven seconds together.

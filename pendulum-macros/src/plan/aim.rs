@@ -20,7 +20,8 @@ pub(super) struct Task {
     pub(super) launch: Real,
     /// −1 for a mirror image.
     pub(super) direction: f64,
-    /// The passage through the lowest point; absent where the nome makes its series converge slowly.
+    /// The passage through the lowest point; absent where the nome makes its series converge slowly, or a method is asked
+    /// for.
     pub(super) passage: Option<Orbit>,
     pub(super) turning: bool,
     /// Where no more than an arc is met, the time itself.
@@ -58,11 +59,12 @@ const LARGEST_IMAGE: f64 = 0.05;
 
 impl Task {
     pub(super) fn new(scene: &Scene) -> Self {
-        match &scene.motion.regime {
+        let task = match &scene.motion.regime {
             Regime::Swing(swing) => Self::swing(scene, swing),
             Regime::Rotation(rotation) => Self::rotation(scene, rotation),
             Regime::Separatrix(separatrix) => Self::separatrix(scene, separatrix),
-        }
+        };
+        Self { passage: task.passage.filter(|_| scene.method.is_none()), ..task }
     }
 
     fn swing(scene: &Scene, swing: &Swing) -> Self {

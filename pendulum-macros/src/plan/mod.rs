@@ -17,6 +17,7 @@ mod memo;
 mod met;
 mod moebius;
 mod moments;
+mod offer;
 mod paper;
 mod part;
 mod passage;
@@ -115,105 +116,15 @@ impl Function {
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let planned = cheapest(scene);
     let Err(Refusal::Unreachable { best }) = planned else { return planned };
-    let least = if is_of_paper(scene) { f64::INFINITY } else { search::least_error(scene) };
-    let (best, full, tol) = match scene.goal {
+    let best = match scene.goal {
         Goal::Terms(_) => return planned,
-        // It is that of which `best` tells.
-        Goal::Full => (best, f64::INFINITY, 0.0),
-        // Of an angle that grows without bound, full precision promises what its turns cost.
-        Goal::Tolerance(tol) => {
-            let full = match cheapest(&Scene { goal: Goal::Full, ..scene.clone() }) {
-                Ok(plan) => plan.worst(),
-                Err(Refusal::Unreachable { best }) => best,
-                Err(_) => f64::INFINITY,
-            };
-            (best.min(least), full, tol)
-        }
+        _ => offer::best(scene, best),
     };
-    let reached = if best < full { [best, full] } else { [full, best] };
-    let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
-    let decades = if is_quick(scene) { 1..10 } else { 1..1 };
-    let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
-    let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
-    let best = first_kept(scene, &offers, least).map_or(f64::INFINITY, |kept| finest(scene, kept));
-    // What keeps a finer promise keeps this one: pieces may serve the finer one only.
-    if best <= tol { cheapest(&asking(scene, best)) } else { Err(Refusal::Unreachable { best }) }
-}
-
-/// Whether plans are found quickly: the paper's methods take a hundred harmonics near the top, and polynomials of several
-/// outputs as many terms.
-fn is_quick(scene: &Scene) -> bool {
-    let one_polynomial = scene.method == Some(Method::Polynomial) && scene.outputs.len() == 1;
-    scene.method.is_none() || one_polynomial
-}
-
-/// A tolerance that can be promised, and the bound of the plan that promises it.
-#[derive(Clone, Copy)]
-struct Kept {
-    tolerance: f64,
-    bound: f64,
-}
-
-/// The scene that asks for that tolerance.
-fn asking(scene: &Scene, tolerance: f64) -> Scene {
-    Scene { goal: Goal::Tolerance(tolerance), ..scene.clone() }
-}
-
-/// Asks for another tolerance.
-fn kept(scene: &Scene, tolerance: f64) -> Result<Kept, Refusal> {
-    let plan = cheapest(&asking(scene, tolerance))?;
-    Ok(Kept { tolerance, bound: plan.worst() })
-}
-
-/// The first of the tolerances that can be promised; those below what was reached where another was refused come last.
-/// Where polynomials take too many points for one, they do for a little more, too. Whatever is asked, `least` is reached.
-fn first_kept(scene: &Scene, offers: &[f64], least: f64) -> Option<Kept> {
-    let (mut reached, mut hopeless) = (0.0, 0.0);
-    let mut unlikely = Vec::new();
-    for &offer in offers {
-        if offer < hopeless {
-            continue;
-        }
-        if offer < reached {
-            unlikely.push(offer);
-            continue;
-        }
-        match kept(scene, offer) {
-            Ok(kept) => return Some(kept),
-            Err(Refusal::Unreachable { best }) if best.min(least).is_finite() => reached = best.min(least),
-            Err(Refusal::Unreachable { .. }) if scene.method == Some(Method::Polynomial) => hopeless = 3.0 * offer,
-            Err(_) => {}
-        }
+    match scene.goal {
+        // What keeps a finer promise keeps this one: pieces may serve the finer one only.
+        Goal::Tolerance(tol) if best <= tol => cheapest(&scene.asking(best)),
+        _ => Err(Refusal::Unreachable { best }),
     }
-    unlikely.into_iter().find_map(|offer| kept(scene, offer).ok())
-}
-
-/// The finest that can be promised, too: where a promise leaves more than half, what it takes is asked for; of one output
-/// whose plans are quick a fifth less, and then parts as long as these are kept.
-fn finest(scene: &Scene, found: Kept) -> f64 {
-    let offer = |of: &Kept, part: f64| three_digits(part * of.tolerance.min(1.01 * of.bound));
-    let finer = |of: &Kept, part: f64| kept(scene, Some(offer(of, part)).filter(|&offer| offer < of.tolerance)?).ok();
-    let half_left = |of: &Kept| if offer(of, 1.0) < 0.5 * of.tolerance { finer(of, 1.0) } else { None };
-    let found = last(found, half_left);
-    if scene.outputs.len() > 1 || !is_quick(scene) {
-        return found.tolerance;
-    }
-    let found = finer(&found, 1.0).unwrap_or(found);
-    let Some(less) = finer(&found, 0.8) else { return found.tolerance };
-    [0.03, 0.5, 0.8].into_iter().fold(less, |found, part| last(found, |of| finer(of, part))).tolerance
-}
-
-/// What is left when nothing finer is found any more.
-fn last(found: Kept, finer: impl Fn(&Kept) -> Option<Kept>) -> Kept {
-    std::iter::successors(Some(found), finer).last().unwrap_or(found)
-}
-
-/// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
-const OFFERS: [f64; 5] = [1.01, 1.05, 1.25, 2.0, 4.0];
-
-/// As a message prints it.
-fn three_digits(x: f64) -> f64 {
-    format!("{x:.2e}").parse().unwrap_or(x)
 }
 
 pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
@@ -235,6 +146,12 @@ fn is_of_paper(scene: &Scene) -> bool {
 }
 
 impl Plan {
+    fn new(method: &'static str, terms: usize, reduction: &Reduction, parts: Vec<Part>) -> Self {
+        let functions = kernel::functions(reduction, &parts);
+        let (reduction, coefficients, rejected) = (reduction.clone(), Vec::new(), Vec::new());
+        Self { method, reduction, parts, functions, terms, coefficients, rejected }
+    }
+
     /// The largest of the outputs' bounds, in units of the tolerance.
     pub(crate) fn worst(&self) -> f64 {
         worst(self.parts.iter().map(Part::error))

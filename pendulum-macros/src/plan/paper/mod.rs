@@ -8,7 +8,6 @@ mod whole;
 use super::aim::FULL;
 use super::bias::{Approximate, MOST_TERMS};
 use super::curve::{Curve, Curves, SwingCurves};
-use super::kernel;
 use super::met::Met;
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal};
@@ -277,15 +276,8 @@ impl Sum {
     }
 
     fn joined(&self, reduction: &Reduction, parts: Vec<Part>) -> Plan {
-        Plan {
-            method: self.method.word(),
-            reduction: reduction.clone(),
-            functions: kernel::functions(reduction, &parts),
-            parts,
-            terms: self.weights.len(),
-            coefficients: self.coefficients.clone(),
-            rejected: Vec::new(),
-        }
+        let plan = Plan::new(self.method.word(), self.weights.len(), reduction, parts);
+        Plan { coefficients: self.coefficients.clone(), ..plan }
     }
 
     /// The error that an output may have by the recurrence, of whose proven rounding two thirds are observed.

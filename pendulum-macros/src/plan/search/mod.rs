@@ -11,7 +11,7 @@ use super::memo::Memo;
 use super::part::{Approximations, InPieces, observed};
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
-use super::{Part, Plan, Refusal, alternatives, kernel, verify};
+use super::{Part, Plan, Refusal, alternatives, verify};
 use crate::parse::Float;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
@@ -232,8 +232,7 @@ fn parts<'a>(
 ) -> impl Iterator<Item = Part> + 'a {
     let polynomial = move |variant: Variant| aim.part(scene, task, all, reduction, variant, f64::INFINITY).ok();
     let polynomials = aim.variants(all, reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
-    let passes = scene.method.is_none() && reduction.origin == Origin::Lowest;
-    let passage = task.passage.as_ref().filter(|_| passes);
+    let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
     let by_passage = |passage| aim.passage_part(scene, task, &all.drafts, reduction, passage, f64::INFINITY).ok();
     polynomials.chain(passage.and_then(by_passage))
 }
@@ -293,13 +292,12 @@ impl Prospect {
             Some(candidate(reduction, Way::Polynomials, kernels))
         });
         let from_lowest = reductions.iter().filter(|reduction| reduction.origin == Origin::Lowest);
-        let passes = passage.is_some() && scene.method.is_none();
         // Its operations wait for one another: each takes longer than those of polynomials do.
-        let passage = |reduction| {
+        let by_passage = |reduction| {
             let passage = candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum());
             Candidate { cost: waiting(scene.float) * passage.cost, ..passage }
         };
-        let passages = from_lowest.filter(|_| passes).map(passage);
+        let passages = from_lowest.filter(|_| passage.is_some()).map(by_passage);
         let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
             let one = move |reduction| {
                 let cost = pieces.estimate(scene, aims, reduction)?;
@@ -334,16 +332,7 @@ fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
 /// Named by how the first output is computed.
 fn joined(reduction: &Reduction, parts: Vec<Part>) -> Plan {
     let (method, terms) = parts.first().map_or(("", 0), |part| (part.kernel.word(), part.kernel.terms()));
-    let functions = kernel::functions(reduction, &parts);
-    Plan {
-        method,
-        reduction: reduction.clone(),
-        parts,
-        functions,
-        terms,
-        coefficients: Vec::new(),
-        rejected: Vec::new(),
-    }
+    Plan::new(method, terms, reduction, parts)
 }
 
 impl Candidate<'_> {
@@ -388,7 +377,7 @@ impl Candidate<'_> {
         let (mut parts, mut more, mut rejected) = (Vec::new(), 0.0, Vec::new());
         for (output, (aim, all)) in task.aims.iter().zip(approximations).enumerate() {
             let passage = || match &task.passage {
-                Some(passage) if self.reduction.origin == Origin::Lowest && scene.method.is_none() => {
+                Some(passage) if self.reduction.origin == Origin::Lowest => {
                     let part = aim.passage_part(scene, task, &all.drafts, self.reduction, passage, most)?;
                     Ok((part, waiting(scene.float) * aim.passage_estimate()))
                 }

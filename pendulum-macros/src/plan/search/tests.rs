@@ -2,8 +2,8 @@
 
 use super::choice::DEARER;
 use super::*;
-use crate::plan::Bound;
 use crate::plan::tests::scene;
+use crate::plan::{Bound, kernel};
 
 /// The parts of 2⁻⁴⁹ and 2⁻²⁰ that are comfortable and tolerable.
 fn limits(scene: &Scene) -> [f64; 2] {
