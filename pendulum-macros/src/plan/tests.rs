@@ -74,7 +74,7 @@ fn each_scene_gets_its_way() {
 /// Less than a quarter of a period either way, than half a turn, is computed of the time itself.
 #[test]
 fn short_horizons_need_no_reduction() {
-    use super::reduction::Method;
+    use super::reduction::Scheme;
     for (text, most) in [
         ("theta0 = 7π/8, tol = 1e-6, t_max = 2", 13),
         ("theta0 = 7π/8, tol = 1e-6, t_max = 2, outputs = [velocity]", 18),
@@ -92,7 +92,7 @@ fn short_horizons_need_no_reduction() {
         ("theta0 = -π/2, velocity0 = sqrt(2), tol = 1e-6, t_max = 1, outputs = [velocity]", 27),
     ] {
         let plan = planned(text);
-        assert!(matches!(plan.reduction.method, Method::Time { .. }), "{text}: {}", plan.reduction.describe());
+        assert!(matches!(plan.reduction.scheme, Scheme::Time { .. }), "{text}: {}", plan.reduction.describe());
         assert!(plan.operations() <= most, "{text}: {} operations, {most} before", plan.operations());
     }
     for text in [
@@ -102,7 +102,7 @@ fn short_horizons_need_no_reduction() {
         "theta0 = 1, float = f32, omega = 1e38, tol = 1e-4, t_max = 1e-39",
     ] {
         let plan = planned(text);
-        assert!(!matches!(plan.reduction.method, Method::Time { .. }), "{text}: {}", plan.reduction.describe());
+        assert!(!matches!(plan.reduction.scheme, Scheme::Time { .. }), "{text}: {}", plan.reduction.describe());
     }
 }
 

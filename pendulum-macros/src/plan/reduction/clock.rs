@@ -1,7 +1,7 @@
 //! The reductions that a motion can choose from, and how wrong each is.
 
 use super::words::{exponent, split_down, split_near};
-use super::{LINEAR_HALF, Method, Origin, Reduction, is_half};
+use super::{LINEAR_HALF, Origin, Reduction, Scheme, is_half};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Float;
@@ -77,39 +77,39 @@ impl<'a> Clock<'a> {
 
     fn reduction(
         &self,
-        method: Method,
+        scheme: Scheme,
         origin: Origin,
         [error, relative_error]: [f64; 2],
         overshoot: f64,
     ) -> Reduction {
-        let (scale, cap) = self.within_range(&method);
-        let unit = match method {
-            Method::CodyWaite { .. } => self.rate.to_double(),
-            Method::Scaled { anchor, .. } => Double::ONE / (anchor * scale),
+        let (scale, cap) = self.within_range(&scheme);
+        let unit = match scheme {
+            Scheme::CodyWaite { .. } => self.rate.to_double(),
+            Scheme::Scaled { anchor, .. } => Double::ONE / (anchor * scale),
             _ => Double::new(1.0 / scale),
         };
         // The launch phase is added in two words where there are any. Where it is a rounded time, that has been
         // counted.
-        let exact = self.is_exact() || matches!(method, Method::AnyTime { .. });
-        let counted = exact || matches!(method, Method::CodyWaite { .. });
-        let wide = matches!(method, Method::Wide { .. } | Method::WideAnyTime { .. });
+        let exact = self.is_exact() || matches!(scheme, Scheme::AnyTime { .. });
+        let counted = exact || matches!(scheme, Scheme::CodyWaite { .. });
+        let wide = matches!(scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. });
         let added_in = if wide { Float::F64 } else { self.float };
         let launch_error = if counted { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
         // A launch phase is rounded before n is: the remainder may pass half an anchor by as much.
         let overshoot = if exact { overshoot } else { overshoot.max(4.0 * (error + launch_error)) };
         let error = error + launch_error;
-        let without_error = Reduction::exact(method, origin, self.float);
+        let without_error = Reduction::exact(scheme, origin, self.float);
         Reduction { launch: self.launch, error, relative_error, overshoot, unit, scale, cap, ..without_error }
     }
 
     /// What keeps the product of the time with its factor from overflowing: a power of two beside a factor above 1, or,
     /// of factors so large that powers of the phase would get out of hand, a cap of the time. Products of Cody and
     /// Waite's overflow beyond the horizon only, without harm; those of `f32` times with `f64` words don't.
-    fn within_range(&self, method: &Method) -> (f64, Option<f64>) {
+    fn within_range(&self, scheme: &Scheme) -> (f64, Option<f64>) {
         let rate = self.rate.to_f64();
-        let factor = match method {
-            Method::OneWord { .. } | Method::AnyTime { .. } => rate,
-            Method::Scaled { scaled, .. } => rate.max(*scaled),
+        let factor = match scheme {
+            Scheme::OneWord { .. } | Scheme::AnyTime { .. } => rate,
+            Scheme::Scaled { scaled, .. } => rate.max(*scaled),
             _ => 0.0,
         };
         let (halvings, most) = match self.float {
@@ -125,7 +125,7 @@ impl<'a> Clock<'a> {
 
     fn one_word(&self) -> Option<Reduction> {
         let Product { rate, error, overshoot } = self.product(Origin::Anchor, self.float)?;
-        Some(self.reduction(Method::OneWord { rate }, Origin::Anchor, [error, 0.0], overshoot))
+        Some(self.reduction(Scheme::OneWord { rate }, Origin::Anchor, [error, 0.0], overshoot))
     }
 
     /// The error is |t|·|R − fl(R)| and the rounding of the product; the subtraction of n is exact.
@@ -172,9 +172,9 @@ impl<'a> Clock<'a> {
         let left = self.rate - self.exact(scaled) / self.exact(anchor);
         let error = self.over_horizon(&left) * 1.001 + rounding / anchor;
         let rate = self.float.round(rate.hi);
-        let method = Method::Scaled { rate, scaled, anchor };
+        let scheme = Scheme::Scaled { rate, scaled, anchor };
         let overshoot = self.misplaced(rate, Origin::Anchor, error);
-        Some(self.reduction(method, Origin::Anchor, [error, 0.0], overshoot))
+        Some(self.reduction(scheme, Origin::Anchor, [error, 0.0], overshoot))
     }
 
     /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
@@ -212,7 +212,7 @@ impl<'a> Clock<'a> {
             Origin::Lowest => [drift + before, last * self.float.unit() * 1.001],
         };
         let overshoot = self.misplaced(rate, origin, errors[0] + errors[1]);
-        Some(self.reduction(Method::CodyWaite { rate, words }, origin, errors, overshoot))
+        Some(self.reduction(Scheme::CodyWaite { rate, words }, origin, errors, overshoot))
     }
 
     /// Whether the time between anchors is one whose multiples, up to one beyond the horizon, and whose product with the
@@ -233,7 +233,7 @@ impl<'a> Clock<'a> {
     fn wide(&self, origin: Origin) -> Option<Reduction> {
         let Product { rate, error, overshoot } = self.product(origin, Float::F64)?;
         let errors = self.narrowed(error, overshoot, origin);
-        let reduction = self.reduction(Method::Wide { rate }, origin, errors, overshoot);
+        let reduction = self.reduction(Scheme::Wide { rate }, origin, errors, overshoot);
         Some(Reduction { rounding: NARROWING, ..reduction })
     }
 
@@ -257,7 +257,7 @@ impl<'a> Clock<'a> {
         // n is rounded from sums of up to 2²⁶ either way.
         let overshoot = 2f64.powi(-26);
         let errors = self.narrowed(error, overshoot, origin);
-        let reduction = self.reduction(Method::WideAnyTime { words }, origin, errors, overshoot);
+        let reduction = self.reduction(Scheme::WideAnyTime { words }, origin, errors, overshoot);
         Reduction { rounding: NARROWING, ..reduction }
     }
 
@@ -276,7 +276,7 @@ impl<'a> Clock<'a> {
         let half = self.float.round(furthest).min(LINEAR_HALF);
         let cap = 2.0 * (LINEAR_HALF + launch) / self.rate.to_f64();
         let (passed, times) = (-(self.launch / rate), libm::exp2(power as f64));
-        let method = Method::Linear { rate: rate.hi, passed, times, half };
+        let scheme = Scheme::Linear { rate: rate.hi, passed, times, half };
         let roundings = match self.float {
             Float::F64 if launch == 0.0 => 2.0,
             Float::F64 => 4.0,
@@ -289,7 +289,7 @@ impl<'a> Clock<'a> {
             relative_error: (roundings + 0.001) * self.float.unit(),
             // Infinite times are seen by it, too.
             cap: Some(cap.min(self.float.largest())),
-            ..Reduction::exact(method, Origin::Lowest, self.float)
+            ..Reduction::exact(scheme, Origin::Lowest, self.float)
         }
     }
 
@@ -306,16 +306,16 @@ impl<'a> Clock<'a> {
     fn any_time(&self, count: usize, origin: Origin, doubled: bool) -> Reduction {
         let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
         let drift = self.drift(&words) + self.rounding_of_last_part(&words);
-        let method = Method::AnyTime { words, doubled };
+        let scheme = Scheme::AnyTime { words, doubled };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         let overshoot = 2f64.powi(-20);
         if origin == Origin::Lowest {
-            return self.reduction(method, origin, [drift, 3.001 * Float::F64.unit()], overshoot);
+            return self.reduction(scheme, origin, [drift, 3.001 * Float::F64.unit()], overshoot);
         }
         let [sums, seldom] = self.rounding_of_sums(count, doubled);
         let relative = self.is_exact() || count == 4 && !doubled;
         let rounding = if relative { sums } else { 0.0 };
-        Reduction { rounding, seldom, ..self.reduction(method, origin, [drift + sums, 0.0], overshoot) }
+        Reduction { rounding, seldom, ..self.reduction(scheme, origin, [drift + sums, 0.0], overshoot) }
     }
 
     /// What sums are rounded by, and what of that is met only just beyond half an anchor, where results are rounded twice as

@@ -1,6 +1,6 @@
 //! A reduction as operations.
 
-use super::{Method, Origin, Phase, Reduction, is_half};
+use super::{Origin, Phase, Reduction, Scheme, is_half};
 use crate::parse::Float;
 use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
@@ -10,21 +10,21 @@ impl Reduction {
     pub(crate) fn lower(&self, b: &mut Builder, t: Id) -> Phase {
         let t = if self.folded { b.push(Op::Abs(t)) } else { t };
         let t = self.capped(b, t);
-        let phase = match &self.method {
-            Method::OneWord { rate } => self.direct(b, t, *rate),
-            Method::Scaled { rate, scaled, anchor } => self.scaled(b, t, [*rate, *scaled, *anchor]),
-            Method::CodyWaite { rate, words } => self.cody_waite(b, t, *rate, words),
-            Method::Wide { rate } => {
+        let phase = match &self.scheme {
+            Scheme::OneWord { rate } => self.direct(b, t, *rate),
+            Scheme::Scaled { rate, scaled, anchor } => self.scaled(b, t, [*rate, *scaled, *anchor]),
+            Scheme::CodyWaite { rate, words } => self.cody_waite(b, t, *rate, words),
+            Scheme::Wide { rate } => {
                 let wide = b.convert(t, Float::F64);
                 self.direct(b, wide, *rate)
             }
-            Method::WideAnyTime { words } => {
+            Scheme::WideAnyTime { words } => {
                 let wide = b.convert(t, Float::F64);
                 self.wide_any_time(b, wide, words)
             }
-            Method::AnyTime { words, doubled } => self.any_time(b, t, words, *doubled),
-            Method::Time { .. } => self.unreduced(b, t),
-            Method::Linear { rate, passed, times, .. } => {
+            Scheme::AnyTime { words, doubled } => self.any_time(b, t, words, *doubled),
+            Scheme::Time { .. } => self.unreduced(b, t),
+            Scheme::Linear { rate, passed, times, .. } => {
                 let wide = b.convert(t, Float::F64);
                 linear(b, wide, [*times, *rate], *passed)
             }
@@ -53,8 +53,8 @@ impl Reduction {
 
     /// Phase of t = 0 from the origin numbered 0.
     fn whole_offset(&self) -> Double {
-        match (&self.method, self.origin) {
-            (Method::Linear { .. }, _) | (_, Origin::Anchor) => self.launch,
+        match (&self.scheme, self.origin) {
+            (Scheme::Linear { .. }, _) | (_, Origin::Anchor) => self.launch,
             (_, Origin::Lowest) => self.launch - Double::new(0.5),
         }
     }

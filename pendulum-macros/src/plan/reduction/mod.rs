@@ -24,7 +24,7 @@ use words::exponent;
 /// How the phase is found, and how wrong it can be over the horizon.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Reduction {
-    pub(crate) method: Method,
+    pub(crate) scheme: Scheme,
     /// The type of time and result.
     pub(crate) float: Float,
     /// Anchors passed at t = 0.
@@ -75,7 +75,7 @@ impl Origin {
 
 /// The ways of reducing the phase.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Method {
+pub(crate) enum Scheme {
     /// s = t·R − n with R in one word.
     OneWord { rate: f64 },
     /// s = t·R′ − n·A, in units of which an anchor has A: a number of few bits such that nA is exact, R′ = AR to far
@@ -128,14 +128,14 @@ impl Reduction {
         (1.0 / most..most).contains(&reach).then(|| Self {
             unit: Double::new(0.5 / scale) / reach,
             scale,
-            ..Self::exact(Method::Time { lopsided }, Origin::Anchor, float)
+            ..Self::exact(Scheme::Time { lopsided }, Origin::Anchor, float)
         })
     }
 
-    /// By that method, with an anchor passed at t = 0 and without an error: what others differ from.
-    fn exact(method: Method, origin: Origin, float: Float) -> Self {
+    /// By that scheme, with an anchor passed at t = 0 and without an error: what others differ from.
+    fn exact(scheme: Scheme, origin: Origin, float: Float) -> Self {
         Self {
-            method,
+            scheme,
             float,
             launch: Double::ZERO,
             origin,
@@ -188,11 +188,11 @@ impl Reduction {
 
     /// Whether it can count pieces of an anchor.
     pub(crate) fn has_pieces(&self) -> bool {
-        let subtracts = match self.method {
-            Method::OneWord { .. } => self.float == Float::F64,
+        let subtracts = match self.scheme {
+            Scheme::OneWord { .. } => self.float == Float::F64,
             // Sums in two words gain nothing beside the others, of which the rounding falls with the remainder.
-            Method::AnyTime { doubled, .. } => !doubled,
-            Method::Wide { .. } | Method::WideAnyTime { .. } => true,
+            Scheme::AnyTime { doubled, .. } => !doubled,
+            Scheme::Wide { .. } | Scheme::WideAnyTime { .. } => true,
             _ => false,
         };
         subtracts && self.origin == Origin::Anchor
@@ -200,25 +200,25 @@ impl Reduction {
 
     /// Whether its error grows with time, as that of a rounded rate does: where it ends, all of that is met.
     pub(crate) fn grows(&self) -> bool {
-        match self.method {
-            Method::OneWord { .. } | Method::Scaled { .. } | Method::CodyWaite { .. } | Method::Wide { .. } => true,
-            Method::AnyTime { .. } | Method::WideAnyTime { .. } | Method::Time { .. } | Method::Linear { .. } => false,
+        match self.scheme {
+            Scheme::OneWord { .. } | Scheme::Scaled { .. } | Scheme::CodyWaite { .. } | Scheme::Wide { .. } => true,
+            Scheme::AnyTime { .. } | Scheme::WideAnyTime { .. } | Scheme::Time { .. } | Scheme::Linear { .. } => false,
         }
     }
 
     /// Whether its error is that of a rounding which goes with the time, and is next to nothing for most of a long horizon.
     pub(crate) fn is_rounded_late(&self) -> bool {
-        matches!(&self.method, Method::AnyTime { words, .. } if words.len() == 2)
+        matches!(&self.scheme, Scheme::AnyTime { words, .. } if words.len() == 2)
     }
 
     /// Whether there is nothing to reduce.
     pub(crate) fn is_time(&self) -> bool {
-        matches!(self.method, Method::Time { .. })
+        matches!(self.scheme, Scheme::Time { .. })
     }
 
     /// Whether it is that of an arc without symmetry.
     pub(crate) fn is_lopsided(&self) -> bool {
-        self.method == Method::Time { lopsided: true }
+        self.scheme == Scheme::Time { lopsided: true }
     }
 
     /// The phases to be analysed, in units of the reduced variable: both sides of 0 where the motion over an arc has no
@@ -232,9 +232,9 @@ impl Reduction {
     /// rounded to such a multiple if at all, n and their difference: 0, ±½, or from ±1 on. A wide one is below an ulp of
     /// 2¹²⁸·rate.
     pub(crate) fn leaps(&self) -> bool {
-        let one_word = match self.method {
-            Method::OneWord { .. } => true,
-            Method::Wide { rate } => rate < 2f64.powi(50),
+        let one_word = match self.scheme {
+            Scheme::OneWord { .. } => true,
+            Scheme::Wide { rate } => rate < 2f64.powi(50),
             _ => false,
         };
         let exact = self.launch == Double::ZERO && self.overshoot == 0.0 && self.pieces == 1.0;
@@ -248,7 +248,7 @@ impl Reduction {
 
     /// Whether the phase is that of the separatrix, which isn't reduced.
     pub(crate) fn is_linear(&self) -> bool {
-        matches!(self.method, Method::Linear { .. })
+        matches!(self.scheme, Scheme::Linear { .. })
     }
 
     fn program(&self) -> Program {
@@ -266,27 +266,27 @@ impl Reduction {
     /// For the reader.
     pub(crate) fn describe(&self) -> String {
         let from = if self.origin == Origin::Lowest { " from the lowest point" } else { "" };
-        let how = match &self.method {
-            Method::OneWord { .. } => "one product with the rate".to_owned(),
-            Method::Scaled { .. } => "one product with the rate, in a unit that suits both".to_owned(),
-            Method::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
-            Method::Wide { .. } => "one product with the rate in `f64`".to_owned(),
-            Method::WideAnyTime { words } => {
+        let how = match &self.scheme {
+            Scheme::OneWord { .. } => "one product with the rate".to_owned(),
+            Scheme::Scaled { .. } => "one product with the rate, in a unit that suits both".to_owned(),
+            Scheme::CodyWaite { words, .. } => format!("Cody and Waite's remainder of {} words", words.len()),
+            Scheme::Wide { .. } => "one product with the rate in `f64`".to_owned(),
+            Scheme::WideAnyTime { words } => {
                 format!("exact products with the rate in {} words of `f64`", words.len())
             }
-            Method::AnyTime { words, doubled } => {
+            Scheme::AnyTime { words, doubled } => {
                 let sums = if *doubled { ", sums in two words" } else { "" };
                 format!("exact products with the rate in {} words{sums}", words.len())
             }
-            Method::Time { .. } => "the time itself, which the horizon keeps short".to_owned(),
-            Method::Linear { .. } => "the time itself".to_owned(),
+            Scheme::Time { .. } => "the time itself, which the horizon keeps short".to_owned(),
+            Scheme::Linear { .. } => "the time itself".to_owned(),
         };
         format!("{how}{from}")
     }
 
     /// The largest |s|, in units of the reduced variable, rounded up to a number of its type.
     pub(crate) fn half(&self) -> f64 {
-        if let Method::Linear { half, .. } = self.method {
+        if let Scheme::Linear { half, .. } = self.scheme {
             return half;
         }
         if self.overshoot == 0.0 && self.unit == Double::ONE {

@@ -66,7 +66,7 @@ impl Trial {
     }
 
     fn is_wide(&self) -> bool {
-        matches!(self.reduction.method, Method::Wide { .. } | Method::WideAnyTime { .. })
+        matches!(self.reduction.scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. })
     }
 
     fn run(&mut self, random: &mut Random, count: usize) {
@@ -99,7 +99,7 @@ impl ToReal for Double {
     }
 }
 
-impl Method {
+impl Scheme {
     pub(super) fn name(&self) -> String {
         let words = match self {
             Self::CodyWaite { words, .. } | Self::AnyTime { words, .. } | Self::WideAnyTime { words } => words.len(),
@@ -144,7 +144,7 @@ fn errors_are_those_promised() {
                 }
                 let widened = reduction.half() * reduction.unit.hi / (0.5 + reduction.overshoot);
                 assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
-                let key = (reduction.method.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
+                let key = (reduction.scheme.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
                 let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
                 trial.run(&mut random, 40);
                 let worst = worst.entry(key).or_default();
@@ -187,7 +187,7 @@ fn remainders_just_beyond_half_an_anchor() {
             let passed = context.float(phase).unwrap() + context.float(beyond).unwrap();
             let rate = (passed - &launch) / context.float(t).unwrap();
             let clock = Clock { rate: &rate, launch: launch.to_double(), t_max: Some(t), float };
-            let way = |way: &Reduction| way.origin == Origin::Anchor && way.method.name() == name;
+            let way = |way: &Reduction| way.origin == Origin::Anchor && way.scheme.name() == name;
             let reduction = clock.reductions().into_iter().find(way).unwrap();
             let mut trial = Trial { reduction, rate: rate.clone(), launch: launch.clone(), horizon: t, worst };
             let program = trial.program();
@@ -262,7 +262,7 @@ fn remainders_that_leap() {
             for reduction in clock.reductions().into_iter().filter(Reduction::leaps) {
                 count += 1;
                 let program = remainder(&reduction);
-                let wide = matches!(reduction.method, Method::Wide { .. });
+                let wide = matches!(reduction.scheme, Scheme::Wide { .. });
                 let least = f64::from(if wide { Float::F64 } else { float }.bits()) - 4.0;
                 let mut beyond = 0;
                 for _ in 0..20_000 {

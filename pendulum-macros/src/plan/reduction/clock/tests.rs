@@ -13,9 +13,9 @@ fn errors_of_scaled_rates() {
     for (anchors, float) in [3.0, 50.0, 66.0, 1e4].into_iter().flat_map(|n| [(n, Float::F64), (n, Float::F32)]) {
         let horizon = anchors / rate.to_f64();
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(horizon), float };
-        let scaled = |way: &Reduction| matches!(way.method, Method::Scaled { .. });
+        let scaled = |way: &Reduction| matches!(way.scheme, Scheme::Scaled { .. });
         let reduction = clock.reductions().into_iter().find(scaled).unwrap();
-        let Method::Scaled { scaled, anchor, .. } = reduction.method else { unreachable!() };
+        let Scheme::Scaled { scaled, anchor, .. } = reduction.scheme else { unreachable!() };
         let real = |x: f64| context.float(x).unwrap();
         let off = (&rate * &real(anchor) - real(scaled)).abs().to_f64();
         let rounding = half_ulp(anchors * anchor, float) + half_ulp(anchor, float);
@@ -39,11 +39,11 @@ fn roundings_of_one_product() {
     for (anchors, binade) in [(1000.0, 9), (1023.9, 10), (1024.1, 10), (1500.0, 10), (2047.9, 11), (2048.1, 11)] {
         for (float, bits) in [(Float::F64, 53), (Float::F32, 24)] {
             let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(anchors / 0.5), float };
-            let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+            let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
             let reduction = clock.reductions().into_iter().find(one_word).unwrap();
             assert_eq!(reduction.error, 2f64.powi(binade - bits), "{anchors}: {reduction:?}");
             // In a unit of which an anchor has one, there is the difference's besides.
-            let scaled = |way: &Reduction| matches!(way.method, Method::Scaled { anchor: 1.0, .. });
+            let scaled = |way: &Reduction| matches!(way.scheme, Scheme::Scaled { anchor: 1.0, .. });
             if let Some(reduction) = clock.reductions().into_iter().find(scaled) {
                 assert_eq!(reduction.error, 2f64.powi(binade - bits) + 2f64.powi(-bits), "{anchors}: {reduction:?}");
                 seen += 1;
@@ -61,7 +61,7 @@ fn roundings_of_launches() {
     for float in [Float::F64, Float::F32] {
         let error = |launch: Double| {
             let clock = Clock { rate: &rate, launch, t_max: Some(100.0), float };
-            let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+            let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
             clock.reductions().into_iter().find(one_word).unwrap().error
         };
         let half = error(Double::new(0.5));
@@ -84,7 +84,7 @@ fn remainders_beyond_half_an_anchor() {
         };
         for (float, bits) in [(Float::F64, 52), (Float::F32, 23)] {
             for (launch, expected) in [(0.0, 0.0), (0.5, 2f64.powi(binade - bits)), (-0.5, 2f64.powi(binade - bits))] {
-                let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+                let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
                 let found = ways(launch, float).into_iter().find(one_word).unwrap().overshoot;
                 assert_eq!(found, expected, "{horizon} {launch} {float:?}");
             }
@@ -94,7 +94,7 @@ fn remainders_beyond_half_an_anchor() {
             (Origin::Anchor, 0.5, 2f64.powi(binade - 52)),
             (Origin::Lowest, 0.0, 2f64.powi(binade - 52)),
         ] {
-            let wide = |way: &Reduction| matches!(way.method, Method::Wide { .. }) && way.origin == origin;
+            let wide = |way: &Reduction| matches!(way.scheme, Scheme::Wide { .. }) && way.origin == origin;
             let found = ways(launch, Float::F32).into_iter().find(wide).unwrap().overshoot;
             assert_eq!(found, expected, "{horizon} {launch} {origin:?}");
         }
@@ -111,7 +111,7 @@ fn cody_waite(
     let rate = Context::for_digits(60).decimal(rate).unwrap();
     let clock = Clock { rate: &rate, launch: Double::new(launch), t_max: Some(anchors / rate.to_f64()), float };
     let wanted = |way: &Reduction| {
-        way.origin == origin && matches!(&way.method, Method::CodyWaite { words, .. } if words.len() == count)
+        way.origin == origin && matches!(&way.scheme, Scheme::CodyWaite { words, .. } if words.len() == count)
     };
     let reduction = clock.reductions().into_iter().find(wanted).unwrap();
     (reduction, rate)
@@ -147,7 +147,7 @@ fn errors_of_words() {
         for count in [2, 3] {
             let (reduction, rate) =
                 cody_waite("0.7071067811865475244008443621", 0.0, anchors, (count, Origin::Lowest), float);
-            let Method::CodyWaite { words, .. } = &reduction.method else { unreachable!() };
+            let Scheme::CodyWaite { words, .. } = &reduction.scheme else { unreachable!() };
             let context = rate.context();
             let left = words.iter().fold(context.integer(1) / &rate, |rest, &word| rest - context.float(word).unwrap());
             let (left, last) = (left.abs().to_f64(), words[count - 1]);
@@ -166,7 +166,7 @@ fn products_of_words_are_exact() {
             [3.95f64, 7.9, 1.9, 1e3, 1e9].into_iter().flat_map(|n| [(n, Float::F64), (n.min(1e4), Float::F32)])
         {
             let (reduction, _) = cody_waite(rate, 0.5, anchors, (3, Origin::Anchor), float);
-            let Method::CodyWaite { words, .. } = &reduction.method else { unreachable!() };
+            let Scheme::CodyWaite { words, .. } = &reduction.scheme else { unreachable!() };
             let most = (2.0 * (anchors + 1.0)).floor();
             for halves in [most, most - 1.0, most - 2.0] {
                 for &word in &words[..2] {
@@ -186,7 +186,7 @@ fn errors_of_words_for_any_time() {
         let rate = Context::for_digits(60).decimal(rate).unwrap();
         let t_max = Some(anchors / rate.to_f64()).filter(|t| t.is_finite());
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F64 };
-        let way = |way: &Reduction| matches!(&way.method, Method::AnyTime { words, .. } if words.len() == count);
+        let way = |way: &Reduction| matches!(&way.scheme, Scheme::AnyTime { words, .. } if words.len() == count);
         clock.reductions().into_iter().find(way).unwrap().error
     };
     let sums = 2f64.powi(-53);
@@ -223,7 +223,7 @@ fn products_stay_finite() {
     ] {
         let rate = Context::for_digits(60).decimal(rate).unwrap();
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(10.0 / rate.to_f64()), float };
-        let one_word = |way: &Reduction| matches!(way.method, Method::OneWord { .. });
+        let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
         let reduction = clock.reductions().into_iter().find(one_word).unwrap();
         let scale = 2f64.powi(-halvings.unwrap_or(0));
         let cap = halvings.is_none().then(|| float.round(most(float) / rate.to_f64()));
@@ -238,7 +238,7 @@ fn phases_of_narrow_times() {
     let rate = Context::for_digits(60).decimal("0.7").unwrap();
     let (unit, t_max) = (Float::F32.unit(), Some(1e6));
     let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F32 };
-    let wide = |way: &Reduction| matches!(way.method, Method::Wide { .. } | Method::WideAnyTime { .. });
+    let wide = |way: &Reduction| matches!(way.scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. });
     for way in clock.reductions().into_iter().filter(wide) {
         let (rounded, before) = match way.origin {
             Origin::Anchor => (0.25 * unit, way.error - 0.25 * unit),
@@ -257,7 +257,7 @@ fn words_of_narrow_times() {
     let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: None, float: Float::F32 };
     let error = |count: usize| {
         let way = |way: &&Reduction| {
-            let so_many = matches!(&way.method, Method::WideAnyTime { words } if words.len() == count);
+            let so_many = matches!(&way.scheme, Scheme::WideAnyTime { words } if words.len() == count);
             way.origin == Origin::Lowest && so_many
         };
         clock.reductions().iter().find(way).map(|way| way.error).unwrap()
@@ -292,7 +292,7 @@ fn ways_of_each_horizon() {
             let reductions = Clock { rate: &rate, launch, t_max, float }.reductions();
             // From the lowest point they come again.
             let mut ways: Vec<String> = Vec::new();
-            for name in reductions.iter().map(|way| way.method.name()) {
+            for name in reductions.iter().map(|way| way.scheme.name()) {
                 if !ways.contains(&name) {
                     ways.push(name);
                 }
@@ -313,7 +313,7 @@ fn ways_of_each_horizon() {
     ] {
         let rate = context.decimal(rate).unwrap();
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0 / rate.to_f64()), float };
-        let found = clock.reductions().iter().any(|way| matches!(way.method, Method::CodyWaite { .. }));
+        let found = clock.reductions().iter().any(|way| matches!(way.scheme, Scheme::CodyWaite { .. }));
         assert_eq!(found, there, "{float:?} {:e}", rate.to_f64());
     }
 }
@@ -333,7 +333,7 @@ fn remainders_in_pieces_are_rounded_less() {
         let (rate, phase) = (rate(&mut random), Context::for_digits(60).decimal(launch).unwrap());
         let clock = Clock { rate: &rate, launch: phase.to_double(), t_max, float };
         let last = clock.reductions().into_iter().rfind(Reduction::has_pieces).unwrap();
-        let wide = clock.reductions().into_iter().find(|reduction| matches!(reduction.method, Method::Wide { .. }));
+        let wide = clock.reductions().into_iter().find(|reduction| matches!(reduction.scheme, Scheme::Wide { .. }));
         let reduction = if t_max.is_some() { wide.unwrap() } else { last };
         let in_pieces = reduction.in_pieces(64.0).unwrap();
         assert!((least..most).contains(&in_pieces.error), "{in_pieces:?}");
@@ -350,7 +350,7 @@ fn pieces_that_cannot_be_told() {
     let rate = Context::for_digits(40).ratio(1, 2);
     let one_word = |t_max: f64| {
         let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(t_max), float: Float::F64 };
-        clock.reductions().into_iter().find(|reduction| matches!(reduction.method, Method::OneWord { .. })).unwrap()
+        clock.reductions().into_iter().find(|reduction| matches!(reduction.scheme, Scheme::OneWord { .. })).unwrap()
     };
     for (t_max, pieces, serves) in
         [(2f64.powi(36), 32.0, true), (2f64.powi(42), 32.0, false), (2f64.powi(42), 2.0, true)]
