@@ -1,5 +1,5 @@
-//! What mutation testing found untested: the separatrix at other rates than 1, the fastest launch, the smallest modulus
-//! and the largest angles.
+//! The runtime at the edges of its domain: the separatrix at other rates than 1, the fastest launch, the smallest modulus,
+//! the largest angles.
 
 use pendula::{Error, Pendulum, Regime};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

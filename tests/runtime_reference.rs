@@ -86,7 +86,7 @@ fn every_row_keeps_the_promise() {
 #[test]
 fn positions_and_accelerations_keep_twice_the_unit() {
     let mut random = Random::new(50);
-    // Those first of which more than one unit has been seen.
+    // First some that are wrong by more than one unit.
     let mut looks = vec![
         ([-3.0265845364483854, 0.0, 3.0], 231.13079196817262),
         ([3.0556945370520467, 0.0, 3.0], -100_011_992.934_832_98),

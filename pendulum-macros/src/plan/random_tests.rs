@@ -486,9 +486,9 @@ fn far_units() {
     assert!(planned_at > 30, "{planned_at}");
 }
 
-/// Those that were wrong.
+/// Slopes, coefficients and powers of the phase that over- or underflow.
 #[test]
-fn once_wrong_in_far_units() {
+fn far_units_that_over_or_underflow() {
     let mut random = Random::new(13);
     for text in [
         "theta0 = 0.063, omega = 1e-259, outputs = [velocity], t_max = 80 / 1e-259, method = series",

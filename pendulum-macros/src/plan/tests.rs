@@ -27,18 +27,18 @@ fn refused(text: &str) -> Refusal {
 const HUNDRED: &str = "t_max = 1216";
 
 #[test]
-fn the_headline_plans_cost_no_more_than_they_did() {
+fn headline_plans_are_cheap() {
     for (text, most) in [
-        (format!("theta0 = 7π/8, tol = 1e-6, {HUNDRED}"), 24),
-        (format!("theta0 = 7π/8, tol = 1e-9, {HUNDRED}"), 33),
-        (format!("theta0 = 7π/8, tol = 1e-12, {HUNDRED}"), 41),
-        ("theta0 = 7π/8".to_owned(), 79),
-        (format!("theta0 = 7π/8, float = f32, tol = 1e-4, {HUNDRED}"), 20),
-        ("theta0 = 7π/8, n = 4".to_owned(), 53),
+        (format!("theta0 = 7π/8, tol = 1e-6, {HUNDRED}"), 20),
+        (format!("theta0 = 7π/8, tol = 1e-9, {HUNDRED}"), 27),
+        (format!("theta0 = 7π/8, tol = 1e-12, {HUNDRED}"), 37),
+        ("theta0 = 7π/8".to_owned(), 65),
+        (format!("theta0 = 7π/8, float = f32, tol = 1e-4, {HUNDRED}"), 18),
+        ("theta0 = 7π/8, n = 4".to_owned(), 52),
         ("theta0 = pi - 1e-9".to_owned(), 52),
     ] {
         let operations = planned(&text).operations();
-        assert!(operations <= most, "{text}: {operations} operations, {most} before");
+        assert!(operations <= most, "{text}: {operations} operations of at most {most}");
     }
 }
 
