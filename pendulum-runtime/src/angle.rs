@@ -1,6 +1,7 @@
 //! Any finite angle to [−π, π] in two words, by exact multiplication with 1/(2π) (Payne and Hanek 1983).
 
 use crate::double::Double;
+use crate::double_trig::supplement;
 
 /// 1/(2π) after the binary point, most significant word first: enough for the largest `f64` and 200 guard bits.
 const INVERSE_TURN_WORDS: [u64; 21] = [
@@ -27,25 +28,35 @@ const INVERSE_TURN_WORDS: [u64; 21] = [
     0x6a78e45857b986c2,
 ];
 
-/// θ less its nearest whole number of turns, for finite θ; relative error below 2⁻¹⁰⁰ unless θ itself is in [−π, π],
-/// when it is exact.
-pub(crate) fn reduce(theta: f64) -> Double {
+/// An angle in [−π, π].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Angle {
+    pub(crate) angle: Double,
+    /// π − |angle|, known by itself: next to the top the difference would have lost its digits.
+    pub(crate) from_top: Double,
+}
+
+/// θ less its nearest whole number of turns, for finite θ; relative error below 2⁻¹⁰⁰, of the distance from the top, too,
+/// unless θ itself is in [−π, π], when the angle is exact.
+pub(crate) fn reduce(theta: f64) -> Angle {
     if theta.abs() <= core::f64::consts::PI {
-        return Double::new(theta);
+        let angle = Double::new(theta);
+        return Angle { angle, from_top: supplement(angle.abs()) };
     }
     let bits = theta.abs().to_bits();
     let mantissa = (bits & ((1 << 52) - 1)) | (1 << 52);
     let exponent = (bits >> 52) as i32 - 1075; // |θ| = mantissa · 2^exponent, exponent ≥ −51
-    let fraction = fraction_of_turn(mantissa, exponent);
+    let [fraction, from_half] = fraction_of_turn(mantissa, exponent);
     let reduced = fraction * Double::TURN;
-    if theta < 0.0 { -reduced } else { reduced }
+    let angle = if theta < 0.0 { -reduced } else { reduced };
+    Angle { angle, from_top: from_half * Double::TURN }
 }
 
-/// mantissa · 2^exponent/(2π) modulo 1, in [−½, ½].
+/// mantissa · 2^exponent/(2π) modulo 1, in [−½, ½], and by how much its magnitude is below ½.
 ///
 /// Bits of 1/(2π) above 2^−exponent give whole turns; of the rest four words are kept, so the product is off by less
-/// than 2⁵³ · 2⁻²⁵⁶, while no `f64` comes nearer than 2⁻⁶² to a whole turn.
-fn fraction_of_turn(mantissa: u64, exponent: i32) -> Double {
+/// than 2⁵³ · 2⁻²⁵⁶, while no `f64` comes nearer than 2⁻⁶² to a whole turn, or half of one.
+fn fraction_of_turn(mantissa: u64, exponent: i32) -> [Double; 2] {
     let skip = exponent.max(0) as usize;
     let (word, bit) = (skip / 64, skip % 64);
     let mut product = [0_u64; 5]; // whole turns, then the fraction's four words
@@ -69,7 +80,10 @@ fn fraction_of_turn(mantissa: u64, exponent: i32) -> Double {
         fraction = fraction.map(|w| !w); // one unit of 2⁻²⁵⁶ too small, far below the error allowed
     }
     let magnitude = words_to_double(fraction);
-    if negative { -magnitude } else { magnitude }
+    // 2²⁵⁵ less the fraction, in units of 2⁻²⁵⁶, but for one unit.
+    let mut from_half = fraction.map(|w| !w);
+    from_half[0] &= u64::MAX >> 1;
+    [if negative { -magnitude } else { magnitude }, words_to_double(from_half)]
 }
 
 /// A word of 1/(2π); zero beyond the table, which the largest `f64` does not reach.
@@ -107,16 +121,34 @@ mod tests {
             (f64::MAX, Double { hi: 3.136630678439006, lo: -1.4938518789367579e-16 }),
         ];
         for (theta, expected) in cases {
-            let error = relative_error(reduce(theta), expected);
+            let error = relative_error(reduce(theta).angle, expected);
             assert!(error <= 1.0 / (1_u128 << 100) as f64, "{theta:e}: {error:e}");
-            assert_eq!(reduce(-theta), -reduce(theta));
+            assert_eq!(reduce(-theta).angle, -reduce(theta).angle);
+        }
+    }
+
+    /// π − |θ| by mpmath with 400 digits: next to 3π, by 10⁻⁹ and as near as floats come, and the `f64` nearest to any odd
+    /// multiple of π.
+    #[test]
+    fn distances_from_the_top() {
+        for (theta, expected) in [
+            (9.42477796076938, Double { hi: 3.6739403974420594e-16, lo: 1.56675938590016e-32 }),
+            (9.424777959769379, Double { hi: 1.0000004501344106e-09, lo: 9.867754161794555e-26 }),
+            (91.106186954104, Double { hi: 1.2379612731767154e-18, lo: -1.1116010032489888e-35 }),
+            (-91.10618695410403, Double { hi: 2.842294739167718e-14, lo: 1.3933991987541326e-30 }),
+            (1.0638745296733083e256, Double { hi: 0.4395109917533012, lo: -9.5944431011885e-18 }),
+            (4.0, Double { hi: 0.8584073464102068, lo: -1.1442377452219664e-17 }),
+        ] {
+            let error = relative_error(reduce(theta).from_top, expected);
+            assert!(error <= 1.0 / (1_u128 << 100) as f64, "{theta:e}: {error:e}");
+            assert_eq!(reduce(-theta).from_top, reduce(theta).from_top);
         }
     }
 
     #[test]
     fn angles_within_half_a_turn_stay() {
         for theta in [0.0, -0.0, 1e-310, -3.0, core::f64::consts::PI] {
-            assert_eq!(reduce(theta), Double::new(theta));
+            assert_eq!(reduce(theta).angle, Double::new(theta));
         }
     }
 }

@@ -60,11 +60,16 @@ pub(crate) fn cos_small(x: Double) -> Double {
 /// (sin(θ/2), cos(θ/2)) for 0 ≤ θ ≤ π, both with small *relative* error: near the top the cosine is the sine of
 /// half of π − θ, with π in three words, so π − 10⁻¹² and even the last `f64` below π keep all digits.
 pub(crate) fn half_angle(theta: Double) -> (Double, Double) {
+    half_angle_from_top(theta, supplement(theta))
+}
+
+/// The same where π − θ is known by itself.
+pub(crate) fn half_angle_from_top(theta: Double, from_top: Double) -> (Double, Double) {
     if theta.hi <= core::f64::consts::FRAC_PI_2 {
         let half = theta.scale(0.5);
         (sin_small(half), cos_small(half))
     } else {
-        let half = supplement(theta).scale(0.5);
+        let half = from_top.scale(0.5);
         (cos_small(half), sin_small(half))
     }
 }
@@ -73,7 +78,7 @@ pub(crate) fn half_angle(theta: Double) -> (Double, Double) {
 const PI_THIRD: f64 = -2.994_769_809_718_339_7e-33;
 
 /// π − θ, with small relative error.
-fn supplement(theta: Double) -> Double {
+pub(crate) fn supplement(theta: Double) -> Double {
     (Double::new(Double::PI.hi) - Double::new(theta.hi))
         + (Double::new(Double::PI.lo) - Double::new(theta.lo))
         + Double::new(PI_THIRD)

@@ -1,14 +1,14 @@
 //! Elliptic integrals and functions in `f64`, by modulus k or (module [`complementary`]) by k′ = √(1 − k²).
 //!
 //! Packaged libraries take the modulus k or the parameter m = k² and lose what distinguishes k from 1; here k near 1 is
-//! best given by its complement, k′ = cos(θ0/2) for a pendulum of amplitude θ0, which may be as small as 10⁻³⁰⁰. Outside
+//! best given by its complement, k′ = cos(θ0/2) for a pendulum of amplitude θ0, which may be as small as 10⁻²⁹⁰. Outside
 //! the domain 0 ≤ k ≤ 1 everything is NaN. u may be any finite number: periods are reduced in two words.
 //!
 //! | | error at most |
 //! |---|---|
 //! | K, K′, q, F | 1 ulp |
-//! | sn, cn, dn | 6 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K; sn also 8 · 2⁻⁵³ \|sn\| near u = 0 |
-//! | am | 6 · 2⁻⁵³ max(1, \|am\|); also 8 · 2⁻⁵³ \|am\| near u = 0 |
+//! | sn, cn, dn | 6 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K; sn also 8 · 2⁻⁵³ \|sn\| near u = 0, down to 10⁻²⁹⁰ |
+//! | am | 6 · 2⁻⁵³ max(1, \|am\|); also 8 · 2⁻⁵³ \|am\| near u = 0, down to 10⁻²⁹⁰ |
 //!
 //! ```
 //! # use pendulum_runtime as pendula;
@@ -29,7 +29,7 @@ use crate::double_trig::half_angle;
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced};
 use crate::rotation::Rotation;
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::PI;
 
 /// 2⁻⁶⁴.
 const SMALL: f64 = 1.0 / (1_u128 << 64) as f64;
@@ -89,6 +89,10 @@ impl Jacobi {
     #[must_use]
     pub fn am(&self, u: f64) -> f64 {
         let phase = self.reduce(u);
+        if phase.turns.abs() > 1e290 {
+            // Two words would be split beyond 2⁹⁹⁵, and what is left of a turn is nothing beside so many.
+            return (PI * phase.turns).clamp(f64::MIN, f64::MAX);
+        }
         (Double::PI * phase.turns + Double::new(0.5 * self.rotation.angle(phase))).to_f64()
     }
 
@@ -116,8 +120,9 @@ impl Jacobi {
         if !phi.is_finite() {
             return f64::NAN;
         }
-        let mut rest = reduce(phi);
-        if rest.hi.abs() > FRAC_PI_2 {
+        let mut rest = reduce(phi).angle;
+        // In two words: the `f64` nearest to an odd multiple of π/2 may be on either side.
+        if (rest.abs() - Double::PI.scale(0.5)).hi > 0.0 {
             rest = rest - Double::PI.scale(rest.hi.signum());
         }
         let partial = if rest.hi < 0.0 { -self.partial(-rest) } else { self.partial(rest) };

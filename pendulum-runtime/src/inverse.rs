@@ -56,7 +56,7 @@ struct Way {
 
 impl Way {
     fn new(motion: &Motion, angle: f64) -> Self {
-        let start = reduce(motion.theta);
+        let start = reduce(motion.theta).angle;
         let ahead = Double::from_sum(angle, -motion.theta);
         let target = if motion.base.hi == 0.0 { Double::new(angle) } else { start + ahead };
         Self { start, target, ahead }.scale(motion.direction)
@@ -114,7 +114,8 @@ fn ascent(moduli: &Moduli) -> Double {
 fn swing(motion: &Motion, way: &Way) -> Option<Double> {
     let (reach, moduli) = (motion.amplitude, &motion.moduli);
     let target = way.target.hi;
-    if target.abs() > PI.min(2.0 * reach) {
+    // Where the way is longer than any number the target isn't one.
+    if target.is_nan() || target.abs() > PI.min(2.0 * reach) {
         return None;
     }
     // Squares of tiny angles would underflow; a power of two times as large, they swing in the same time.

@@ -1,10 +1,10 @@
 //! From an initial state to a motion: which regime, how large, where in its period.
 
 use crate::agm::agm_double;
-use crate::angle::reduce;
+use crate::angle::{Angle, reduce};
 use crate::carlson::elapsed;
 use crate::double::Double;
-use crate::double_trig::half_angle;
+use crate::double_trig::half_angle_from_top;
 use crate::error::{Error, finite};
 use crate::kernel::four_atan;
 use crate::motion::{Moduli, Motion, Shape};
@@ -23,7 +23,7 @@ pub(crate) fn at_rest(theta0: f64, omega: f64) -> Result<Motion, Error> {
     if theta0.abs() > core::f64::consts::PI {
         return Err(Error::Amplitude { value: theta0 });
     }
-    Ok(released(Double::new(theta0), Double::ZERO, theta0, omega))
+    Ok(released(reduce(theta0), Double::ZERO, theta0, omega))
 }
 
 /// From any angle and velocity.
@@ -37,16 +37,18 @@ pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion
     if speed > 0.5 * LARGEST_SPEED * (omega / unit) {
         return Err(Error::Velocity { value: velocity });
     }
-    let angle = reduce(theta);
+    let start = reduce(theta);
+    let Angle { angle, from_top } = start;
     let base = Double::new(theta) - angle;
     if speed == 0.0 {
         // At rest, or so slow that the motion it adds is below the smallest `f64`.
-        return Ok(released(angle, base, theta, omega));
+        return Ok(released(start, base, theta, omega));
     }
     let speed = Double::new(speed) / Double::new(omega / unit);
     let forward = velocity > 0.0;
     let state = State {
         angle: if forward { angle } else { -angle },
+        from_top,
         speed,
         base,
         direction: if forward { 1.0 } else { -1.0 },
@@ -63,9 +65,9 @@ fn frequency(omega: f64) -> Result<(), Error> {
 }
 
 /// At rest at `angle` from the vertical in [−π, π].
-fn released(angle: Double, base: Double, theta: f64, omega: f64) -> Motion {
+fn released(Angle { angle, from_top }: Angle, base: Double, theta: f64, omega: f64) -> Motion {
     let magnitude = angle.abs();
-    let (k, kc) = half_angle(magnitude);
+    let (k, kc) = half_angle_from_top(magnitude, from_top);
     let mean = agm_double(kc);
     Motion {
         regime: if magnitude.hi == 0.0 { Regime::Rest } else { Regime::Swing },
@@ -74,7 +76,7 @@ fn released(angle: Double, base: Double, theta: f64, omega: f64) -> Motion {
             Phase::new(mean * Double::INVERSE_TURN, omega, Double::ZERO),
         ),
         base,
-        direction: if angle.hi < 0.0 { -1.0 } else { 1.0 },
+        direction: if angle.hi.is_sign_negative() { -1.0 } else { 1.0 },
         top_speed: top_speed(k, omega),
         amplitude: magnitude.to_f64(),
         k,
@@ -87,8 +89,9 @@ fn released(angle: Double, base: Double, theta: f64, omega: f64) -> Motion {
 
 /// A state in motion, mirrored so that it moves forward.
 struct State {
-    /// In [−π, π].
+    /// In [−π, π], and how far from the top.
     angle: Double,
+    from_top: Double,
     /// |θ̇|/(2ω).
     speed: Double,
     base: Double,
@@ -100,7 +103,7 @@ struct State {
 
 impl State {
     fn launch(&self) -> Motion {
-        let (sine, cosine) = half_angle(self.angle.abs());
+        let (sine, cosine) = half_angle_from_top(self.angle.abs(), self.from_top);
         let k = hypotenuse(self.speed, sine);
         let since_bottom = {
             let magnitude = elapsed(sine, cosine, self.speed, k);
@@ -121,7 +124,8 @@ impl State {
     fn swing(&self, k: Double, kc: Double, since_bottom: Double) -> Motion {
         let mean = agm_double(kc);
         let rate = mean * Double::INVERSE_TURN;
-        let amplitude = four_atan(k.hi, 1.0 + kc.hi);
+        // Rounded, but not below the angle of the start.
+        let amplitude = four_atan(k.hi, 1.0 + kc.hi).max(self.angle.hi.abs());
         let offset = rate * since_bottom - Double::new(0.25);
         let shape = Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset));
         self.motion(Regime::Swing, shape, amplitude, k, Moduli { k, kc, mean })

@@ -166,9 +166,12 @@ impl Motion {
         nome_of(self.moduli.k, self.moduli.kc)
     }
 
-    /// θ̇²/2ω² + 1 − cos θ = 2k²; ∞ from 2·10³⁰⁰ on.
+    /// θ̇²/2ω² + 1 − cos θ = 2k²; ∞ where that is no number.
     pub(crate) fn energy(&self) -> f64 {
-        if self.k.hi > 1e150 { f64::INFINITY } else { (self.k * self.k).scale(2.0).to_f64() }
+        // Of the square of half of the binary places no word overflows.
+        let unit = if self.k.hi < 1e150 { 1.0 } else { f64::from_bits(0x5ff0_0000_0000_0000) };
+        let k = self.k.scale(1.0 / unit);
+        (k * k).scale(2.0).to_f64() * unit * unit
     }
 
     /// Eq. 3, the linearised motion from the same initial state, about the lowest point next to it: θ cos ωt + (θ̇/ω) sin ωt.

@@ -6,7 +6,8 @@
 //! * dual, nearer to the separatrix: tan(θ/4) = tanh X · N(η)/D(η), η = −4 sinh² X, X = πKs/(2K′); on the separatrix
 //!   itself the series stop at their first terms and 2X = ωt.
 
-use crate::agm::{agm, sqrt_nome};
+use crate::agm::{agm_double, sqrt_nome};
+use crate::double::Double;
 use crate::kernel::{double_angle, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{EvenCosine, EvenSine, OddCosine, OddSine};
@@ -16,6 +17,9 @@ use core::f64::consts::{LOG2_E, PI, TAU};
 
 /// κ′ above which the direct series serve: q = 0.1 at κ′ = 0.446.
 const DIRECT_FROM: f64 = 0.45;
+
+/// π/ln 2, in two words since the exponent that it is part of is rounded besides.
+const PI_LOG2_E: Double = Double { hi: 4.532_360_141_827_194, lo: -3.458_117_459_229_868_6e-16 };
 
 /// The shape of a rotation of one modulus.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +41,10 @@ impl Rotation {
         if kc >= DIRECT_FROM {
             Self::normalised(direct(power(sqrt_nome(k, kc), 2)))
         } else {
-            Self::normalised(dual(sqrt_nome(kc, k), PI * LOG2_E * (agm(k) / mean)))
+            Self::normalised(dual(
+                sqrt_nome(kc, k),
+                (PI_LOG2_E * (agm_double(Double::new(k)) / Double::new(mean))).to_f64(),
+            ))
         }
     }
 

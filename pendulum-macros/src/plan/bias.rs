@@ -89,7 +89,7 @@ impl<'a> Approximate<'a> {
     }
 
     /// sup |θ̂ − θ| over the horizon, as far as what is met of it is known.
-    fn at_most(&self) -> f64 {
+    pub(super) fn at_most(&self) -> f64 {
         let everywhere = self.everywhere();
         self.met().map_or(everywhere, |Met { least, farthest }| everywhere.min(self.within([least, farthest])))
             * (1.0 + 1e-9)

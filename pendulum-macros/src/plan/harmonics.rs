@@ -209,7 +209,10 @@ impl Harmonics {
     fn by_steps(&self, program: &Program, phase: &'static str) -> impl Fn(f64, f64) -> f64 {
         let sine = self.sine.as_ref().map_or(0.0, |sine| sine.truncation);
         let waves = [(COSINE, self.cosine.truncation), (SINE, sine)];
-        let waves = waves.into_iter().filter(|(name, _)| program.named(name).is_some()).collect::<Vec<_>>();
+        let (waves, others): (Vec<_>, Vec<_>) = waves.into_iter().partition(|(name, _)| program.named(name).is_some());
+        // A wave of weight 1 is the result, by which name it goes; the cosine is none of one sine.
+        let is_result = |name: &str| if name == SINE { self.is_odd() } else { !self.is_odd() };
+        let of_result: f64 = others.iter().filter(|(name, _)| is_result(name)).map(|(_, truncation)| truncation).sum();
         let polynomials: Vec<Program> =
             waves.iter().map(|(name, _)| after_named(&program.up_to(name), &[phase])).collect();
         let rest = after_named(program, &[COSINE, SINE, phase]);
@@ -221,7 +224,7 @@ impl Harmonics {
                 (name, Known::within(low, high, error + truncation))
             };
             let known: Vec<(&str, Known)> = waves.iter().zip(&polynomials).map(wave).chain([phase]).collect();
-            rounding_given(&rest, &known)
+            rounding_given(&rest, &known) + of_result
         }
     }
 

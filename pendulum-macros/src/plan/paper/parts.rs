@@ -73,8 +73,8 @@ impl Sum {
             let (curve, bias) = match output {
                 Output::Velocity => (curves.velocity(), approximate.velocity()),
                 Output::Acceleration => (curves.acceleration(), approximate.acceleration()),
-                // The chord of an angle is no longer than its arc.
-                Output::Position => (theta.clone().into_position(), approximate.angle()),
+                // The chord of an angle is no longer than its arc, and on the circle there is nothing to exceed.
+                Output::Position => (theta.clone().into_position(), approximate.at_most()),
                 Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
             };
             let whole = if output == Output::Theta { self.whole(scene, swing, bias) } else { None };

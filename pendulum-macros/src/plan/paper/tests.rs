@@ -413,6 +413,40 @@ fn accelerations_of_sums() {
     }
 }
 
+/// Of a wave of weight 1, which is the result itself, what its polynomial is off by counts as of any other.
+#[test]
+fn waves_of_weight_one() {
+    for float in ["f64", "f32"] {
+        let evaluation = |theta0: &str| {
+            let text = format!("struct A; theta0 = {theta0}, method = harmonic, t_max = 1e-4, float = {float}");
+            planned(&text).unwrap().parts[0].bound.evaluation
+        };
+        let (one, less) = (evaluation("1"), evaluation("1 - 1e-9"));
+        let truncation = 1e-3 * if float == "f64" { f64::EPSILON } else { f64::from(f32::EPSILON) };
+        // Without the rounding of a product.
+        assert!(one > truncation && one < 1.01 * less, "{float}: {one:e} {less:e}");
+    }
+}
+
+/// A position is on the circle, whatever θ̂ does beyond a moment.
+#[test]
+fn positions_of_a_moment() {
+    for (start, most) in [
+        ("velocity0 = 1.4, tol = 2e-4, t_max = 0.02, float = f32", 1.3),
+        ("velocity0 = 1.99843, tol = 8.049e-8, t_max = 9.9233e-2", 1.3),
+    ] {
+        let text = format!("struct A; {start}, method = fourier, outputs = [position]");
+        let (scene, plan) = (scene(&text), planned(&text).unwrap());
+        let mut probe = Probe::new(&scene, &plan);
+        let t_max = scene.t_max.as_ref().unwrap().to_f64();
+        (-100..=100).for_each(|i| {
+            probe.at(t_max * f64::from(i) / 100.0);
+        });
+        let ((t, seen), bound) = (probe.worst, plan.parts[0].bound.total());
+        assert!(seen <= bound && bound <= most * seen, "{text}: {bound:e} for {seen:e} at {t}");
+    }
+}
+
 /// Of horizons below all times but 0, too, there are plans.
 #[test]
 fn the_shortest_moments() {
