@@ -29,6 +29,6 @@ fn main() {
     }
     // Isochrony is what a clockmaker wants and a circular pendulum doesn't have.
     let isochronous = std::f64::consts::TAU / Clock::OMEGA;
-    let lost = 86_400.0 * (Clock::PERIOD / isochronous - 1.0);
+    let lost = 86_400.0 * (1.0 - isochronous / Clock::PERIOD);
     println!("\nits swings take longer than those of vanishing amplitude: {lost:.1} s lost a day");
 }

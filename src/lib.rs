@@ -107,7 +107,7 @@ struct Readme;
 ///
 /// | parameter | meaning | range | default |
 /// |---|---|---|---|
-/// | `theta0`, `θ0` | angle at t = 0 | 0 < \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
+/// | `theta0`, `θ0` | angle at t = 0 | 10⁻³⁰⁰ (`f32`: 10⁻³⁵) ≤ \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
 /// | `velocity0` | θ̇ at t = 0, rad per unit of t (`90deg` is 90 degrees, π/2 rad, per unit of t) | any up to 10¹³⁵·ω | 0, released at rest |
 /// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0 | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
@@ -163,8 +163,8 @@ struct Readme;
 /// * NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞).
 /// * Released from rest, within the horizon: θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit, but for the sign of
 ///   a result that is exactly 0.
-/// * Beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`). If that is less than a quarter of a
-///   period, all outputs may stay as they are at its end.
+/// * Beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`). Beyond a `t_max` of less than a
+///   quarter of a period all outputs may stay as they are at `t_max`.
 /// * Of θ̇ the bound alone is promised: where `METHOD` is `"passage"` it is not exactly 0 at the release.
 ///
 /// ```
@@ -183,7 +183,7 @@ struct Readme;
 /// `times.iter().map(|&t| Load::theta(t))`. Passed by its name in more than one place, a long one may stay a call.
 ///
 /// Swing, rotation or separatrix is decided by the exact parameters. `theta` of a rotation counts its turns, and
-/// without `t_max` its `MAX_ERROR` includes the rounding of 2⁵⁴ of them, tens of radians, in `f32` billions: give
+/// without `t_max` its `MAX_ERROR` includes the rounding of 2⁵³ of them, tens of radians, in `f32` billions: give
 /// `t_max`, or use `wrapped`, which keeps its digits however many they are.
 ///
 /// ```

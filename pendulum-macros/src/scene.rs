@@ -23,6 +23,12 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
+    /// The greatest |t| promised of those that the type of times has.
+    pub(crate) fn horizon(&self) -> f64 {
+        let longest = || self.motion.longest_horizon();
+        self.t_max.clone().or_else(longest).map_or(f64::INFINITY, |t| t.to_f64()).min(self.float.largest())
+    }
+
     /// The same, asking for that tolerance.
     pub(crate) fn asking(&self, tolerance: f64) -> Self {
         Self { goal: Goal::Tolerance(tolerance), ..self.clone() }

@@ -130,22 +130,16 @@ impl Checker<'_> {
         }
     }
 
-    /// The horizon, at most 2⁵³ periods: beyond it neighbouring `f64` times are periods apart.
+    /// The horizon, at most the longest there is.
     pub(super) fn t_max(&mut self, motion: Option<&Motion>) -> Checked<Option<Real>> {
         let given = self.request.t_max.as_ref();
         let why = "the promise holds for all |t| ≤ `t_max`; leave it out for 2⁵³ periods";
         let (Some(given), Some(value)) = (given, self.positive(given, why)?) else {
             return Ok(None);
         };
-        let period = match motion.map(|motion| &motion.regime) {
-            Some(Regime::Swing(swing)) => &swing.period,
-            Some(Regime::Rotation(rotation)) => &rotation.period,
-            Some(Regime::Separatrix(_)) | None => return Ok(Some(value)),
-        };
-        let longest = period.scale(53);
-        if value <= longest {
+        let Some(longest) = motion.and_then(Motion::longest_horizon).filter(|longest| value > *longest) else {
             return Ok(Some(value));
-        }
+        };
         let message = format!(
             "`{given}` is more than 2⁵³ periods ({:e}), the longest horizon: leave `t_max` out for all of it",
             longest.to_f64()

@@ -85,14 +85,14 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     let (most, unit) = match scene.motion.regime {
         Regime::Swing(_) => (0.5, "half periods"),
         Regime::Rotation(_) => (0.5, "turns"),
-        // Farther from the lowest point the less it matters; over an arc it is taken in units of that.
-        Regime::Separatrix(_) => (if reduction.is_linear() { reduction.half() } else { 0.5 }, "rad of ωt"),
+        Regime::Separatrix(_) if reduction.is_linear() => (1.0, "of itself"),
+        Regime::Separatrix(_) => (0.5, "rad of ωt"),
     };
     let wrong = match reduction.error + most * reduction.relative_error {
         0.0 => String::new(),
         error => format!(", wrong by at most {error:.1e} {unit}"),
     };
-    lines.push(format!("* phase: {}{wrong}", reduction.describe()));
+    lines.push(format!("* phase s: {}{wrong}", reduction.describe()));
     lines.extend(plan.parts.iter().map(|part| self::part(part, plan)));
     if !plan.coefficients.is_empty() {
         let all: Vec<String> =
@@ -115,7 +115,7 @@ fn part(part: &Part, plan: &Plan) -> String {
         .find(|function| function.output == Some(part.output))
         .map_or(String::new(), |function| format!("; {} operations", function.program.operations()));
     format!(
-        "* {}: {}; error ≤ {:.3e} {unit}, proven: {:.1e} of truncation, {:.1e} of phase, {:.1e} of rounding{operations}",
+        "* {}: {}; error ≤ {:.3e} {unit}, proven: {:.1e} of truncation, {:.1e} of phase, {:.1e} of evaluation{operations}",
         part.output.word(),
         part.description,
         part.error(),

@@ -103,6 +103,16 @@ impl Motion {
         }
     }
 
+    /// 2⁵³ periods, the longest horizon: beyond it neighbouring `f64` times are periods apart. The separatrix has none.
+    pub(crate) fn longest_horizon(&self) -> Option<Real> {
+        let period = match &self.regime {
+            Regime::Swing(swing) => &swing.period,
+            Regime::Rotation(rotation) => &rotation.period,
+            Regime::Separatrix(_) => return None,
+        };
+        Some(period.scale(53))
+    }
+
     /// How many leading bits cancel in k′², or in k² − 1: the working precision has to exceed what is wanted of the
     /// results by as much. Everything that separates the regimes has cancelled on the separatrix.
     pub(crate) fn cancelled_bits(&self) -> usize {

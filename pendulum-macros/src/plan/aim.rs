@@ -4,7 +4,7 @@ use super::arc::Arc;
 use super::curve::{Curve, Curves, RotationCurves, Size, SwingCurves};
 use super::met::{self, Met};
 use super::passage::{LN_2, Orbit, Passage};
-use super::reduction::{Clock, Reduction, UNLIMITED};
+use super::reduction::{Clock, Reduction};
 use crate::exact::Real;
 use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing, direction};
 use crate::parse::{Float, Output};
@@ -207,9 +207,7 @@ impl Task {
 
     /// Turns within the horizon, each from one anchor to the next.
     pub(super) fn turns(&self, scene: &Scene) -> f64 {
-        let longest = || self.rate.context().float(scene.float.largest());
-        let horizon = scene.t_max.clone().or_else(longest).map_or(f64::INFINITY, |t_max| (t_max * &self.rate).to_f64());
-        horizon.min(UNLIMITED) + 2.0
+        scene.horizon() * self.rate.to_f64() + 2.0
     }
 
     /// |θ̇| at the lowest point.

@@ -221,7 +221,7 @@ impl Form {
     /// How it is evaluated, for the reader.
     pub(crate) fn scheme(self) -> String {
         match self {
-            Self::Powers { .. } => String::new(),
+            Self::Powers { .. } => ", by powers".to_owned(),
             Self::Careful { .. } | Self::Normalised => ", the largest terms added last".to_owned(),
             Self::Adapted { chunk } => format!(", adapted in blocks of {chunk}"),
         }

@@ -94,7 +94,8 @@ impl<'a> Probe<'a> {
             Regime::Rotation(rotation) => (rotation.period.to_f64(), rotation.launch.to_f64() + 0.5),
             Regime::Separatrix(separatrix) => (5.0 / scene.motion.omega.to_f64(), separatrix.launch.to_f64() / 5.0),
         };
-        let unlimited = 2f64.powi(54) * step;
+        let periods = if matches!(scene.motion.regime, Regime::Rotation(_)) { 53 } else { 54 };
+        let unlimited = 2f64.powi(periods) * step;
         let horizon = scene.t_max.as_ref().map_or(unlimited, Real::to_f64).min(scene.float.largest());
         let (program, output) = (&plan.functions[0].program, plan.parts[0].output);
         Self {

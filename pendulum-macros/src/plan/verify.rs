@@ -6,7 +6,6 @@
 //! the macro refuses rather than emit a promise that it has just seen broken.
 
 use super::aim::{Aim, Task};
-use super::reduction::UNLIMITED;
 use super::{Part, Plan};
 use crate::exact::Real;
 use crate::parse::{Float, Output};
@@ -25,7 +24,7 @@ const FAR_PROBES: [f64; 3] = [1.0, -1.0, 0.8671];
 /// The first output seen outside its bound.
 pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> {
     let context = task.rate.context();
-    let horizon = horizon(scene, task);
+    let horizon = scene.horizon();
     let near = PROBES.map(|probe| (probe / (2.0 * task.rate.to_f64())).clamp(-horizon, horizon));
     let far = FAR_PROBES.map(|probe| probe * horizon);
     let probe = |t: f64| -> Option<Output> {
@@ -46,12 +45,6 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
         task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken).or_else(differs)
     };
     near.into_iter().chain(far).find_map(probe)
-}
-
-/// The largest |t| that is promised, and a number of the float.
-fn horizon(scene: &Scene, task: &Task) -> f64 {
-    let horizon = scene.t_max.as_ref().map_or_else(|| UNLIMITED / task.rate.to_f64(), Real::to_f64);
-    horizon.min(scene.float.largest())
 }
 
 /// The time, or the next smaller one of the float where it was rounded up beyond the horizon.

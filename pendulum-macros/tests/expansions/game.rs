@@ -11,14 +11,14 @@
 ///
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
-/// * phase: one product with the rate, wrong by at most 8.2e-6 half periods
-/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of rounding; 15 operations
-/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of rounding; 28 operations
+/// * phase s: one product with the rate, wrong by at most 8.2e-6 half periods
+/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of evaluation; 15 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of evaluation; 28 operations
 ///
 /// Not chosen:
 ///
-/// * a polynomial in s² over poles for `theta`: it costs no less
-/// * a polynomial in s² over poles for `position`: it costs about 2.0 additions more
+/// * a polynomial in s² over poles, by powers for `theta`: it costs no less
+/// * a polynomial in s² over poles, by powers for `position`: it costs about 2.0 additions more
 /// * pieces, phase by one product with the rate in `f64`: it costs as much as 165 additions
 /// * `harmonic`: it is wrong by about 9e-2 rad
 /// * `series`: it takes 4 harmonics at least, of three operations each, and a cosine

@@ -124,7 +124,7 @@ mod tests {
     /// cos πs of s = t/2 in 8 pieces from anchor to anchor, by Taylor's series.
     fn cosine(terms: u32, direction: f64) -> Pieces {
         let rate = Context::for_digits(40).ratio(1, 2);
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(200.0), float: Float::F64 };
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 200.0, float: Float::F64 };
         let in_pieces = |reduction: &Reduction| reduction.in_pieces(8.0);
         let reduction = clock.reductions().iter().find_map(in_pieces).unwrap();
         let derivative = |angle: f64, order: u32| {

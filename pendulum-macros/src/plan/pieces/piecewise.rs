@@ -182,7 +182,7 @@ mod tests {
             curves().into_iter().flat_map(|(start, curve)| [2.0, 0.25].map(|t| (start, curve.clone(), t)))
         {
             let rate = crate::exact::Context::for_digits(40).float(1.0 / time).unwrap();
-            let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0), float: Float::F64 };
+            let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 100.0, float: Float::F64 };
             for (pieces, limit) in [(16, 1e-4), (64, 1e-7), (32, 1e-11), (128, 1e-14)] {
                 let piecewise = Piecewise::new(&curve, pieces, limit / 512.0).unwrap();
                 let reduction =
@@ -219,7 +219,7 @@ mod tests {
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
         let curve = SwingCurves::new(swing, &scene.motion.omega).angle();
         let rate = crate::exact::Context::for_digits(40).ratio(1, 2);
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(2.0), float: Float::F64 };
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 2.0, float: Float::F64 };
         let reduction = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64.0)).unwrap();
         let whole = Piecewise::new(&curve, 64, 1e-14).unwrap();
         for (first, last, rows) in

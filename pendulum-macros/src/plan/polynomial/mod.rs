@@ -2,7 +2,7 @@
 //!
 //! About a turning point θ is an even function of the phase s, and analytic in p = s² farther than in any variable
 //! centred at the lowest point: its nearest singularities lie above the lowest point, s = ½ ± iK′/(2K), at the end of
-//! the interval and not over its middle. At 7π/8 each coefficient gains a factor 4.47, against 2.71 for an odd
+//! the interval and not over its middle. At 7π/8 each coefficient gains a factor 4.48, against 2.72 for an odd
 //! polynomial about the lowest point.
 
 mod approximation;

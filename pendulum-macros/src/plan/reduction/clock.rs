@@ -9,8 +9,8 @@ use crate::program::rounding::half_ulp;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
-/// The horizon when no `t_max` is given, in anchors: 2⁵⁴, 2⁵³ periods of a swing and twice as many turns of a rotation.
-pub(crate) const UNLIMITED: f64 = 18_014_398_509_481_984.0;
+/// The longest horizon in anchors, 2⁵⁴: 2⁵³ periods of a swing, which passes two in each.
+const UNLIMITED: f64 = 18_014_398_509_481_984.0;
 
 /// The rounding of remainders up to ½ as they become `f32`, and of one just beyond ½ in a sum of any time.
 const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
@@ -21,7 +21,8 @@ pub(crate) struct Clock<'a> {
     /// Anchors per unit of time.
     pub(crate) rate: &'a Real,
     pub(crate) launch: Double,
-    pub(crate) t_max: Option<f64>,
+    /// The greatest |t| promised.
+    pub(crate) horizon: f64,
     pub(crate) float: Float,
 }
 
@@ -35,13 +36,12 @@ struct Product {
 impl<'a> Clock<'a> {
     /// For the horizon and the float of a scene.
     pub(crate) fn new(scene: &Scene, rate: &'a Real, launch: &Real) -> Self {
-        let t_max = scene.t_max.as_ref().map(Real::to_f64);
-        Self { rate, launch: launch.to_double(), t_max, float: scene.float }
+        Self { rate, launch: launch.to_double(), horizon: scene.horizon(), float: scene.float }
     }
 
-    /// The greatest |t| promised.
+    /// The greatest |t| at which a phase at this rate is any good.
     pub(crate) fn horizon(&self) -> f64 {
-        self.t_max.unwrap_or_else(|| UNLIMITED / self.rate.to_f64()).min(f64::MAX)
+        self.horizon.min(UNLIMITED / self.rate.to_f64()).min(f64::MAX)
     }
 
     /// Every reduction that is valid over the horizon.

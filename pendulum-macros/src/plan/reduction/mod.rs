@@ -13,7 +13,7 @@ mod clock;
 mod lower;
 mod words;
 
-pub(crate) use clock::{Clock, UNLIMITED};
+pub(crate) use clock::Clock;
 
 use crate::parse::Float;
 use crate::program::{Builder, Id, Program};

@@ -127,8 +127,8 @@ fn errors_are_those_promised() {
         for launch in ["0", "0.5", "0.3", "-3.77777777777777777777"] {
             let rate = rate(&mut random);
             let phase = context.decimal(launch).unwrap();
-            let t_max = Some(horizon / rate.to_f64()).filter(|t| t.is_finite());
-            let clock = Clock { rate: &rate, launch: phase.to_double(), t_max, float };
+            let horizon = horizon / rate.to_f64();
+            let clock = Clock { rate: &rate, launch: phase.to_double(), horizon, float };
             let horizon = clock.horizon();
             for reduction in clock.reductions() {
                 // Little beyond half an anchor but what the phase is wrong by.
@@ -186,7 +186,7 @@ fn remainders_just_beyond_half_an_anchor() {
             let phase = (t * (0.1 + 0.3 * random.unit())).floor() + 0.5;
             let passed = context.float(phase).unwrap() + context.float(beyond).unwrap();
             let rate = (passed - &launch) / context.float(t).unwrap();
-            let clock = Clock { rate: &rate, launch: launch.to_double(), t_max: Some(t), float };
+            let clock = Clock { rate: &rate, launch: launch.to_double(), horizon: t, float };
             let way = |way: &Reduction| way.origin == Origin::Anchor && way.scheme.name() == name;
             let reduction = clock.reductions().into_iter().find(way).unwrap();
             let mut trial = Trial { reduction, rate: rate.clone(), launch: launch.clone(), horizon: t, worst };
@@ -210,7 +210,7 @@ fn launches_hardly_off_an_origin() {
         .flat_map(|launch| [(launch, Float::F64), (launch, Float::F32)])
     {
         let (rate, phase) = (rate(&mut random), context.decimal(launch).unwrap());
-        let clock = Clock { rate: &rate, launch: phase.to_double(), t_max: Some(1e3), float };
+        let clock = Clock { rate: &rate, launch: phase.to_double(), horizon: 1e3, float };
         for reduction in clock.reductions() {
             let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon: 1e3, worst: 0.0 };
             trial.run(&mut random, 10);
@@ -227,8 +227,7 @@ fn every_finite_time_has_a_phase() {
         for rate in ["0.2", "0.3", "0.6", "123456.7", "1e20"] {
             for launch in [0.0, 0.5, 0.3] {
                 let rate = context.decimal(rate).unwrap();
-                let clock =
-                    Clock { rate: &rate, launch: Double::new(launch), t_max: Some(10.0 / rate.to_f64()), float };
+                let clock = Clock { rate: &rate, launch: Double::new(launch), horizon: 10.0 / rate.to_f64(), float };
                 for reduction in clock.reductions() {
                     let program = remainder(&reduction);
                     for sign in [1.0, -1.0] {
@@ -258,7 +257,7 @@ fn remainders_that_leap() {
     for (float, largest) in [(Float::F64, 1023.99), (Float::F32, 127.99)] {
         for rate in ["0.2345678901234567891", "1.3", "123456.7", "1e20"] {
             let rate = context.decimal(rate).unwrap();
-            let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0 / rate.to_f64()), float };
+            let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 100.0 / rate.to_f64(), float };
             for reduction in clock.reductions().into_iter().filter(Reduction::leaps) {
                 count += 1;
                 let program = remainder(&reduction);
@@ -291,10 +290,10 @@ fn the_separatrix() {
         for (launch, given) in launches.into_iter().flat_map(|launch| rates.iter().map(move |&rate| (launch, rate))) {
             let rate = given.map_or_else(|| rate(&mut random), |rate| context.decimal(rate).unwrap());
             let launch = context.decimal(launch).unwrap();
-            let reduction = Clock { rate: &rate, launch: launch.to_double(), t_max: None, float }.linear();
+            let reduction = Clock { rate: &rate, launch: launch.to_double(), horizon: f64::INFINITY, float }.linear();
             assert_eq!((reduction.origin, reduction.unit), (Origin::Lowest, Double::ONE));
             // No farther than the horizon.
-            let short = Clock { rate: &rate, launch: launch.to_double(), t_max: Some(3.0 / rate.to_f64()), float };
+            let short = Clock { rate: &rate, launch: launch.to_double(), horizon: 3.0 / rate.to_f64(), float };
             let excess = short.linear().half() / (3.0 + launch.to_f64().abs()) - 1.0;
             assert!(excess > 0.0 && excess < 20.0 * float.unit(), "{excess:e}");
             // Beyond the cap nothing moves; no time is so late for a motion that is slow enough.

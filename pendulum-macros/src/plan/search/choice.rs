@@ -75,6 +75,10 @@ impl<T> Choice<T> {
         })
     }
 
+    pub(super) fn has_any(&self) -> bool {
+        self.best.is_some()
+    }
+
     /// The share of its limit that one of that cost may have to be taken: with more it may as well not be looked at.
     pub(super) fn most(&self, scene: &Scene, reduction: &Reduction, cost: f64) -> f64 {
         let [comfortable, tolerable] = limits(scene, reduction);

@@ -161,7 +161,7 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(&Scene, &Redu
     let mut lost = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         let Candidate { reduction, cost, .. } = *candidate;
-        if choice.is_made(cost) {
+        if choice.is_made(cost) || candidate.is_late(scene) && choice.has_any() {
             break;
         }
         let most = most(scene, reduction).min(choice.most(scene, reduction, cost));
@@ -259,14 +259,7 @@ pub(super) fn every(scene: &Scene) -> Vec<Plan> {
 /// Every combination that might serve, cheapest first.
 fn candidates<'a>(scene: &Scene, prospects: &'a [Prospect]) -> Vec<Candidate<'a>> {
     let mut candidates: Vec<Candidate> = prospects.iter().flat_map(|prospect| prospect.candidates(scene)).collect();
-    // At full precision the angle of a rotation is to be as good as it can be where it is small, if another output can
-    // be had from there.
-    let angle = scene.outputs.iter().any(|output| output.is_angle());
-    let late = |candidate: &Candidate| {
-        let from_lowest = candidate.prospect.task.turning && scene.goal == Goal::Full && angle;
-        from_lowest && candidate.reduction.origin != Origin::Lowest
-    };
-    candidates.sort_by(|a, b| late(a).cmp(&late(b)).then(a.cost.total_cmp(&b.cost)));
+    candidates.sort_by(|a, b| a.is_late(scene).cmp(&b.is_late(scene)).then(a.cost.total_cmp(&b.cost)));
     candidates
 }
 
@@ -343,6 +336,14 @@ impl Candidate<'_> {
             Way::Pieces(index) => index + usize::from(scene.method.is_some()),
             _ => 0,
         }
+    }
+
+    /// Whether it is for where no other serves: at full precision the angle of a rotation is to be as good as it can be where
+    /// it is small, if another output can be had from there.
+    fn is_late(&self, scene: &Scene) -> bool {
+        let angle = scene.outputs.iter().any(|output| output.is_angle());
+        let turning = self.prospect.task.turning && scene.goal == Goal::Full && angle;
+        turning && self.reduction.origin != Origin::Lowest
     }
 
     /// For the reader of the docs.

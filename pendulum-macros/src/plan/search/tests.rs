@@ -20,9 +20,10 @@ fn planned(scene: &Scene, candidate: &Candidate) -> Option<Plan> {
     Some(joined(candidate.reduction, candidate.outputs(scene, f64::INFINITY).ok()?.parts))
 }
 
-/// Of polynomials the estimates come close to what the plans are, so that the cheapest is tried first.
+/// Of polynomials the estimates come close to what the plans are that might be taken, so that the cheapest is tried first.
 #[test]
 fn estimated_costs() {
+    let mut looked_at = 0;
     for text in [
         "theta0 = 7π/8, tol = 1e-9, t_max = 1e4",
         "theta0 = 1, tol = 1e-9, t_max = 1",
@@ -37,17 +38,20 @@ fn estimated_costs() {
         for candidate in candidates(&scene, &prospects) {
             assert!(candidate.cost >= before, "{text}: {}", candidate.describe());
             before = candidate.cost;
-            let Some(plan) = planned(&scene, &candidate) else { continue };
+            let Ok(outputs) = candidate.outputs(&scene, tolerable(&scene, candidate.reduction)) else { continue };
+            let plan = joined(candidate.reduction, outputs.parts);
             let ratio = candidate.cost / plan.functions[0].program.cost();
             // A term more or less of the few of a piece makes a difference.
-            let known = match candidate.way {
-                Way::Polynomials => (0.9..1.15).contains(&ratio),
-                Way::Pieces(_) => (0.97..1.3).contains(&ratio),
-                Way::Passage => true,
+            let expected = match candidate.way {
+                Way::Polynomials => 0.9..1.15,
+                Way::Pieces(_) => 0.97..1.3,
+                Way::Passage => continue,
             };
-            assert!(known, "{text}: {ratio} times the cost, {}", candidate.describe());
+            assert!(expected.contains(&ratio), "{text}: {ratio} times the cost, {}", candidate.describe());
+            looked_at += 1;
         }
     }
+    assert!(looked_at > 20, "{looked_at}");
 }
 
 /// At full precision the cheapest plan that is comfortable, and of each way the first form that is, unless one that is

@@ -12,7 +12,7 @@ fn errors_of_scaled_rates() {
     let rate = context.decimal("0.8346268416740731862814297327990468").unwrap();
     for (anchors, float) in [3.0, 50.0, 66.0, 1e4].into_iter().flat_map(|n| [(n, Float::F64), (n, Float::F32)]) {
         let horizon = anchors / rate.to_f64();
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(horizon), float };
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon, float };
         let scaled = |way: &Reduction| matches!(way.scheme, Scheme::Scaled { .. });
         let reduction = clock.reductions().into_iter().find(scaled).unwrap();
         let Scheme::Scaled { scaled, anchor, .. } = reduction.scheme else { unreachable!() };
@@ -38,7 +38,7 @@ fn roundings_of_one_product() {
     let mut seen = 0;
     for (anchors, binade) in [(1000.0, 9), (1023.9, 10), (1024.1, 10), (1500.0, 10), (2047.9, 11), (2048.1, 11)] {
         for (float, bits) in [(Float::F64, 53), (Float::F32, 24)] {
-            let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(anchors / 0.5), float };
+            let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: anchors / 0.5, float };
             let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
             let reduction = clock.reductions().into_iter().find(one_word).unwrap();
             assert_eq!(reduction.error, 2f64.powi(binade - bits), "{anchors}: {reduction:?}");
@@ -60,7 +60,7 @@ fn roundings_of_launches() {
     let rate = Context::for_digits(60).decimal("0.7").unwrap();
     for float in [Float::F64, Float::F32] {
         let error = |launch: Double| {
-            let clock = Clock { rate: &rate, launch, t_max: Some(100.0), float };
+            let clock = Clock { rate: &rate, launch, horizon: 100.0, float };
             let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
             clock.reductions().into_iter().find(one_word).unwrap().error
         };
@@ -79,9 +79,8 @@ fn remainders_beyond_half_an_anchor() {
     let rate = Context::for_digits(60).decimal("0.5").unwrap();
     // 1 + 127.5 and somewhat more is in the binade of 128.
     for (horizon, binade) in [(250.0, 6), (255.0, 7)] {
-        let ways = |launch: f64, float: Float| {
-            Clock { rate: &rate, launch: Double::new(launch), t_max: Some(horizon), float }.reductions()
-        };
+        let ways =
+            |launch: f64, float: Float| Clock { rate: &rate, launch: Double::new(launch), horizon, float }.reductions();
         for (float, bits) in [(Float::F64, 52), (Float::F32, 23)] {
             for (launch, expected) in [(0.0, 0.0), (0.5, 2f64.powi(binade - bits)), (-0.5, 2f64.powi(binade - bits))] {
                 let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
@@ -109,7 +108,7 @@ fn cody_waite(
     float: Float,
 ) -> (Reduction, Real) {
     let rate = Context::for_digits(60).decimal(rate).unwrap();
-    let clock = Clock { rate: &rate, launch: Double::new(launch), t_max: Some(anchors / rate.to_f64()), float };
+    let clock = Clock { rate: &rate, launch: Double::new(launch), horizon: anchors / rate.to_f64(), float };
     let wanted = |way: &Reduction| {
         way.origin == origin && matches!(&way.scheme, Scheme::CodyWaite { words, .. } if words.len() == count)
     };
@@ -184,8 +183,8 @@ fn products_of_words_are_exact() {
 fn errors_of_words_for_any_time() {
     let error = |rate: &str, count: usize, anchors: f64| {
         let rate = Context::for_digits(60).decimal(rate).unwrap();
-        let t_max = Some(anchors / rate.to_f64()).filter(|t| t.is_finite());
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F64 };
+        let horizon = anchors / rate.to_f64();
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon, float: Float::F64 };
         let way = |way: &Reduction| matches!(&way.scheme, Scheme::AnyTime { words, .. } if words.len() == count);
         clock.reductions().into_iter().find(way).unwrap().error
     };
@@ -222,7 +221,7 @@ fn products_stay_finite() {
         ("20", Float::F32, None),
     ] {
         let rate = Context::for_digits(60).decimal(rate).unwrap();
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(10.0 / rate.to_f64()), float };
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 10.0 / rate.to_f64(), float };
         let one_word = |way: &Reduction| matches!(way.scheme, Scheme::OneWord { .. });
         let reduction = clock.reductions().into_iter().find(one_word).unwrap();
         let scale = 2f64.powi(-halvings.unwrap_or(0));
@@ -236,8 +235,8 @@ fn products_stay_finite() {
 #[test]
 fn phases_of_narrow_times() {
     let rate = Context::for_digits(60).decimal("0.7").unwrap();
-    let (unit, t_max) = (Float::F32.unit(), Some(1e6));
-    let clock = Clock { rate: &rate, launch: Double::ZERO, t_max, float: Float::F32 };
+    let (unit, horizon) = (Float::F32.unit(), 1e6);
+    let clock = Clock { rate: &rate, launch: Double::ZERO, horizon, float: Float::F32 };
     let wide = |way: &Reduction| matches!(way.scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. });
     for way in clock.reductions().into_iter().filter(wide) {
         let (rounded, before) = match way.origin {
@@ -254,7 +253,7 @@ fn phases_of_narrow_times() {
 #[test]
 fn words_of_narrow_times() {
     let rate = Context::for_digits(60).decimal("0.7").unwrap();
-    let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: None, float: Float::F32 };
+    let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: f64::INFINITY, float: Float::F32 };
     let error = |count: usize| {
         let way = |way: &&Reduction| {
             let so_many = matches!(&way.scheme, Scheme::WideAnyTime { words } if words.len() == count);
@@ -287,9 +286,9 @@ fn ways_of_each_horizon() {
         (Float::F32, 8.4e14, "Wide 0, WideAnyTime 2, WideAnyTime 3"),
         (Float::F32, 8.5e14, "WideAnyTime 2, WideAnyTime 3"),
     ] {
-        let t_max = Some(anchors / rate.to_f64());
+        let horizon = anchors / rate.to_f64();
         let ways = |launch| {
-            let reductions = Clock { rate: &rate, launch, t_max, float }.reductions();
+            let reductions = Clock { rate: &rate, launch, horizon, float }.reductions();
             // From the lowest point they come again.
             let mut ways: Vec<String> = Vec::new();
             for name in reductions.iter().map(|way| way.scheme.name()) {
@@ -312,7 +311,7 @@ fn ways_of_each_horizon() {
         ("1e15", Float::F32, true),
     ] {
         let rate = context.decimal(rate).unwrap();
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(100.0 / rate.to_f64()), float };
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 100.0 / rate.to_f64(), float };
         let found = clock.reductions().iter().any(|way| matches!(way.scheme, Scheme::CodyWaite { .. }));
         assert_eq!(found, there, "{float:?} {:e}", rate.to_f64());
     }
@@ -322,19 +321,19 @@ fn ways_of_each_horizon() {
 #[test]
 fn remainders_in_pieces_are_rounded_less() {
     let mut random = Random::new(23);
-    for (float, launch, t_max, least, most) in [
-        (Float::F64, "0", None, 2f64.powi(-59), 2f64.powi(-57)),
-        (Float::F64, "0.5", None, 2f64.powi(-59), 2f64.powi(-57)),
-        (Float::F64, "0.3", None, 2f64.powi(-58), 2f64.powi(-56)),
-        (Float::F32, "0", Some(100.0), 2f64.powi(-32), 2f64.powi(-30)),
+    for (float, launch, horizon, least, most) in [
+        (Float::F64, "0", f64::INFINITY, 2f64.powi(-59), 2f64.powi(-57)),
+        (Float::F64, "0.5", f64::INFINITY, 2f64.powi(-59), 2f64.powi(-57)),
+        (Float::F64, "0.3", f64::INFINITY, 2f64.powi(-58), 2f64.powi(-56)),
+        (Float::F32, "0", 100.0, 2f64.powi(-32), 2f64.powi(-30)),
         // Three words from the lowest point have none, and products with two are rounded to 2⁻²⁸ as ever.
-        (Float::F32, "0", None, 2f64.powi(-30), 2f64.powi(-26)),
+        (Float::F32, "0", f64::INFINITY, 2f64.powi(-30), 2f64.powi(-26)),
     ] {
         let (rate, phase) = (rate(&mut random), Context::for_digits(60).decimal(launch).unwrap());
-        let clock = Clock { rate: &rate, launch: phase.to_double(), t_max, float };
+        let clock = Clock { rate: &rate, launch: phase.to_double(), horizon, float };
         let last = clock.reductions().into_iter().rfind(Reduction::has_pieces).unwrap();
         let wide = clock.reductions().into_iter().find(|reduction| matches!(reduction.scheme, Scheme::Wide { .. }));
-        let reduction = if t_max.is_some() { wide.unwrap() } else { last };
+        let reduction = if horizon.is_finite() { wide.unwrap() } else { last };
         let in_pieces = reduction.in_pieces(64.0).unwrap();
         assert!((least..most).contains(&in_pieces.error), "{in_pieces:?}");
         assert!(
@@ -349,7 +348,7 @@ fn remainders_in_pieces_are_rounded_less() {
 fn pieces_that_cannot_be_told() {
     let rate = Context::for_digits(40).ratio(1, 2);
     let one_word = |t_max: f64| {
-        let clock = Clock { rate: &rate, launch: Double::ZERO, t_max: Some(t_max), float: Float::F64 };
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: t_max, float: Float::F64 };
         clock.reductions().into_iter().find(|reduction| matches!(reduction.scheme, Scheme::OneWord { .. })).unwrap()
     };
     for (t_max, pieces, serves) in
