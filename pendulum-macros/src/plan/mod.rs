@@ -27,6 +27,7 @@ mod pulses;
 pub(crate) mod reduction;
 mod refusal;
 mod search;
+mod task;
 mod turning;
 pub(crate) mod variables;
 mod verify;

@@ -206,7 +206,7 @@ fn a_shorter_horizon_is_never_dearer() {
 #[test]
 fn a_spoilt_plan_is_seen_by_the_planner_itself() {
     let scene = scene("struct Motion; theta0 = 2, tol = 1e-10");
-    let task = aim::Task::new(&scene);
+    let task = task::Task::new(&scene);
     let mut plan = plan(&scene).unwrap();
     assert_eq!(verify::broken(&scene, &task, &plan), None);
     let large = |op: &Op| matches!(op, Op::Constant { value, .. } if (1.0..100.0).contains(&value.abs()));
@@ -227,7 +227,7 @@ fn any_spoilt_result_is_seen() {
     ] {
         for output in outputs {
             let scene = scene(&format!("struct Motion; {start}, tol = 1e-10, outputs = [{output}]"));
-            let (task, plan) = (aim::Task::new(&scene), plan(&scene).unwrap());
+            let (task, plan) = (task::Task::new(&scene), plan(&scene).unwrap());
             assert_eq!(verify::broken(&scene, &task, &plan), None);
             for result in 0..plan.functions[0].program.results.len() {
                 let mut spoilt = plan.clone();

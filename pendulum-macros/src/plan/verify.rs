@@ -5,7 +5,8 @@
 //! The bound is proven, but a proof is only as good as the program that computes it. Should a value ever be outside,
 //! the macro refuses rather than emit a promise that it has just seen broken.
 
-use super::aim::{Aim, Task};
+use super::aim::Aim;
+use super::task::Task;
 use super::{Part, Plan};
 use crate::exact::Real;
 use crate::parse::{Float, Output};

@@ -3,7 +3,7 @@
 use super::*;
 use crate::fuzz::random::Random;
 use crate::motion::Regime;
-use crate::plan::aim::Task;
+use crate::plan::task::Task;
 use crate::plan::tests::scene;
 
 /// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the

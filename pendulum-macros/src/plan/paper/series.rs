@@ -7,9 +7,10 @@
 use super::Sum;
 use super::parts::Wanted;
 use crate::motion::Swing;
-use crate::plan::aim::{Aim, Task};
+use crate::plan::aim::Aim;
 use crate::plan::harmonics::harmonics;
 use crate::plan::part::{InPieces, observed};
+use crate::plan::task::Task;
 use crate::plan::{Bound, Part, Plan};
 use crate::scene::Scene;
 use crate::supremum::worst;
@@ -21,11 +22,11 @@ impl Sum {
         let mut task = Task::new(scene);
         task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.aim(scene, wanted, aim));
         let bias = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
-        let all = InPieces::all(scene, &task, &self.reductions(scene, swing));
+        let all = InPieces::all(&task, &self.reductions(scene, swing));
         let pieces = all.first().ok_or(f64::INFINITY)?;
         let mut reached = f64::INFINITY;
         for reduction in pieces.reductions.iter().filter(|reduction| Self::serves(scene, wanted, reduction)) {
-            match pieces.parts(scene, &task, reduction, f64::INFINITY) {
+            match pieces.parts(&task, reduction, f64::INFINITY) {
                 Ok(parts) => {
                     let parts = parts.into_iter().zip(wanted).map(|(part, wanted)| self.of_sum(part, wanted));
                     return Ok(self.joined(reduction, parts.collect()));

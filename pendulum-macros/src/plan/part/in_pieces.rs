@@ -1,11 +1,11 @@
 //! All outputs in pieces: how many pieces, with which reductions, and at what cost.
 
 use crate::plan::Part;
-use crate::plan::aim::{Aim, Task};
+use crate::plan::aim::Aim;
 use crate::plan::pieces::Piecewise;
 use crate::plan::reduction::Reduction;
+use crate::plan::task::Task;
 use crate::program::cost::{CLAMP, ROW, lanes_lost};
-use crate::scene::Scene;
 use std::cell::OnceCell;
 
 /// All outputs in pieces.
@@ -24,7 +24,7 @@ const POWERS: f64 = 3.0;
 
 impl InPieces {
     /// By few pieces and by many; none where an output has no pieces, or no reduction counts pieces.
-    pub(in crate::plan) fn all(scene: &Scene, task: &Task, reductions: &[Reduction]) -> Vec<Self> {
+    pub(in crate::plan) fn all(task: &Task, reductions: &[Reduction]) -> Vec<Self> {
         let serves = task.aims.iter().all(|aim| aim.has_pieces(task));
         let all = |pieces: usize| {
             let reductions: Vec<Reduction> =
@@ -34,29 +34,23 @@ impl InPieces {
                 terms.is_some_and(|terms| terms.into_iter().all(|terms| terms <= Piecewise::MOST_TERMS))
             };
             let serves = reductions.iter().any(|reduction| task.aims.iter().all(|aim| few(aim, reduction)));
-            serves.then(|| Self { pieces, met: task.met(scene), reductions, curves: OnceCell::new() })
+            serves.then(|| Self { pieces, met: task.met, reductions, curves: OnceCell::new() })
         };
         Piecewise::COUNTS.into_iter().filter(|_| serves).filter_map(all).collect()
     }
 
     /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where
     /// the phase isn't good enough.
-    pub(in crate::plan) fn estimate(&self, scene: &Scene, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
+    pub(in crate::plan) fn estimate(&self, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
         let kernel = |aim: &Aim| Some(aim.cost_of_pieces(&aim.terms_of_pieces(self.pieces, reduction)?));
         let kernels: f64 = aims.iter().map(kernel).sum::<Option<f64>>()?;
-        Some(lanes_lost(scene.float) * (reduction.operations() as f64 + CLAMP + ROW + POWERS + kernels))
+        Some(lanes_lost(reduction.float) * (reduction.operations() as f64 + CLAMP + ROW + POWERS + kernels))
     }
 
     /// All outputs with one of its reductions, each of which takes at most a part of the limit of it, or what was reached.
-    pub(in crate::plan) fn parts(
-        &self,
-        scene: &Scene,
-        task: &Task,
-        reduction: &Reduction,
-        most: f64,
-    ) -> Result<Vec<Part>, f64> {
+    pub(in crate::plan) fn parts(&self, task: &Task, reduction: &Reduction, most: f64) -> Result<Vec<Part>, f64> {
         let curves = self.curves(&task.aims).ok_or(f64::INFINITY)?;
-        let part = |(aim, curves): (&Aim, &Vec<Piecewise>)| aim.pieces_part(scene, task, reduction, curves, most);
+        let part = |(aim, curves): (&Aim, &Vec<Piecewise>)| aim.pieces_part(task, reduction, curves, most);
         task.aims.iter().zip(curves).map(part).collect()
     }
 

@@ -7,15 +7,15 @@ mod passage;
 mod pieces;
 mod polynomials;
 
-use super::aim::{Aim, Task};
+use super::aim::Aim;
 use super::curve::Curve;
 use super::kernel::Kernel;
 use super::reduction::Reduction;
+use super::task::Task;
 use super::turning::Turning;
 use super::{Bound, Part};
-use crate::motion::Regime;
 use crate::parse::{Float, Output};
-use crate::scene::{Goal, Scene};
+use crate::scene::Goal;
 use draft::Draft;
 #[cfg(test)]
 pub(super) use draft::Drafts;
@@ -51,13 +51,12 @@ impl Aim {
     /// of the limit is of no use: neither is a second round then, nor what it would reach.
     fn first_kept(
         &self,
-        scene: &Scene,
         reduction: &Reduction,
         phase: f64,
         most: f64,
         mut round: impl FnMut(f64) -> Result<Rc<Draft>, f64>,
     ) -> Result<Part, f64> {
-        let room = (most * self.limit - self.beyond_bound(scene, reduction, phase)).min(self.limit);
+        let room = (most * self.limit - self.beyond_bound(reduction, phase)).min(self.limit);
         let rounds = if room < self.limit { 1 } else { 3 };
         if phase > room && rounds == 1 {
             return Err(phase / self.size.unit);
@@ -68,9 +67,9 @@ impl Aim {
             let Draft { kernel, truncation, .. } = &*draft;
             let evaluation = draft.rounding(reduction, room - phase - truncation);
             let bound = Bound { truncation: *truncation, phase, evaluation };
-            let turns = if self.grows(scene) { 0.0 } else { kernel.rounding_of_turns(reduction) };
+            let turns = if self.grows() { 0.0 } else { kernel.rounding_of_turns(reduction) };
             rounding = bound.evaluation + turns;
-            match self.accept(scene, kernel, bound, reduction) {
+            match self.accept(kernel, bound, reduction) {
                 Ok(part) if part.share <= most => return Ok(part),
                 Ok(part) => reached = reached.min(part.error()),
                 Err(total) => reached = reached.min(total),
@@ -81,74 +80,67 @@ impl Aim {
 
     /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns
     /// of an angle that grows without bound cost what they cost: the promise is about the rest.
-    pub(super) fn accept(
-        &self,
-        scene: &Scene,
-        kernel: &Kernel,
-        bound: Bound,
-        reduction: &Reduction,
-    ) -> Result<Part, f64> {
+    pub(super) fn accept(&self, kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
         let turns = kernel.rounding_of_turns(reduction);
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
-        let judged = if self.grows(scene) { bound } else { whole };
+        let judged = if self.grows() { bound } else { whole };
         if judged.total().is_nan() || judged.total() > self.limit {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        let doubt = if self.is_mostly_rounding(scene, &judged, reduction) { self.limit } else { 0.0 };
-        let share = (judged.total() + self.beyond_bound(scene, reduction, bound.phase) + doubt) / self.limit;
+        let doubt = if self.is_mostly_rounding(&judged, reduction) { self.limit } else { 0.0 };
+        let share = (judged.total() + self.beyond_bound(reduction, bound.phase) + doubt) / self.limit;
         Ok(Part { output, description: kernel.describe(), kernel: kernel.clone(), bound: whole, unit, largest, share })
     }
 
     /// Whether rounding takes much of a tolerance and more of the bound than the rest does, as with coefficients that are
     /// many times as large as what they add up to, or with times of which most of the digits are before the point. Then it
     /// counts as more than the whole of its limit, which serves where nothing else does.
-    fn is_mostly_rounding(&self, scene: &Scene, bound: &Bound, reduction: &Reduction) -> bool {
+    fn is_mostly_rounding(&self, bound: &Bound, reduction: &Reduction) -> bool {
         const MUCH: f64 = 0.125;
         const MOSTLY: f64 = 1.5;
-        let Goal::Tolerance(tolerance) = scene.goal else { return false };
+        let Goal::Tolerance(tolerance) = self.goal else { return false };
         let of_phase = if reduction.is_rounded_late() { bound.phase } else { 0.0 };
         let rounding = bound.evaluation + of_phase;
-        tolerance >= close_from(scene.float)
+        tolerance >= close_from(reduction.float)
             && rounding > MUCH * self.limit
             && rounding > MOSTLY * (bound.truncation + bound.phase - of_phase)
     }
 
     /// By how much more than its bound an error takes of the limit: less what is hardly ever met of the phase's, and what
     /// of it is met in full counts more.
-    fn beyond_bound(&self, scene: &Scene, reduction: &Reduction, phase: f64) -> f64 {
-        let in_full = scene.goal == Goal::Full && reduction.grows();
+    fn beyond_bound(&self, reduction: &Reduction, phase: f64) -> f64 {
+        let in_full = self.goal == Goal::Full && reduction.grows();
         let more = if in_full { (1.0 / observed(reduction.float) - 1.0) * phase } else { 0.0 };
         more - self.size.slope * reduction.seldom
     }
 
     /// Whether what its turns are rounded by doesn't count.
-    fn grows(&self, scene: &Scene) -> bool {
-        scene.goal == Goal::Full && self.output == Output::Theta
+    fn grows(&self) -> bool {
+        self.goal == Goal::Full && self.output == Output::Theta
     }
 
     /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
     /// as it is.
-    fn turned(&self, scene: &Scene, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
+    fn turned(&self, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
         if !task.turning || !self.output.is_angle() {
-            let near = wrapped && self.largest_angle(scene) + self.limit >= PI.next_down();
+            let near = wrapped && self.largest_angle(task) + self.limit >= PI.next_down();
             if !near {
                 return kernel;
             }
             let kernel = Box::new(kernel);
             return if self.passes_top() { Kernel::Wrapped(kernel) } else { Kernel::Within(kernel) };
         }
-        let (direction, turns) = (task.direction, task.turns(scene));
+        let (direction, turns) = (task.direction, task.turns);
         let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
         let (angle, from_top) = (Box::new(kernel), from_top.is_some());
         Kernel::Turning(Turning { angle, from_top, unit, wrapped, direction, turns })
     }
 
     /// The largest that is met: of a rotation's arc that at one of its ends.
-    fn largest_angle(&self, scene: &Scene) -> f64 {
-        let rotates = matches!(scene.motion.regime, Regime::Rotation(_));
-        let of_arc = self.curves.first().filter(|_| rotates).and_then(Curve::largest_met);
+    fn largest_angle(&self, task: &Task) -> f64 {
+        let of_arc = self.curves.first().filter(|_| task.rotates).and_then(Curve::largest_met);
         of_arc.unwrap_or(self.size.largest)
     }
 

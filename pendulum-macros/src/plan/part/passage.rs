@@ -1,14 +1,12 @@
 //! An output by the passage through the lowest point.
 
 use super::draft::{Brief, Draft, Drafts};
-use crate::parse::Output;
 use crate::plan::Part;
-use crate::plan::aim::{Aim, Task};
+use crate::plan::aim::Aim;
 use crate::plan::kernel::Kernel;
-use crate::plan::passage::{Orbit, Passage};
+use crate::plan::passage::Passage;
 use crate::plan::reduction::Reduction;
-use crate::scene::Scene;
-use pendulum_runtime::double::Double;
+use crate::plan::task::Task;
 use std::rc::Rc;
 
 impl Aim {
@@ -18,39 +16,32 @@ impl Aim {
         const POWERS_AND_IMAGES: f64 = 30.0;
         const BITS_PER_TERM_OF_POWER: f64 = 5.0;
         const BITS_PER_OPERATION_OF_ARCTANGENT: f64 = 1.3;
-        const QUOTIENT: f64 = 16.0;
+        const DIVISION: f64 = 16.0;
         let bits = -libm::log2(self.limit / self.size.unit.max(self.size.largest)).min(-4.0);
         let power = 3.0 + bits / BITS_PER_TERM_OF_POWER;
-        let rest = if self.output.is_angle() { bits / BITS_PER_OPERATION_OF_ARCTANGENT } else { QUOTIENT };
+        let rest = if self.output.is_angle() { bits / BITS_PER_OPERATION_OF_ARCTANGENT } else { DIVISION };
         POWERS_AND_IMAGES + 2.0 * power + rest
     }
 
     /// The kernel of the passage through the lowest point, or what it reaches.
     pub(in crate::plan) fn passage_part(
         &self,
-        scene: &Scene,
         task: &Task,
         drafts: &Drafts,
         reduction: &Reduction,
-        passage: &Orbit,
         most: f64,
     ) -> Result<Part, f64> {
-        let phase = self.passage_error(reduction);
-        let factor = match self.output {
-            Output::Velocity => Task::fastest(scene),
-            Output::Acceleration => scene.motion.omega.square().to_double(),
-            _ => Double::ONE,
-        };
-        let scaled = Orbit { rate: passage.rate * reduction.unit, ..passage.clone() };
-        let mut limit = self.limit.min(self.truncation) / factor.hi;
-        let met = task.met_from_lowest(scene, reduction);
-        self.first_kept(scene, reduction, phase, most, |_| {
+        let orbit = task.passage_by(reduction).ok_or(f64::INFINITY)?.in_units(reduction.unit);
+        let factor = orbit.factor(self.output).hi;
+        let mut limit = self.limit.min(self.truncation) / factor;
+        let met = task.met_from_lowest(reduction);
+        self.first_kept(reduction, self.passage_error(reduction), most, |_| {
             let left = limit;
             limit *= 0.125;
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
-                let kernel = Passage::new(self.output, scaled.clone(), met, factor, left);
-                let truncation = kernel.truncation * factor.hi;
-                let kernel = self.turned(scene, task, Kernel::Passage(Box::new(kernel)), None);
+                let kernel = Passage::new(self.output, orbit.clone(), met, left);
+                let truncation = kernel.truncation * factor;
+                let kernel = self.turned(task, Kernel::Passage(Box::new(kernel)), None);
                 Ok(Rc::new(Draft::new(kernel, truncation)))
             })
         })

@@ -3,12 +3,12 @@
 use super::draft::Draft;
 use super::polynomials::SQUARING;
 use crate::plan::Part;
-use crate::plan::aim::{Aim, Task};
+use crate::plan::aim::Aim;
 use crate::plan::curve::Curve;
 use crate::plan::kernel::Kernel;
 use crate::plan::pieces::{Halves, Pieces, Piecewise};
 use crate::plan::reduction::Reduction;
-use crate::scene::Scene;
+use crate::plan::task::Task;
 use crate::supremum::norm;
 use std::rc::Rc;
 
@@ -47,14 +47,13 @@ impl Aim {
     /// The kernel in pieces, or what it reaches.
     pub(in crate::plan) fn pieces_part(
         &self,
-        scene: &Scene,
         task: &Task,
         reduction: &Reduction,
         approximations: &[Piecewise],
         most: f64,
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
-        self.first_kept(scene, reduction, phase, most, |left| {
+        self.first_kept(reduction, phase, most, |left| {
             let share = self.share(left);
             let made = approximations.iter().map(|curve| curve.kernel(reduction, share)).collect::<Option<Vec<_>>>();
             let (mut pieces, truncations): (Vec<Pieces>, Vec<f64>) = made.ok_or(f64::INFINITY)?.into_iter().unzip();
@@ -63,7 +62,7 @@ impl Aim {
             both.filter(|(_, curve)| mirrored(curve)).for_each(|(pieces, _)| pieces.negate());
             let kernel = match <[Pieces; 2]>::try_from(pieces) {
                 Ok([sine, cosine]) => Kernel::Halves(Box::new(Halves { sine, cosine })),
-                Err(mut single) => self.turned(scene, task, Kernel::Pieces(Box::new(single.swap_remove(0))), None),
+                Err(mut single) => self.turned(task, Kernel::Pieces(Box::new(single.swap_remove(0))), None),
             };
             Ok(Rc::new(Draft::new(kernel, self.error(norm(truncations.into_iter())))))
         })

@@ -3,21 +3,22 @@
 use super::draft::{Brief, Draft, Drafts};
 use crate::parse::{Float, Output};
 use crate::plan::Part;
-use crate::plan::aim::{Aim, Task};
+use crate::plan::aim::Aim;
 use crate::plan::curve::Curve;
 use crate::plan::form::{Division, Form, Poles, Variant};
 use crate::plan::kernel::Kernel;
 use crate::plan::memo::Memo;
 use crate::plan::polynomial::{Approximation, Leeway, Numerator, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
+use crate::plan::task::Task;
 use crate::program::cost::{CLAMP, MINIMUM};
-use crate::scene::Scene;
 use crate::series::Parity;
 use crate::supremum::norm;
 use std::rc::Rc;
 
 /// An output's approximations, without and with its poles divided out.
 pub(in crate::plan) struct Approximations {
+    pub(in crate::plan) aim: Aim,
     plain: Rc<[Approximation]>,
     divided: Rc<[Approximation]>,
     /// By two pairs, if that is worth it.
@@ -38,35 +39,152 @@ impl Approximations {
             Some(largest) => aim.floor() * 2f64.powi(-20) * (largest / curve.size.largest).clamp(2f64.powi(-30), 1.0),
             None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
         };
-        let over = |pole| aim.curves.iter().filter_map(|c| Approximation::new(c, pole, negligible(c))).collect();
+        let none = || Rc::new([]) as Rc<[Approximation]>;
+        let over = |pole| {
+            let all = aim.curves.iter().map(|curve| Approximation::new(curve, pole, negligible(curve)));
+            all.collect::<Option<Rc<[_]>>>().unwrap_or_else(none)
+        };
         let (lenient, drafts) = (Memo::default(), Memo::default());
-        let without_poles = Self { plain: over(None), divided: Rc::new([]), by_two: Rc::new([]), lenient, drafts };
+        let without_poles =
+            Self { aim: aim.clone(), plain: over(None), divided: none(), by_two: none(), lenient, drafts };
         // The first is the cheapest; but one that is rounded late hardly serves where it takes much.
         let least = |reduction: &Reduction| if reduction.is_rounded_late() { 0.9 * aim.limit } else { 0.0 };
         let reduction = reductions.iter().find(|reduction| aim.left(reduction) > least(reduction));
         let poles = reduction.and_then(|reduction| {
-            let (plain, left) = (without_poles.choose(aim, Poles::Absent, reduction), aim.left(reduction));
+            let (plain, left) = (without_poles.choose(Poles::Absent, reduction), aim.left(reduction));
             let first = aim.poles(&plain, left, reduction.float)?;
             Some((first, aim.two_pairs(&plain, first, left)))
         });
         let Some((first, two)) = poles else { return without_poles };
-        let by_two = two.map_or_else(|| Rc::new([]) as Rc<[Approximation]>, |two| over(Some(two)));
+        let by_two = two.map_or_else(none, |two| over(Some(two)));
         Self { divided: over(Some(first)), by_two, ..without_poles }
     }
 
     /// Those of a variant, with the leeway that the reduction leaves; none over poles where none are worth it.
-    pub(in crate::plan) fn choose(&self, aim: &Aim, poles: Poles, reduction: &Reduction) -> Rc<[Approximation]> {
+    pub(in crate::plan) fn choose(&self, poles: Poles, reduction: &Reduction) -> Rc<[Approximation]> {
         let (strict, poles) = match poles {
             Poles::Absent => (&self.plain, poles),
             Poles::UnderTwo => (&self.by_two, poles),
             Poles::Under | Poles::Beside => (&self.divided, Poles::Under),
         };
-        let Some((curve, ratio)) = aim.leeway(reduction) else { return strict.clone() };
+        let Some((curve, ratio)) = self.aim.leeway(reduction) else { return strict.clone() };
         let lenient = || {
             let leeway = Leeway::new(curve, reduction.error, ratio);
             strict.iter().map(|approximation| approximation.with(leeway.clone())).collect()
         };
         self.lenient.get(([reduction.error, ratio], poles), lenient)
+    }
+
+    /// The variants that might serve, and their cost in this reduction, cheapest first.
+    pub(in crate::plan) fn variants(&self, reduction: &Reduction) -> Vec<(Variant, f64)> {
+        // Double poles would leave four terms over them, and of two curves one division serves both.
+        let beside = self.aim.power < 2 && self.aim.curves.len() == 1;
+        let poles = Poles::ALL.into_iter().filter(|&poles| beside || poles != Poles::Beside);
+        let variants = poles.flat_map(|poles| Form::ALL.map(|form| Variant { form, poles }));
+        let cost = |variant: Variant| Some((variant, self.estimate(reduction, variant)?));
+        let mut costs: Vec<(Variant, f64)> = variants.filter_map(cost).collect();
+        costs.sort_by(|a, b| a.1.total_cmp(&b.1));
+        costs
+    }
+
+    /// The cost of the kernels with the fewest terms; `None` if no number of them serves.
+    fn estimate(&self, reduction: &Reduction, variant: Variant) -> Option<f64> {
+        let approximations = self.choose(variant.poles, reduction);
+        if approximations.is_empty() {
+            return None;
+        }
+        let left = self.aim.share(self.aim.left(reduction));
+        let fewest = |approximation: &Approximation| {
+            let terms = approximation.terms_for(left, reduction.overshoot);
+            terms.filter(|&terms| variant.suits(terms, reduction.float))
+        };
+        let terms = approximations.iter().map(fewest).collect::<Option<Vec<usize>>>()?;
+        Some(self.cost(&terms, &approximations, reduction, variant))
+    }
+
+    /// The cost of the kernels with so many terms each.
+    fn cost(&self, terms: &[usize], approximations: &[Approximation], reduction: &Reduction, variant: Variant) -> f64 {
+        let one = |(curve, (approximation, &terms)): (&Curve, (&Approximation, &usize))| {
+            let signs = if curve.alternates && reduction.origin == Origin::Lowest { MINIMUM } else { 0.0 };
+            let (odd, of_two) = (curve.parity() == Parity::Odd, self.aim.curves.len() > 1);
+            let division = match (variant.poles, of_two, odd) {
+                (Poles::Absent, ..) => Division::None,
+                (Poles::Under | Poles::UnderTwo, true, _) => Division::Shared,
+                (Poles::Under | Poles::UnderTwo, false, true) => Division::OfPhase,
+                (Poles::Under | Poles::UnderTwo, false, false) => Division::Inverse,
+                (Poles::Beside, ..) => Division::OfRemainder,
+            };
+            let unlimited = division == Division::OfPhase && approximation.falls();
+            let clamp = if reduction.leaps() && !unlimited { CLAMP } else { 0.0 };
+            let phase = if odd { 1.0 + clamp } else { 0.0 };
+            (variant.cost(terms, division, reduction.float) + phase + signs, variant.variables(terms))
+        };
+        let kernels = self.aim.curves.iter().zip(approximations.iter().zip(terms)).map(one);
+        let (kernels, variables): (Vec<f64>, Vec<f64>) = kernels.unzip();
+        let squaring = if self.aim.curves.len() > 1 { SQUARING } else { 0.0 };
+        kernels.iter().sum::<f64>() + variables.into_iter().fold(0.0, f64::max) + squaring
+    }
+
+    /// What a part costs that was made of a variant: rounding may have left less for truncation than was estimated.
+    pub(in crate::plan) fn cost_of(&self, part: &Part, reduction: &Reduction, variant: Variant) -> f64 {
+        let approximations = self.choose(variant.poles, reduction);
+        self.cost(&part.kernel.terms_of_each(), &approximations, reduction, variant)
+    }
+
+    /// The fewest terms that keep the promise, taking at most a part of the limit of it, or what was reached.
+    pub(in crate::plan) fn part(
+        &self,
+        task: &Task,
+        reduction: &Reduction,
+        variant: Variant,
+        most: f64,
+    ) -> Result<Part, f64> {
+        let aim = &self.aim;
+        aim.first_kept(reduction, aim.size.phase_error(reduction), most, |left| {
+            let brief = Brief { variant: Some(variant), reduction: reduction.clone(), left };
+            self.drafts.get(brief, || {
+                let polynomials = self.polynomials(task, reduction, variant, left)?;
+                let truncation = aim.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
+                Ok(Rc::new(Draft::new(aim.kernel(task, reduction, polynomials), truncation)))
+            })
+        })
+    }
+
+    /// Those with the fewest terms whose truncation is within what is left, or what would be reached.
+    fn polynomials(
+        &self,
+        task: &Task,
+        reduction: &Reduction,
+        Variant { form, poles }: Variant,
+        left: f64,
+    ) -> Result<Vec<Polynomial>, f64> {
+        let share = self.aim.share(left);
+        let polynomial = |(curve, approximation): (&Curve, &Approximation), numerator: Numerator| {
+            let Some(terms) = approximation.terms_for(share, reduction.overshoot) else {
+                let least = approximation.truncation(approximation.terms(), reduction.overshoot);
+                return Err((self.aim.limit - left + least) / self.aim.size.unit);
+            };
+            let truncated = approximation.truncated(terms, reduction, curve.alternates);
+            let polynomial = match poles {
+                Poles::Beside => truncated.beside_poles(form),
+                _ => truncated.polynomial(form, numerator, self.aim.limit),
+            };
+            polynomial.ok_or(f64::INFINITY)
+        };
+        let all = self.choose(poles, reduction);
+        let curves: Vec<(&Curve, &Approximation)> = self.aim.curves.iter().zip(&*all).collect();
+        if let [sine, cosine] = curves[..] {
+            let mirrored = sine.0.mirrors(task.turning);
+            let [first, second] = if mirrored { [cosine, sine] } else { [sine, cosine] };
+            let first = polynomial(first, Numerator::Leading)?;
+            let second = polynomial(second, first.numerator())?;
+            return Ok(if mirrored { vec![second, first] } else { vec![first, second] });
+        }
+        let single = |curve: (&Curve, &Approximation)| {
+            let odd = curve.0.parity() == Parity::Odd;
+            polynomial(curve, if odd { Numerator::One } else { Numerator::Leading })
+        };
+        curves.into_iter().map(single).collect()
     }
 }
 
@@ -128,128 +246,6 @@ impl Aim {
         if self.output == Output::Position { error * (2.0 + error) } else { error }
     }
 
-    /// The variants that might serve, and their cost in this reduction, cheapest first.
-    pub(in crate::plan) fn variants(&self, all: &Approximations, reduction: &Reduction) -> Vec<(Variant, f64)> {
-        // Double poles would leave four terms over them, and of two curves one division serves both.
-        let beside = self.power < 2 && self.curves.len() == 1;
-        let poles = Poles::ALL.into_iter().filter(|&poles| beside || poles != Poles::Beside);
-        let variants = poles.flat_map(|poles| Form::ALL.map(|form| Variant { form, poles }));
-        let cost = |variant: Variant| {
-            Some((variant, self.estimate(&all.choose(self, variant.poles, reduction), reduction, variant)?))
-        };
-        let mut costs: Vec<(Variant, f64)> = variants.filter_map(cost).collect();
-        costs.sort_by(|a, b| a.1.total_cmp(&b.1));
-        costs
-    }
-
-    /// The cost of the kernels with the fewest terms; `None` if no number of them serves.
-    fn estimate(&self, approximations: &[Approximation], reduction: &Reduction, variant: Variant) -> Option<f64> {
-        if self.curves.is_empty() || approximations.len() < self.curves.len() {
-            return None;
-        }
-        let left = self.share(self.left(reduction));
-        let fewest = |approximation: &Approximation| {
-            let terms = approximation.terms_for(left, reduction.overshoot);
-            terms.filter(|&terms| variant.suits(terms, reduction.float))
-        };
-        let terms = approximations.iter().map(fewest).collect::<Option<Vec<usize>>>()?;
-        Some(self.cost(&terms, approximations, reduction, variant))
-    }
-
-    /// The cost of the kernels with so many terms each.
-    fn cost(&self, terms: &[usize], approximations: &[Approximation], reduction: &Reduction, variant: Variant) -> f64 {
-        let one = |(curve, (approximation, &terms)): (&Curve, (&Approximation, &usize))| {
-            let signs = if curve.alternates && reduction.origin == Origin::Lowest { MINIMUM } else { 0.0 };
-            let (odd, of_two) = (curve.parity() == Parity::Odd, self.curves.len() > 1);
-            let division = match (variant.poles, of_two, odd) {
-                (Poles::Absent, ..) => Division::None,
-                (Poles::Under | Poles::UnderTwo, true, _) => Division::Shared,
-                (Poles::Under | Poles::UnderTwo, false, true) => Division::OfPhase,
-                (Poles::Under | Poles::UnderTwo, false, false) => Division::Inverse,
-                (Poles::Beside, ..) => Division::OfRemainder,
-            };
-            let unlimited = division == Division::OfPhase && approximation.falls();
-            let clamp = if reduction.leaps() && !unlimited { CLAMP } else { 0.0 };
-            let phase = if odd { 1.0 + clamp } else { 0.0 };
-            (variant.cost(terms, division, reduction.float) + phase + signs, variant.variables(terms))
-        };
-        let kernels = self.curves.iter().zip(approximations.iter().zip(terms)).map(one);
-        let (kernels, variables): (Vec<f64>, Vec<f64>) = kernels.unzip();
-        let squaring = if self.curves.len() > 1 { SQUARING } else { 0.0 };
-        kernels.iter().sum::<f64>() + variables.into_iter().fold(0.0, f64::max) + squaring
-    }
-
-    /// What a part costs that was made of a variant: rounding may have left less for truncation than was estimated.
-    pub(in crate::plan) fn cost_of(
-        &self,
-        part: &Part,
-        all: &Approximations,
-        reduction: &Reduction,
-        variant: Variant,
-    ) -> f64 {
-        let approximations = all.choose(self, variant.poles, reduction);
-        self.cost(&part.kernel.terms_of_each(), &approximations, reduction, variant)
-    }
-
-    /// The fewest terms that keep the promise, taking at most a part of the limit of it, or what was reached.
-    pub(in crate::plan) fn part(
-        &self,
-        scene: &Scene,
-        task: &Task,
-        all: &Approximations,
-        reduction: &Reduction,
-        variant: Variant,
-        most: f64,
-    ) -> Result<Part, f64> {
-        let phase = self.size.phase_error(reduction);
-        self.first_kept(scene, reduction, phase, most, |left| {
-            let brief = Brief { variant: Some(variant), reduction: reduction.clone(), left };
-            all.drafts.get(brief, || {
-                let polynomials = self.polynomials(task, all, reduction, variant, left)?;
-                let truncation = self.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
-                Ok(Rc::new(Draft::new(self.kernel(scene, task, reduction, polynomials), truncation)))
-            })
-        })
-    }
-
-    /// Those with the fewest terms whose truncation is within what is left, or what would be reached.
-    fn polynomials(
-        &self,
-        task: &Task,
-        all: &Approximations,
-        reduction: &Reduction,
-        Variant { form, poles }: Variant,
-        left: f64,
-    ) -> Result<Vec<Polynomial>, f64> {
-        let share = self.share(left);
-        let polynomial = |(curve, approximation): (&Curve, &Approximation), numerator: Numerator| {
-            let Some(terms) = approximation.terms_for(share, reduction.overshoot) else {
-                let least = approximation.truncation(approximation.terms(), reduction.overshoot);
-                return Err((self.limit - left + least) / self.size.unit);
-            };
-            let truncated = approximation.truncated(terms, reduction, curve.alternates);
-            let polynomial = match poles {
-                Poles::Beside => truncated.beside_poles(form),
-                _ => truncated.polynomial(form, numerator, self.limit),
-            };
-            polynomial.ok_or(f64::INFINITY)
-        };
-        let all = all.choose(self, poles, reduction);
-        let curves: Vec<(&Curve, &Approximation)> = self.curves.iter().zip(&*all).collect();
-        if let [sine, cosine] = curves[..] {
-            let mirrored = sine.0.mirrors(task.turning);
-            let [first, second] = if mirrored { [cosine, sine] } else { [sine, cosine] };
-            let first = polynomial(first, Numerator::Leading)?;
-            let second = polynomial(second, first.numerator())?;
-            return Ok(if mirrored { vec![second, first] } else { vec![first, second] });
-        }
-        let single = |curve: (&Curve, &Approximation)| {
-            let odd = curve.0.parity() == Parity::Odd;
-            polynomial(curve, if odd { Numerator::One } else { Numerator::Leading })
-        };
-        curves.into_iter().map(single).collect()
-    }
-
     /// Whether a mirror image changes the curve's sign: it leaves the height as it is, and cos(θ/2) with it, or sin where
     /// the angle is from the top.
     pub(super) fn mirrors(&self, curve: &Curve, task: &Task) -> bool {
@@ -257,14 +253,14 @@ impl Aim {
     }
 
     /// Puts the polynomials together.
-    fn kernel(&self, scene: &Scene, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
+    fn kernel(&self, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
         if task.direction < 0.0 {
             let both = polynomials.iter_mut().zip(&self.curves);
             both.filter(|(_, curve)| self.mirrors(curve, task)).for_each(|(polynomial, _)| polynomial.negate());
         }
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok(factors) => Kernel::Circle(Box::new(factors)),
-            Err(mut single) => self.turned(scene, task, Kernel::Polynomial(single.swap_remove(0)), Some(reduction)),
+            Err(mut single) => self.turned(task, Kernel::Polynomial(single.swap_remove(0)), Some(reduction)),
         }
     }
 }

@@ -27,6 +27,7 @@ mod quotient;
 use super::fit::{Domain, Fit};
 use super::kernel::{after_named, rounding_given};
 use super::variables::Variables;
+use crate::motion::{Elliptic, Motion};
 use crate::parse::{Float, Output};
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Program};
@@ -51,7 +52,13 @@ pub(crate) struct Orbit {
     pub(crate) image_exponent: i32,
     /// −1 for the mirror image.
     pub(crate) direction: f64,
+    /// The largest |θ̇| and, of the separatrix, |θ̈|, ω².
+    fastest: Double,
+    omega_squared: Double,
 }
+
+/// Above this complementary nome the terms that are left out of Q, P and the velocity's numerator may matter.
+const LARGEST_IMAGE: f64 = 0.05;
 
 /// The kernel of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,6 +96,38 @@ enum Images {
 const NEGLIGIBLE_BINADE: i32 = 24;
 
 impl Orbit {
+    /// w = (πK/K′)·phase, in units of ln 2; `None` where q′ is too large.
+    pub(crate) fn new(motion: &Motion, elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Self> {
+        let rate = elliptic.span().to_double() / LN_2;
+        if libm::exp2(-rate.hi) > LARGEST_IMAGE {
+            return None;
+        }
+        let image_exponent = (-rate.hi).floor() as i32;
+        let image = elliptic.nome_complementary().scale(-i64::from(image_exponent)).to_double();
+        Some(Self { rate, sigma, image, image_exponent, ..Self::separatrix(motion, direction) })
+    }
+
+    /// w = ωt, in the same units.
+    pub(crate) fn separatrix(motion: &Motion, direction: f64) -> Self {
+        let (fastest, omega_squared) = (motion.fastest().to_double(), motion.omega.square().to_double());
+        let (rate, image) = (Double::ONE / LN_2, Double::ZERO);
+        Self { rate, sigma: 0.0, image, image_exponent: 0, direction, fastest, omega_squared }
+    }
+
+    /// The same by phases in units of so many anchors.
+    pub(crate) fn in_units(&self, unit: Double) -> Self {
+        Self { rate: self.rate * unit, ..self.clone() }
+    }
+
+    /// What an output is a multiple of.
+    pub(crate) fn factor(&self, output: Output) -> Double {
+        match output {
+            Output::Velocity => self.fastest,
+            Output::Acceleration => self.omega_squared,
+            _ => Double::ONE,
+        }
+    }
+
     /// Whether the direction changes from passage to passage.
     fn alternates(&self) -> bool {
         self.sigma > 0.0
@@ -100,8 +139,9 @@ impl Orbit {
 }
 
 impl Passage {
-    /// For phases of these magnitudes, with all approximations within `limit`, in units of `factor`.
-    pub(crate) fn new(output: Output, orbit: Orbit, met: (f64, f64), factor: Double, limit: f64) -> Self {
+    /// For phases of these magnitudes, with all approximations within `limit`, in units of the output's factor.
+    pub(crate) fn new(output: Output, orbit: Orbit, met: (f64, f64), limit: f64) -> Self {
+        let factor = orbit.factor(output);
         let q = orbit.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
         // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83: less than the bound that is given.

@@ -3,11 +3,11 @@
 use super::quotient::linear;
 use super::*;
 use crate::motion::Regime;
-use crate::plan::aim::Task;
 use crate::plan::curve::{Curve, Curves, RotationCurves, SwingCurves};
 use crate::plan::kernel::{Kernel, function};
 use crate::plan::part::Drafts;
 use crate::plan::reduction::{Origin, Reduction};
+use crate::plan::task::Task;
 use crate::plan::tests::scene;
 use crate::program::Op;
 use crate::scene::Scene;
@@ -43,7 +43,8 @@ impl Trial {
         let (task, curves) = (Task::new(&scene), curves(&scene));
         let reduction = task.reductions(&scene).into_iter().filter(|reduction| reduction.origin == Origin::Lowest);
         let reduction = reduction.into_iter().find(|reduction| reduction.unit == Double::ONE).unwrap();
-        Self { scene, reduction, orbit: task.passage.unwrap(), curves }
+        let orbit = task.passage_by(&reduction).unwrap().clone();
+        Self { scene, reduction, orbit, curves }
     }
 
     /// |θ|, |θ̇|, |θ̈| or (sin |θ|, −cos θ) at the phase z ≥ 0 from the lowest point.
@@ -65,11 +66,11 @@ impl Trial {
     /// The kernel, the bound of its error, and what is seen of it.
     fn errors(&self, output: Output, limit: f64) -> (Passage, f64, f64) {
         let factor = match output {
-            Output::Velocity => Task::fastest(&self.scene),
+            Output::Velocity => self.scene.motion.fastest().to_double(),
             Output::Acceleration => Double::new(9.0),
             _ => Double::ONE,
         };
-        let passage = Passage::new(output, self.orbit.clone(), (0.0, 0.5), factor, limit);
+        let passage = Passage::new(output, self.orbit.clone(), (0.0, 0.5), limit);
         let kernel = Kernel::Passage(Box::new(passage.clone()));
         let program = function(&self.reduction, &[&kernel]);
         let bound = (passage.truncation * factor.hi + passage.rounding(&program, f64::INFINITY)) / factor.hi;
@@ -135,9 +136,9 @@ fn velocities_at_the_lowest_point() {
         [("theta0 = 1.6", [1e-2, 1e-12]), ("velocity0 = 6.003", [1e-2, 1e-12]), ("velocity0 = 6.0000001", [1e-2, 1e-5])]
     {
         let trial = Trial::new(text, "f64");
-        let fastest = Task::fastest(&trial.scene);
+        let fastest = trial.scene.motion.fastest().to_double();
         for limit in limits {
-            let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), (0.0, 0.5), fastest, limit);
+            let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), (0.0, 0.5), limit);
             let program = function(&trial.reduction, &[&Kernel::Passage(Box::new(kernel))]);
             let mut given = program.clone();
             given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
@@ -152,9 +153,10 @@ fn velocities_at_the_lowest_point() {
 #[test]
 fn the_last_binade_stands_for_all_that_follow() {
     let kernel = |q: f64, image_exponent: i32| {
-        let orbit =
-            Orbit { rate: Double::new(60.0), sigma: 1.0, image: Double::new(q), image_exponent, direction: 1.0 };
-        Passage::new(Output::Theta, orbit, (0.0, 0.5), Double::ONE, 1e-16)
+        let motion = &scene("struct Motion; velocity0 = 2").motion;
+        let (rate, image) = (Double::new(60.0), Double::new(q));
+        let orbit = Orbit { rate, sigma: 1.0, image, image_exponent, ..Orbit::separatrix(motion, 1.0) };
+        Passage::new(Output::Theta, orbit, (0.0, 0.5), 1e-16)
     };
     for (name, factor, constant) in [("power", 2f64.powi(30), 0.0), ("image_power", -(2f64.powi(15)), 1.0)] {
         let mut b = Builder::new(Float::F64);
@@ -233,7 +235,7 @@ fn what_of_a_passage_is_met() {
         let task = Task::new(&scene);
         for reduction in task.reductions(&scene) {
             let unit = reduction.unit.hi;
-            let found = task.met_from_lowest(&scene, &reduction);
+            let found = task.met_from_lowest(&reduction);
             let near = |found: f64, expected: f64| (found * unit - expected).abs() < 1e-2;
             assert!(near(found.0, least) && near(found.1, largest), "{start} {t_max}: {found:?} of {reduction:?}");
             assert!(found.1 <= reduction.half() && (least > 0.0) == (found.0 > 0.0), "{found:?}");
@@ -246,11 +248,12 @@ fn what_of_a_passage_is_met() {
 fn passages_in_other_units() {
     let scene = scene("struct Motion; theta0 = π - 1e-4, tol = 1e-6, t_max = 100");
     let task = Task::new(&scene);
-    let orbit = task.passage.as_ref().unwrap();
+    let lowest: Vec<Reduction> =
+        task.reductions(&scene).into_iter().filter(|reduction| reduction.origin == Origin::Lowest).collect();
+    let orbit = task.passage_by(&lowest[0]).unwrap();
     let mut units = 0;
-    for reduction in task.reductions(&scene).iter().filter(|reduction| reduction.origin == Origin::Lowest) {
-        let part =
-            task.aims[0].passage_part(&scene, &task, &Drafts::default(), reduction, orbit, f64::INFINITY).unwrap();
+    for reduction in &lowest {
+        let part = task.aims[0].passage_part(&task, &Drafts::default(), reduction, f64::INFINITY).unwrap();
         let Kernel::Passage(kernel) = part.kernel else { panic!("another kernel") };
         let (rate, half) = (kernel.orbit.rate, kernel.met.1);
         assert!((rate / (orbit.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");

@@ -45,7 +45,7 @@ impl Leeway {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::aim::Task;
+    use crate::plan::task::Task;
     use crate::plan::tests::scene;
     use pendulum_runtime::double::Double;
 

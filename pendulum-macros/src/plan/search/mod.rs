@@ -4,12 +4,13 @@
 mod choice;
 mod together;
 
-use super::aim::{Aim, Task};
+use super::aim::Aim;
 use super::curve::Curve;
 use super::form::Variant;
 use super::memo::Memo;
 use super::part::{Approximations, InPieces, observed};
 use super::reduction::{Origin, Reduction};
+use super::task::Task;
 use super::variables::Variables;
 use super::{Part, Plan, Refusal, alternatives, verify};
 use crate::parse::Float;
@@ -94,7 +95,7 @@ pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
 /// The least that can be promised of the worst output, whatever it costs.
 pub(super) fn least_error(scene: &Scene) -> f64 {
     let least = |mut task: Task| {
-        task.aims.iter_mut().for_each(|aim| aim.at_full_precision(scene.float));
+        task.aims.iter_mut().for_each(Aim::at_full_precision);
         most_accurate(scene, &Prospect::new(scene, task))
     };
     tasks(scene).into_iter().map(least).fold(f64::INFINITY, f64::min)
@@ -201,10 +202,9 @@ fn largest_share(parts: &[Part]) -> f64 {
 fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
     let Prospect { task, approximations, reductions, .. } = prospect;
     let worst_output = |reduction: &Reduction| {
-        let least = |(aim, all): (&Aim, &Approximations)| {
-            parts(scene, task, aim, all, reduction).map(|part| part.error()).fold(f64::INFINITY, f64::min)
-        };
-        worst(task.aims.iter().zip(approximations).map(least))
+        let least =
+            |all: &Approximations| parts(task, all, reduction).map(|part| part.error()).fold(f64::INFINITY, f64::min);
+        worst(approximations.iter().map(least))
     };
     // The most accurate reduction from either origin is among the best.
     let of = |origin: Origin| {
@@ -223,18 +223,11 @@ fn most_accurate(scene: &Scene, prospect: &Prospect) -> f64 {
 }
 
 /// An output by every variant, and by the passage where that is to be had, as far as these keep the promise.
-fn parts<'a>(
-    scene: &'a Scene,
-    task: &'a Task,
-    aim: &'a Aim,
-    all: &'a Approximations,
-    reduction: &'a Reduction,
-) -> impl Iterator<Item = Part> + 'a {
-    let polynomial = move |variant: Variant| aim.part(scene, task, all, reduction, variant, f64::INFINITY).ok();
-    let polynomials = aim.variants(all, reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
-    let passage = task.passage.as_ref().filter(|_| reduction.origin == Origin::Lowest);
-    let by_passage = |passage| aim.passage_part(scene, task, &all.drafts, reduction, passage, f64::INFINITY).ok();
-    polynomials.chain(passage.and_then(by_passage))
+fn parts<'a>(task: &'a Task, all: &'a Approximations, reduction: &'a Reduction) -> impl Iterator<Item = Part> + 'a {
+    let polynomial = move |variant: Variant| all.part(task, reduction, variant, f64::INFINITY).ok();
+    let polynomials = all.variants(reduction).into_iter().filter_map(move |(variant, _)| polynomial(variant));
+    let passage = all.aim.passage_part(task, &all.drafts, reduction, f64::INFINITY).ok();
+    polynomials.chain(passage)
 }
 
 /// For the reader: what costs so many additions more.
@@ -248,7 +241,7 @@ pub(super) fn every(scene: &Scene) -> Vec<Plan> {
     let every = |task: Task| {
         let Prospect { task, approximations, reductions, .. } = Prospect::new(scene, task);
         let plan = |reduction| {
-            let parts = parts(scene, &task, &task.aims[0], &approximations[0], reduction);
+            let parts = parts(&task, &approximations[0], reduction);
             parts.map(|part| joined(reduction, vec![part])).collect::<Vec<Plan>>()
         };
         reductions.iter().flat_map(plan).collect::<Vec<Plan>>()
@@ -267,33 +260,33 @@ impl Prospect {
     fn new(scene: &Scene, task: Task) -> Self {
         let reductions = task.reductions(scene);
         let approximations = task.aims.iter().map(|aim| Approximations::new(aim, &reductions)).collect();
-        let pieces = InPieces::all(scene, &task, &reductions);
-        let reach = task.reach(scene);
+        let pieces = InPieces::all(&task, &reductions);
+        let reach = task.reach();
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         Self { task, approximations, reductions, pieces, found: Memo::default() }
     }
 
     fn candidates(&self, scene: &Scene) -> Vec<Candidate<'_>> {
-        let Self { task: Task { aims, passage, .. }, approximations, reductions, pieces, .. } = self;
+        let Self { task, approximations, reductions, pieces, .. } = self;
+        let aims = &task.aims;
         let candidate = |reduction, way, kernels: f64| {
             let cost = skeleton(reduction, aims).cost() + kernels;
             Candidate { prospect: self, reduction, way, cost }
         };
         let polynomials = reductions.iter().filter_map(|reduction| {
-            let cheapest = |(aim, all): (&Aim, &Approximations)| Some(aim.variants(all, reduction).first()?.1);
-            let kernels = aims.iter().zip(approximations).map(cheapest).sum::<Option<f64>>()?;
+            let cheapest = |all: &Approximations| Some(all.variants(reduction).first()?.1);
+            let kernels = approximations.iter().map(cheapest).sum::<Option<f64>>()?;
             Some(candidate(reduction, Way::Polynomials, kernels))
         });
-        let from_lowest = reductions.iter().filter(|reduction| reduction.origin == Origin::Lowest);
         // Its operations wait for one another: each takes longer than those of polynomials do.
         let by_passage = |reduction| {
             let passage = candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum());
             Candidate { cost: waiting(scene.float) * passage.cost, ..passage }
         };
-        let passages = from_lowest.filter(|_| passage.is_some()).map(by_passage);
+        let passages = reductions.iter().filter(|reduction| task.passage_by(reduction).is_some()).map(by_passage);
         let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
             let one = move |reduction| {
-                let cost = pieces.estimate(scene, aims, reduction)?;
+                let cost = pieces.estimate(aims, reduction)?;
                 Some(Candidate { prospect: self, reduction, way: Way::Pieces(index), cost })
             };
             pieces.reductions.iter().filter_map(one)
@@ -372,21 +365,18 @@ impl Candidate<'_> {
     fn outputs(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
         let Prospect { task, approximations, pieces, .. } = self.prospect;
         if let Way::Pieces(index) = self.way {
-            let parts = pieces[index].parts(scene, task, self.reduction, most)?;
+            let parts = pieces[index].parts(task, self.reduction, most)?;
             return Ok(Outputs { parts, more: 0.0, rejected: Vec::new() });
         }
         let (mut parts, mut more, mut rejected) = (Vec::new(), 0.0, Vec::new());
-        for (output, (aim, all)) in task.aims.iter().zip(approximations).enumerate() {
-            let passage = || match &task.passage {
-                Some(passage) if self.reduction.origin == Origin::Lowest => {
-                    let part = aim.passage_part(scene, task, &all.drafts, self.reduction, passage, most)?;
-                    Ok((part, waiting(scene.float) * aim.passage_estimate()))
-                }
-                _ => Err(f64::INFINITY),
+        for (output, all) in approximations.iter().enumerate() {
+            let passage = || {
+                let part = all.aim.passage_part(task, &all.drafts, self.reduction, most)?;
+                Ok((part, waiting(scene.float) * all.aim.passage_estimate()))
             };
             let mut polynomials = || {
                 let asked = Asked { output, reduction: self.reduction.clone(), most };
-                let found = self.prospect.found.get(asked, || Rc::new(self.polynomials(scene, aim, all, most)));
+                let found = self.prospect.found.get(asked, || Rc::new(self.polynomials(scene, all, most)));
                 rejected.extend_from_slice(&found.rejected);
                 found.part.clone()
             };
@@ -399,33 +389,33 @@ impl Candidate<'_> {
                 _ => polynomials(),
             }?;
             parts.push(part);
-            more += cost - self.estimate(scene, aim, all);
+            more += cost - self.estimate(scene, all);
         }
         Ok(Outputs { parts, more, rejected })
     }
 
     /// What an output was estimated to cost.
-    fn estimate(&self, scene: &Scene, aim: &Aim, all: &Approximations) -> f64 {
+    fn estimate(&self, scene: &Scene, all: &Approximations) -> f64 {
         match self.way {
-            Way::Passage => waiting(scene.float) * aim.passage_estimate(),
-            _ => aim.variants(all, self.reduction).first().map_or(0.0, |&(_, cost)| cost),
+            Way::Passage => waiting(scene.float) * all.aim.passage_estimate(),
+            _ => all.variants(self.reduction).first().map_or(0.0, |&(_, cost)| cost),
         }
     }
 
     /// The output's variant that is taken of those that keep the promise, or what was reached. Those that lost, and the
     /// next, are described.
-    fn polynomials(&self, scene: &Scene, aim: &Aim, all: &Approximations, most: f64) -> Found {
+    fn polynomials(&self, scene: &Scene, all: &Approximations, most: f64) -> Found {
         let mut choice = Choice::new();
         let mut tried = Vec::new();
-        for (index, (variant, cost)) in aim.variants(all, self.reduction).into_iter().enumerate() {
+        for (index, (variant, cost)) in all.variants(self.reduction).into_iter().enumerate() {
             if choice.is_made(cost) {
                 tried.push(Tried { variant, cost, reached: None });
                 break;
             }
             let most = most.min(choice.most(scene, self.reduction, cost));
-            let found = aim.part(scene, &self.prospect.task, all, self.reduction, variant, most);
+            let found = all.part(&self.prospect.task, self.reduction, variant, most);
             let reached = found.as_ref().map_or_else(|&reached| reached, Part::error);
-            let real = |part: &Part| aim.cost_of(part, all, self.reduction, variant).max(cost);
+            let real = |part: &Part| all.cost_of(part, self.reduction, variant).max(cost);
             let cost = found.as_ref().map_or(cost, real);
             tried.push(Tried { variant, cost, reached: Some(reached) });
             if let Ok(part) = found {
@@ -441,7 +431,7 @@ impl Candidate<'_> {
             (Some(reached), _) if reached >= error => Some(format!("can promise only {reached:.1e}")),
             (_, least) => least.map(|least| more(one.cost - least)),
         };
-        let (word, parity) = (aim.output.word(), aim.curves.first().map_or(Parity::Even, Curve::parity));
+        let (word, parity) = (all.aim.output.word(), all.aim.curves.first().map_or(Parity::Even, Curve::parity));
         let line = |one: &Tried| Some(format!("{} for `{word}`: it {}", one.variant.describe(parity), why(one)?));
         let lost = tried.iter().enumerate().filter(|&(index, _)| chosen != Some(index));
         let rejected = lost.filter_map(|(_, one)| line(one)).collect();

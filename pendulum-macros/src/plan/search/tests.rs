@@ -93,10 +93,10 @@ fn comfortable_plans() {
             if candidate.way != Way::Polynomials {
                 continue;
             }
-            let (aim, all, reduction) = (&task.aims[0], &approximations[0], candidate.reduction);
+            let (all, reduction) = (&approximations[0], candidate.reduction);
             let mut forms = Vec::new();
-            for (variant, cost) in aim.variants(all, reduction) {
-                let part = |most: f64| aim.part(&scene, task, all, reduction, variant, most).ok();
+            for (variant, cost) in all.variants(reduction) {
+                let part = |most: f64| all.part(task, reduction, variant, most).ok();
                 forms.extend(goals(&forms).into_iter().find_map(part).map(|part| (cost, part.share)));
             }
             let chosen = [enough, f64::INFINITY].into_iter().find_map(outputs).unwrap();
@@ -154,7 +154,7 @@ fn what_is_taken_of_limits() {
         let turns = part.kernel.rounding_of_turns(reduction);
         assert_eq!(turns > 0.0, text.starts_with('v'), "{text}");
         let bound = Bound { truncation: 0.125 * limit, phase: 0.25 * limit, evaluation: 0.125 * limit };
-        let accepted = task.aims[0].accept(&scene, &part.kernel, bound, reduction).unwrap();
+        let accepted = task.aims[0].accept(&part.kernel, bound, reduction).unwrap();
         let met_in_full = if text == "velocity0 = 3, t_max = 1e6" { 0.25 / 0.79 - 0.25 } else { 0.0 };
         let expected = 0.5 + met_in_full + if grows { 0.0 } else { turns / limit };
         assert!((accepted.share / expected - 1.0).abs() < 2e-12, "{text}: {} {expected}", accepted.share);

@@ -46,14 +46,12 @@ impl Candidate<'_> {
     /// The output's variants that by themselves are little dearer than this one and keep the promise comfortably.
     fn others(&self, scene: &Scene, output: usize, first: Variant) -> impl Iterator<Item = (Variant, Part)> {
         let Prospect { task, approximations, .. } = self.prospect;
-        let (aim, all) = (&task.aims[output], &approximations[output]);
-        let variants = aim.variants(all, self.reduction);
+        let all = &approximations[output];
+        let variants = all.variants(self.reduction);
         let cost = variants.iter().find(|(variant, _)| *variant == first).map_or(0.0, |(_, cost)| *cost);
         let near = variants.into_iter().filter(move |&(variant, other)| variant != first && other <= cost + SHARED);
         let most = super::comfortable(scene, self.reduction);
-        near.filter_map(move |(variant, _)| {
-            Some((variant, aim.part(scene, task, all, self.reduction, variant, most).ok()?))
-        })
+        near.filter_map(move |(variant, _)| Some((variant, all.part(task, self.reduction, variant, most).ok()?)))
     }
 }
 

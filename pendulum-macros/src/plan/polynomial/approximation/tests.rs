@@ -4,9 +4,9 @@ use super::super::Polynomial;
 use super::*;
 use crate::chebyshev::value;
 use crate::parse::Float;
-use crate::plan::aim::Task;
 use crate::plan::form::Form;
 use crate::plan::reduction::Reduction;
+use crate::plan::task::Task;
 use crate::plan::tests::scene;
 
 pub(in super::super) const PLAIN: Form = Form::Powers { shift: 0.0 };

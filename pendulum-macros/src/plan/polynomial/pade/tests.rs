@@ -1,6 +1,6 @@
 use super::*;
-use crate::plan::aim::Task;
 use crate::plan::curve::Curve;
+use crate::plan::task::Task;
 use crate::plan::tests::scene;
 
 /// The curves of an output, and their series.
