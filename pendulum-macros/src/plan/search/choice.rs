@@ -2,7 +2,7 @@
 
 use crate::plan::part::observed;
 use crate::plan::reduction::Reduction;
-use crate::scene::{Goal, Scene};
+use crate::scene::Goal;
 
 /// The part of 2⁻⁴⁹ (2⁻²⁰), half of which is promised to be the most that is observed, that had better be the most that
 /// is expected to be: who asks for full precision wants that promise kept, rather than the last twentieth of the cost.
@@ -43,21 +43,23 @@ impl Room {
     }
 }
 
-/// The part of its limits that a plan had better keep.
-pub(super) fn comfortable(scene: &Scene, reduction: &Reduction) -> f64 {
-    limits(scene, reduction)[0]
+/// Parts of its limits.
+#[derive(Clone, Copy)]
+pub(super) struct Limits {
+    /// What a plan had better keep.
+    pub(super) comfortable: f64,
+    /// What it does not exceed if there is another.
+    pub(super) tolerable: f64,
 }
 
-/// The part of its limits that a plan does not exceed if there is another.
-pub(super) fn tolerable(scene: &Scene, reduction: &Reduction) -> f64 {
-    limits(scene, reduction)[1]
-}
-
-fn limits(scene: &Scene, reduction: &Reduction) -> [f64; 2] {
-    match scene.goal {
-        Goal::Full if reduction.is_time() => [TOLERABLE / OBSERVED_FOR_A_MOMENT; 2],
-        Goal::Full => [COMFORTABLE, TOLERABLE].map(|expected| expected / observed(reduction.float)),
-        _ => [1.0; 2],
+impl Limits {
+    pub(super) fn of(goal: Goal, reduction: &Reduction) -> Self {
+        let [comfortable, tolerable] = match goal {
+            Goal::Full if reduction.is_time() => [TOLERABLE / OBSERVED_FOR_A_MOMENT; 2],
+            Goal::Full => [COMFORTABLE, TOLERABLE].map(|expected| expected / observed(reduction.float)),
+            _ => [1.0; 2],
+        };
+        Self { comfortable, tolerable }
     }
 }
 
@@ -80,8 +82,7 @@ impl<T> Choice<T> {
     }
 
     /// The share of its limit that one of that cost may have to be taken: with more it may as well not be looked at.
-    pub(super) fn most(&self, scene: &Scene, reduction: &Reduction, cost: f64) -> f64 {
-        let [comfortable, tolerable] = limits(scene, reduction);
+    pub(super) fn most(&self, Limits { comfortable, tolerable }: Limits, cost: f64) -> f64 {
         match &self.best {
             None => f64::INFINITY,
             Some(best) if best.room == Room::Little => best.share,
@@ -92,11 +93,13 @@ impl<T> Choice<T> {
 
     /// The cheapest that is comfortable, unless the cheapest that is tolerable costs less by a twentieth; where none is,
     /// that with the most room.
-    pub(super) fn offer(&mut self, scene: &Scene, reduction: &Reduction, cost: f64, share: f64, way: T) {
-        let room = match limits(scene, reduction) {
-            [comfortable, _] if share <= comfortable => Room::Comfortable,
-            [_, tolerable] if share <= tolerable => Room::Tolerable,
-            _ => Room::Little,
+    pub(super) fn offer(&mut self, limits: Limits, cost: f64, share: f64, way: T) {
+        let room = if share <= limits.comfortable {
+            Room::Comfortable
+        } else if share <= limits.tolerable {
+            Room::Tolerable
+        } else {
+            Room::Little
         };
         let better = self.best.as_ref().is_none_or(|best| match (room, best.room) {
             (Room::Little, Room::Little) => share < best.share,
@@ -126,14 +129,14 @@ mod tests {
         let chosen = |goal: &str, found: &[(f64, f64, f64)]| {
             let scene = scene(&format!("struct Motion; theta0 = 2{goal}"));
             let prospect = Prospect::new(&scene, tasks(&scene).remove(0));
-            let reduction = &prospect.reductions[0];
+            let limits = Limits::of(scene.goal, &prospect.reductions[0]);
             let mut choice = Choice::new();
             for (index, &(estimate, cost, share)) in found.iter().enumerate() {
                 if choice.is_made(estimate) {
                     break;
                 }
-                if share <= choice.most(&scene, reduction, estimate) {
-                    choice.offer(&scene, reduction, cost, share, index);
+                if share <= choice.most(limits, estimate) {
+                    choice.offer(limits, cost, share, index);
                 }
             }
             choice.made()

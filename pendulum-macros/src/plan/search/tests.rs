@@ -1,7 +1,10 @@
 //! In which order ways are tried, and which is taken.
 
+use super::candidate::Way;
 use super::choice::DEARER;
 use super::*;
+use crate::plan::part::observed;
+use crate::plan::reduction::Origin;
 use crate::plan::tests::scene;
 use crate::plan::{Bound, kernel};
 
@@ -38,7 +41,9 @@ fn estimated_costs() {
         for candidate in candidates(&scene, &prospects) {
             assert!(candidate.cost >= before, "{text}: {}", candidate.describe());
             before = candidate.cost;
-            let Ok(outputs) = candidate.outputs(&scene, tolerable(&scene, candidate.reduction)) else { continue };
+            let Ok(outputs) = candidate.outputs(&scene, Limits::of(scene.goal, candidate.reduction).tolerable) else {
+                continue;
+            };
             let plan = joined(candidate.reduction, outputs.parts);
             let ratio = candidate.cost / plan.functions[0].program.cost();
             // A term more or less of the few of a piece makes a difference.

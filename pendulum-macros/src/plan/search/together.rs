@@ -1,6 +1,8 @@
 //! θ and its velocity in one function, `state`.
 
-use super::{Candidate, Prospect};
+use super::candidate::{Candidate, more};
+use super::choice::Limits;
+use super::prospect::Prospect;
 use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::form::Variant;
@@ -30,7 +32,7 @@ impl Candidate<'_> {
         let [name, of_other] =
             [first, other].map(|variant| format!("{} for `{}`: ", variant.describe(parity), Output::Velocity.word()));
         rejected.retain(|line| !line.starts_with(&of_other));
-        rejected.push(format!("{name}beside `{}` it {}", Output::Theta.word(), super::more(before - less)));
+        rejected.push(format!("{name}beside `{}` it {}", Output::Theta.word(), more(before - less)));
         parts[velocity] = part;
         parts
     }
@@ -50,7 +52,7 @@ impl Candidate<'_> {
         let variants = all.variants(self.reduction);
         let cost = variants.iter().find(|(variant, _)| *variant == first).map_or(0.0, |(_, cost)| *cost);
         let near = variants.into_iter().filter(move |&(variant, other)| variant != first && other <= cost + SHARED);
-        let most = super::comfortable(scene, self.reduction);
+        let most = Limits::of(scene.goal, self.reduction).comfortable;
         near.filter_map(move |(variant, _)| Some((variant, all.part(task, self.reduction, variant, most).ok()?)))
     }
 }

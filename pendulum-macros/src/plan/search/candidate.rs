@@ -1,0 +1,194 @@
+//! One way of computing all outputs: a reduction, and polynomials, pieces or the passage.
+
+use super::Prospect;
+use super::choice::{Choice, Limits};
+use crate::parse::Float;
+use crate::plan::Part;
+use crate::plan::curve::Curve;
+use crate::plan::form::Variant;
+use crate::plan::part::{Approximations, observed};
+use crate::plan::reduction::{Origin, Reduction};
+use crate::scene::{Goal, Scene};
+use crate::series::Parity;
+use std::rc::Rc;
+
+/// What polynomials are asked for: an output, by its number, that takes at most such a part of its limit.
+#[derive(PartialEq)]
+pub(super) struct Asked {
+    pub(super) output: usize,
+    pub(super) reduction: Reduction,
+    pub(super) most: f64,
+}
+
+/// A variant, what it is estimated to cost, and what it can promise if that was looked at.
+struct Tried {
+    variant: Variant,
+    cost: f64,
+    reached: Option<f64>,
+}
+
+/// A part and what it costs, or what was reached, and why others lost.
+pub(super) struct Found {
+    pub(super) part: Result<(Part, f64), f64>,
+    pub(super) rejected: Vec<String>,
+}
+
+/// The outputs of a candidate, what they cost more than was estimated, and why other forms of them lost.
+pub(super) struct Outputs {
+    pub(super) parts: Vec<Part>,
+    pub(super) more: f64,
+    pub(super) rejected: Vec<String>,
+}
+
+/// One way of computing all outputs.
+pub(super) struct Candidate<'a> {
+    pub(super) prospect: &'a Prospect,
+    pub(super) reduction: &'a Reduction,
+    pub(super) way: Way,
+    /// Estimated, at most by one term too low.
+    pub(super) cost: f64,
+}
+
+/// How the outputs follow from the phase.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Way {
+    /// Polynomials, each output by its cheapest variant.
+    Polynomials,
+    /// The passage through the lowest point.
+    Passage,
+    /// A polynomial for each of many parts, which are one of those of the prospect.
+    Pieces(usize),
+}
+
+/// How much longer operations of a passage take than those of polynomials: measured in loops over arrays, without and
+/// with AVX2.
+pub(super) fn waiting(float: Float) -> f64 {
+    match float {
+        Float::F64 => 1.45,
+        Float::F32 => 2.1,
+    }
+}
+
+impl Candidate<'_> {
+    /// After how many others it is looked at: many pieces, of which the table is large, only where fewer don't serve; and
+    /// who asks for a polynomial gets one for each of many parts only where one alone doesn't.
+    pub(super) fn resort(&self, scene: &Scene) -> usize {
+        match self.way {
+            Way::Pieces(index) => index + usize::from(scene.method.is_some()),
+            _ => 0,
+        }
+    }
+
+    /// Whether it is for where no other serves: at full precision the angle of a rotation is to be as good as it can be where
+    /// it is small, if another output can be had from there.
+    pub(super) fn is_late(&self, scene: &Scene) -> bool {
+        let angle = scene.outputs.iter().any(|output| output.is_angle());
+        let turning = self.prospect.task.turning && scene.goal == Goal::Full && angle;
+        turning && self.reduction.origin != Origin::Lowest
+    }
+
+    /// For the reader of the docs.
+    pub(super) fn describe(&self) -> String {
+        let kernel = match self.way {
+            Way::Polynomials => "polynomials",
+            Way::Passage => "the passage through the lowest point",
+            Way::Pieces(_) => "pieces",
+        };
+        format!("{kernel}, phase by {}", self.reduction.describe())
+    }
+
+    /// Whether it goes the same way as another, with a phase from the same origin in the same unit that is no better.
+    pub(super) fn is_no_finer(&self, other: &Self) -> bool {
+        let errors = |reduction: &Reduction| {
+            let met = if reduction.grows() { 1.0 / observed(reduction.float) } else { 1.0 };
+            let &Reduction { error, relative_error, seldom, .. } = reduction;
+            [error, relative_error, met * error - seldom, met * relative_error]
+        };
+        let kind = |of: &Self| (std::ptr::from_ref(of.prospect), of.way, of.reduction.origin, of.reduction.unit.hi);
+        let [own, others] = [self, other].map(|of| errors(of.reduction));
+        kind(self) == kind(other) && own.iter().zip(others).all(|(own, other)| *own >= other)
+    }
+
+    /// The outputs, each of which takes at most a part of the limit of it, or what was reached.
+    pub(super) fn outputs(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
+        let Prospect { task, approximations, pieces, .. } = self.prospect;
+        if let Way::Pieces(index) = self.way {
+            let parts = pieces[index].parts(task, self.reduction, most)?;
+            return Ok(Outputs { parts, more: 0.0, rejected: Vec::new() });
+        }
+        let (mut parts, mut more, mut rejected) = (Vec::new(), 0.0, Vec::new());
+        for (output, all) in approximations.iter().enumerate() {
+            let passage = || {
+                let part = all.aim.passage_part(task, &all.drafts, self.reduction, most)?;
+                Ok((part, waiting(scene.float) * all.aim.passage_estimate()))
+            };
+            let mut polynomials = || {
+                let asked = Asked { output, reduction: self.reduction.clone(), most };
+                let found = self.prospect.found.get(asked, || Rc::new(self.polynomials(scene, all, most)));
+                rejected.extend_from_slice(&found.rejected);
+                found.part.clone()
+            };
+            // What one way can't promise of an output the other may; of all of them it is a candidate of its own.
+            let mixed = task.aims.len() > 1;
+            let (part, cost) = match self.way {
+                Way::Passage if mixed => passage().or_else(|reached| polynomials().map_err(|other| other.min(reached))),
+                Way::Passage => passage(),
+                _ if mixed => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
+                _ => polynomials(),
+            }?;
+            parts.push(part);
+            more += cost - self.estimate(scene, all);
+        }
+        Ok(Outputs { parts, more, rejected })
+    }
+
+    /// What an output was estimated to cost.
+    fn estimate(&self, scene: &Scene, all: &Approximations) -> f64 {
+        match self.way {
+            Way::Passage => waiting(scene.float) * all.aim.passage_estimate(),
+            _ => all.variants(self.reduction).first().map_or(0.0, |&(_, cost)| cost),
+        }
+    }
+
+    /// The output's variant that is taken of those that keep the promise, or what was reached. Those that lost, and the
+    /// next, are described.
+    fn polynomials(&self, scene: &Scene, all: &Approximations, most: f64) -> Found {
+        let limits = Limits::of(scene.goal, self.reduction);
+        let mut choice = Choice::new();
+        let mut tried = Vec::new();
+        for (index, (variant, cost)) in all.variants(self.reduction).into_iter().enumerate() {
+            if choice.is_made(cost) {
+                tried.push(Tried { variant, cost, reached: None });
+                break;
+            }
+            let most = most.min(choice.most(limits, cost));
+            let found = all.part(&self.prospect.task, self.reduction, variant, most);
+            let reached = found.as_ref().map_or_else(|&reached| reached, Part::error);
+            let real = |part: &Part| all.cost_of(part, self.reduction, variant).max(cost);
+            let cost = found.as_ref().map_or(cost, real);
+            tried.push(Tried { variant, cost, reached: Some(reached) });
+            if let Ok(part) = found {
+                choice.offer(limits, cost, part.share, (index, (part, cost)));
+            }
+        }
+        let closest = tried.iter().filter_map(|one| one.reached).fold(f64::INFINITY, f64::min);
+        let (chosen, part) = choice.made().map_or((None, Err(closest)), |(index, part)| (Some(index), Ok(part)));
+        let error = part.as_ref().map_or(0.0, |(part, _)| part.error());
+        let least = chosen.map(|index| tried[index].cost);
+        let why = |one: &Tried| match (one.reached, least) {
+            (Some(reached), _) if reached.is_infinite() => None,
+            (Some(reached), _) if reached >= error => Some(format!("can promise only {reached:.1e}")),
+            (_, least) => least.map(|least| more(one.cost - least)),
+        };
+        let (word, parity) = (all.aim.output.word(), all.aim.curves.first().map_or(Parity::Even, Curve::parity));
+        let line = |one: &Tried| Some(format!("{} for `{word}`: it {}", one.variant.describe(parity), why(one)?));
+        let lost = tried.iter().enumerate().filter(|&(index, _)| chosen != Some(index));
+        let rejected = lost.filter_map(|(_, one)| line(one)).collect();
+        Found { part, rejected }
+    }
+}
+
+/// For the reader: what costs so many additions more.
+pub(super) fn more(additions: f64) -> String {
+    if additions < 0.05 { "costs no less".to_owned() } else { format!("costs about {additions:.1} additions more") }
+}
