@@ -75,6 +75,7 @@ fn every_row_keeps_the_promise() {
         let entry = worst.entry((format!("{:?}, {kind}", p.regime()), decade(periods))).or_default();
         *entry = (entry.0.max(theta), entry.1.max(velocity), entry.2 + 1);
     }
+    assert!(worst.len() > 20, "{} decades of regimes", worst.len());
     println!("worst error in units of the promise (2^-50 of |theta0|, or of max(|theta|, 1) when launched)");
     println!("{:22} {:>15} {:>8} {:>9} {:>6}", "regime", "periods", "theta", "velocity", "rows");
     for ((regime, decade), (theta, velocity, rows)) in worst {

@@ -1,4 +1,4 @@
-//! Chebyshev series on [−1, 1] in double-double arithmetic: sampling, truncation, conversion to powers.
+//! Chebyshev series on [−1, 1] in double-double arithmetic: sampling, and conversion to powers.
 
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
@@ -26,6 +26,11 @@ impl CosineTable {
     /// The points cos(π(2i + 1)/(2m)).
     pub(crate) fn points(&self) -> impl Iterator<Item = Double> + '_ {
         (0..self.m).map(|i| self.get(2 * i + 1))
+    }
+
+    /// The coefficients of the interpolant of a function on [−1, 1].
+    pub(crate) fn interpolant(&self, function: impl Fn(Double) -> Double) -> Vec<Double> {
+        self.coefficients(&self.points().map(function).collect::<Vec<_>>())
     }
 
     /// The coefficients of the interpolant through `values` at [`Self::points`] (the zeroth one whole, not doubled).

@@ -209,25 +209,27 @@ impl Real {
 
     /// The nearest `f64`, ties to even, subnormals included.
     pub(crate) fn to_f64(&self) -> f64 {
-        let tiny = self.context().power_of_two(-1022);
-        if self.abs() < tiny {
-            // Rounded as an integer multiple of 2⁻¹⁰⁷⁴: the library rounds subnormals to zero too early.
-            let units = self.scale(1074).abs().0.to_int().value();
-            let magnitude = f64::from_bits(u64::try_from(units).unwrap_or(0));
-            return if self.is_negative() { -magnitude } else { magnitude };
+        match self.subnormal(-1022, 1074) {
+            Some(units) if self.is_negative() => -f64::from_bits(units),
+            Some(units) => f64::from_bits(units),
+            None => self.0.to_f64().value(),
         }
-        self.0.to_f64().value()
     }
 
     /// The nearest `f32`, ties to even, subnormals included.
     pub(crate) fn to_f32(&self) -> f32 {
-        let tiny = self.context().power_of_two(-126);
-        if self.abs() < tiny {
-            let units = self.scale(149).abs().0.to_int().value();
-            let magnitude = f32::from_bits(u32::try_from(units).unwrap_or(0));
-            return if self.is_negative() { -magnitude } else { magnitude };
+        match self.subnormal(-126, 149) {
+            Some(units) if self.is_negative() => -f32::from_bits(units as u32),
+            Some(units) => f32::from_bits(units as u32),
+            None => self.0.to_f32().value(),
         }
-        self.0.to_f32().value()
+    }
+
+    /// The magnitude below the smallest normal power of two, in units of the last place of subnormals: the library rounds
+    /// these to zero too early.
+    fn subnormal(&self, smallest: i64, places: i64) -> Option<u64> {
+        let is_subnormal = self.abs() < self.context().power_of_two(smallest);
+        is_subnormal.then(|| u64::try_from(self.scale(places).abs().0.to_int().value()).unwrap_or(0))
     }
 
     /// Rounded to two `f64` words.

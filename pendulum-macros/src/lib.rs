@@ -46,7 +46,7 @@ fn split_root(input: TokenStream) -> (TokenStream, TokenStream) {
 fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     let mut report = Report::default();
     let request = parse::parse(parameters, &mut report);
-    let shape = request.as_ref().map(|request| (request.form.clone(), request.float()));
+    let shape = request.as_ref().map(|request| (request.shape.clone(), request.float()));
     let scene = request.and_then(|request| check::check(request, &mut report));
     let planned = scene.and_then(|scene| {
         let plan = plan::plan(&scene).map_err(|refusal| report.add(refusal.explain(&scene))).ok()?;

@@ -2,13 +2,13 @@
 
 use crate::exact::Real;
 use crate::motion::Motion;
-use crate::parse::{Float, Form, Method, Output};
+use crate::parse::{Float, Method, Output, Shape};
 use proc_macro2::TokenStream;
 
 /// A request that makes sense: the input of the planner.
 #[derive(Clone)]
 pub(crate) struct Scene {
-    pub(crate) form: Form,
+    pub(crate) shape: Shape,
     /// The parameters as written, for the generated documentation.
     pub(crate) source: String,
     pub(crate) motion: Motion,

@@ -49,11 +49,8 @@ impl Wave {
     pub(crate) fn swing(swing: &Swing, order: i32, scale: Double) -> Self {
         let nome = swing.elliptic.nome.to_double();
         let root = swing.elliptic.nome.sqrt().to_double();
-        let envelope = Envelope {
-            size: 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order),
-            power: order - 1,
-            rate: decay(&swing.elliptic) / 2.0,
-        };
+        let size = 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order);
+        let envelope = Envelope::of(&swing.elliptic, size, order - 1);
         let mut power = root; // q^(m/2)
         let terms = (1..).step_by(2).map(|m: u32| {
             let odd = m % 4 == 3;
@@ -74,7 +71,7 @@ impl Wave {
         let mut power = swing.elliptic.nome.sqrt().to_double();
         let front = Double::PI * 2.0 / swing.elliptic.quarter.to_double();
         let growth = 1.0 / (1.0 - nome.hi);
-        let envelope = Envelope { size: front.hi * growth, power: 0, rate: decay(&swing.elliptic) / 2.0 };
+        let envelope = Envelope::of(&swing.elliptic, front.hi * growth, 0);
         let terms = (1..).step_by(2).map(|m: u32| {
             let size = front * power / (Double::ONE - power * power);
             power = power * nome;
@@ -88,7 +85,7 @@ impl Wave {
         let nome = swing.elliptic.nome.to_double();
         let mut power = nome;
         let front = Double::PI / (swing.elliptic.quarter.to_double() * 2.0);
-        let envelope = Envelope { size: front.hi * 4.0, power: 0, rate: decay(&swing.elliptic) / 2.0 };
+        let envelope = Envelope::of(&swing.elliptic, front.hi * 4.0, 0);
         let terms = (1..).map(|n: u32| {
             let size = front * power * 4.0 / (Double::ONE + power * power);
             power = power * nome;
@@ -101,11 +98,8 @@ impl Wave {
     /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `scale` times.
     pub(crate) fn rotation(rotation: &Rotation, order: i32, scale: Double) -> Self {
         let nome = rotation.elliptic.nome.to_double();
-        let envelope = Envelope {
-            size: 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order),
-            power: order - 1,
-            rate: decay(&rotation.elliptic) / 2.0,
-        };
+        let size = 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order);
+        let envelope = Envelope::of(&rotation.elliptic, size, order - 1);
         let mut power = nome;
         let terms = (1..).map(|n: u32| {
             let size = power * 4.0 / (Double::ONE + power * power) / f64::from(n) * scale;
@@ -161,7 +155,7 @@ impl Wave {
         let nome = elliptic.nome.to_double();
         let mut power = elliptic.nome.sqrt().to_double();
         let front = Double::PI * 2.0 / (&elliptic.modulus * &elliptic.quarter).to_double();
-        let envelope = Envelope { size: front.hi / (1.0 - nome.hi), power: 0, rate: decay(elliptic) / 2.0 };
+        let envelope = Envelope::of(elliptic, front.hi / (1.0 - nome.hi), 0);
         let terms = (1..).step_by(2).map(|m: u32| {
             let square = power * power;
             let size = front * power / if parity == Parity::Even { Double::ONE - square } else { Double::ONE + square };
@@ -257,11 +251,8 @@ impl Wave {
     /// The value at the phase s in one word: wrong by less than 10⁻¹¹ of the terms' sum.
     pub(crate) fn roughly(&self, s: f64) -> f64 {
         let angle = std::f64::consts::PI * s;
-        let ((sine, cosine), (turn_sine, turn)) = (
-            libm::sincos(f64::from(self.terms.first().map_or(1, |term| term.0)) * angle),
-            libm::sincos(f64::from(STEP) * angle),
-        );
-        let (mut cosine, mut sine) = (cosine, sine);
+        let (mut sine, mut cosine) = libm::sincos(f64::from(self.terms.first().map_or(1, |term| term.0)) * angle);
+        let (turn_sine, turn) = libm::sincos(f64::from(STEP) * angle);
         let mut sum = self.constant.hi + self.linear.hi * s;
         for &(_, amplitude) in &self.terms {
             sum += amplitude.hi * if self.parity == Parity::Even { cosine } else { sine };
@@ -320,12 +311,13 @@ impl Wave {
     }
 }
 
-/// πK′/K: the nome's logarithm.
-fn decay(elliptic: &Elliptic) -> f64 {
-    std::f64::consts::PI * (&elliptic.quarter_complementary / &elliptic.quarter).to_f64()
-}
-
 impl Envelope {
+    /// Of powers of q^½, q = exp(−πK′/K).
+    fn of(elliptic: &Elliptic, size: f64, power: i32) -> Self {
+        let decay = std::f64::consts::PI * (&elliptic.quarter_complementary / &elliptic.quarter).to_f64();
+        Self { size, power, rate: decay / 2.0 }
+    }
+
     /// Bounds Σ |aₘ| exp(growth·m) over m = first, first + STEP, …
     fn tail(self, first: u32, growth: f64) -> f64 {
         let rate = self.rate - growth;

@@ -11,7 +11,7 @@ mod turns;
 use crate::exact::{Context, Real};
 use crate::motion::Motion;
 use crate::parse::number::Number;
-use crate::parse::{Form, Given, Keyword, Output, Request, source};
+use crate::parse::{Given, Keyword, Output, Request, Shape, source};
 use crate::report::Report;
 use crate::scene::{Blame, Goal, Scene};
 use quote::ToTokens;
@@ -43,7 +43,7 @@ pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
         _ => return None,
     };
     let (source, blame, float) = (source::of(&request), blame(&request), request.float());
-    Some(Scene { source, motion, float, goal, method, t_max, outputs, blame, form: request.form })
+    Some(Scene { source, motion, float, goal, method, t_max, outputs, blame, shape: request.shape })
 }
 
 fn blame(request: &Request) -> Blame {
@@ -92,7 +92,7 @@ impl Checker<'_> {
         let Some(given) = &self.request.outputs else { return Ok(vec![Output::Theta]) };
         let outputs: Vec<Output> = Output::ALL.iter().copied().filter(|output| given.value.contains(output)).collect();
         self.served_by_method(motion, given)?;
-        if let (Form::Expression, [first, second, ..]) = (&self.request.form, given.value.as_slice()) {
+        if let (Shape::Expression, [first, second, ..]) = (&self.request.shape, given.value.as_slice()) {
             let message = format!(
                 "the expression form is one function, of one output: use the item form, `struct Name; …`, for `{}` beside \
                  `{}`",

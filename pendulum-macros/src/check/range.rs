@@ -10,8 +10,6 @@ use crate::parse::{Float, Given, Output};
 const SMALLEST_AMPLITUDE: f64 = 1e-300;
 const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
 
-const LONGEST_PERIOD: f64 = 1e280;
-
 impl Checker<'_> {
     pub(super) fn representable_motion(&mut self, motion: &Motion) -> Checked<()> {
         match &motion.regime {
@@ -32,10 +30,11 @@ impl Checker<'_> {
     /// Refuses periods whose inverse isn't the sum of a few normal numbers.
     fn has_words(&mut self, period: &Real) -> Checked<()> {
         let request = self.request;
+        let longest = *Float::F64.moderate().end();
         match request.omega.as_ref().or(request.length.as_ref()).or(request.velocity0.as_ref()) {
-            Some(given) if period.to_f64() > LONGEST_PERIOD => {
+            Some(given) if period.to_f64() > longest => {
                 let message = format!(
-                    "`{given}` makes a period of {:e}, above {LONGEST_PERIOD:e}, where rates lose digits to underflow: count time in a \
+                    "`{given}` makes a period of {:e}, above {longest:e}, where rates lose digits to underflow: count time in a \
                      larger unit",
                     period.to_f64()
                 );

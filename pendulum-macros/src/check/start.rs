@@ -5,7 +5,7 @@ use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{Motion, NoMotion};
 use crate::parse::number::Number;
-use crate::parse::{Form, Given};
+use crate::parse::{Given, Shape};
 
 impl Checker<'_> {
     /// The motion, at a working precision that outlasts every cancellation in it.
@@ -51,9 +51,9 @@ impl Checker<'_> {
         }
         let message =
             "`theta0` is missing: give the release angle, such as `theta0 = 7π/8`, or `velocity0` to start in motion";
-        match &self.request.form {
-            Form::Item(item) => self.report.on(&item.name, message),
-            Form::Expression => self.report.at(proc_macro2::Span::call_site(), message),
+        match &self.request.shape {
+            Shape::Item(item) => self.report.on(&item.name, message),
+            Shape::Expression => self.report.at(proc_macro2::Span::call_site(), message),
         }
         Err(Reported)
     }

@@ -3,14 +3,14 @@
 use super::outputs::Wording;
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime};
-use crate::parse::Form;
+use crate::parse::Shape;
 use crate::plan::{Function, Part, Plan};
 use crate::scene::{Goal, Scene};
 
 /// The lines of the item's documentation: inputs, constants, plan, bounds.
 pub(super) fn motion(scene: &Scene, plan: &Plan) -> Vec<String> {
     let mut lines = Vec::new();
-    if matches!(&scene.form, Form::Item(item) if item.attributes.iter().any(|a| a.path().is_ident("doc"))) {
+    if matches!(&scene.shape, Shape::Item(item) if item.attributes.iter().any(|a| a.path().is_ident("doc"))) {
         lines.push(String::new());
     }
     lines.push(format!("The motion of a pendulum, θ̈ + ω² sin θ = 0, for `{}`.", scene.source));

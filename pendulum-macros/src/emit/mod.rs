@@ -9,7 +9,7 @@ mod stub;
 
 pub(crate) use stub::stub;
 
-use crate::parse::{Form, Item};
+use crate::parse::{Item, Shape};
 use crate::plan::{Function, Plan};
 use crate::scene::Scene;
 use proc_macro2::TokenStream;
@@ -19,9 +19,9 @@ use syn::Attribute;
 /// The expansion: an expression that is a fn item, or a unit struct with its constants and functions. `root` is the
 /// path of the crate `pendula`, as its user knows it.
 pub(crate) fn emit(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStream {
-    match &scene.form {
-        Form::Expression => expression(scene, plan, root),
-        Form::Item(item) => structure(scene, plan, item, root),
+    match &scene.shape {
+        Shape::Expression => expression(scene, plan, root),
+        Shape::Item(item) => structure(scene, plan, item, root),
     }
 }
 

@@ -3,15 +3,15 @@
 use super::constants::OF_MOTION;
 use super::outputs::Wording;
 use super::{allowed, conditions};
-use crate::parse::{Float, Form, Item, Keyword, Output};
+use crate::parse::{Float, Item, Keyword, Output, Shape};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The errors, and an item of the shape that was asked for.
-pub(crate) fn stub(shape: Option<(Form, Float)>, errors: &[TokenStream]) -> TokenStream {
+pub(crate) fn stub(shape: Option<(Shape, Float)>, errors: &[TokenStream]) -> TokenStream {
     match shape {
-        Some((Form::Item(item), float)) => structure(&item, float, errors),
-        Some((Form::Expression, _)) | None => anywhere(errors),
+        Some((Shape::Item(item), float)) => structure(&item, float, errors),
+        Some((Shape::Expression, _)) | None => anywhere(errors),
     }
 }
 

@@ -21,7 +21,7 @@ use value::{count, number, outputs, word};
 
 /// One invocation of `pendulum!`.
 pub(crate) struct Request {
-    pub(crate) form: Form,
+    pub(crate) shape: Shape,
     pub(crate) theta0: Option<Given<Number>>,
     pub(crate) velocity0: Option<Given<Number>>,
     pub(crate) omega: Option<Given<Number>>,
@@ -40,7 +40,7 @@ pub(crate) struct Request {
 
 /// What the invocation expands to.
 #[derive(Clone)]
-pub(crate) enum Form {
+pub(crate) enum Shape {
     /// A zero-sized fn item.
     Expression,
     /// `#[…] vis struct Name;`
@@ -55,20 +55,20 @@ pub(crate) struct Item {
     pub(crate) name: Ident,
 }
 
-/// Parses one invocation, recording every mistake; `None` where not even the form could be told.
+/// Parses one invocation, recording every mistake; `None` where not even the shape could be told.
 pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request> {
     if let Some(error) = depth::too_deep(&tokens) {
         report.add(error);
         return None;
     }
     let parsed = (|input: ParseStream| {
-        let form = form(input)?;
-        Ok((form, input.parse::<TokenStream>()?))
+        let shape = shape(input)?;
+        Ok((shape, input.parse::<TokenStream>()?))
     })
     .parse2(tokens);
-    let (form, parameters) = report.take(parsed)?;
+    let (shape, parameters) = report.take(parsed)?;
     let mut request = Request {
-        form,
+        shape,
         theta0: None,
         velocity0: None,
         omega: None,
@@ -91,12 +91,12 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
 }
 
 /// `#[…] vis struct Name;` or nothing.
-fn form(input: ParseStream) -> Result<Form> {
+fn shape(input: ParseStream) -> Result<Shape> {
     let attributes = attributes(input)?;
     let visibility: Visibility = input.parse()?;
     let bare = attributes.is_empty() && matches!(visibility, Visibility::Inherited);
     if bare && !input.peek(Token![struct]) {
-        return header_without_struct(input).map_or(Ok(Form::Expression), Err);
+        return header_without_struct(input).map_or(Ok(Shape::Expression), Err);
     }
     if !input.peek(Token![struct]) {
         return Err(input.error("expected `struct Name;` after attributes or a visibility"));
@@ -110,7 +110,7 @@ fn form(input: ParseStream) -> Result<Form> {
         return Err(input.error("expected `;`: the struct is a unit struct, its parameters follow after the semicolon"));
     }
     input.parse::<Token![;]>()?;
-    Ok(Form::Item(Item { attributes, visibility, name }))
+    Ok(Shape::Item(Item { attributes, visibility, name }))
 }
 
 /// `#[…]`, any number of them.
@@ -308,10 +308,10 @@ mod tests {
     #[test]
     fn reads_both_forms() {
         let expression = request("θ0 = 7π/8, n = 4").unwrap();
-        assert!(matches!(expression.form, Form::Expression));
+        assert!(matches!(expression.shape, Shape::Expression));
         assert_eq!(expression.n.unwrap().value, 4);
         let item = request("/// Doc\n pub(crate) struct Clock; theta0 = 1, outputs = [theta, velocity],").unwrap();
-        let Form::Item(header) = item.form else { panic!("an item") };
+        let Shape::Item(header) = item.shape else { panic!("an item") };
         assert_eq!(header.name, "Clock");
         assert_eq!(header.attributes.len(), 1);
         assert_eq!(item.outputs.unwrap().value, [Output::Theta, Output::Velocity]);

@@ -2,7 +2,7 @@
 
 use super::arc::Arc;
 use super::curve::{Curve, Curves, Size};
-use super::passage::Passage;
+use super::passage;
 use super::reduction::Reduction;
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
@@ -84,8 +84,8 @@ impl Aim {
         self.truncation = self.floor();
     }
 
-    /// As [`Size::phase_error`] for a [`Passage`] kernel, which rounds w = phase·rate besides.
+    /// As [`Size::phase_error`] for a passage, which rounds w = phase·rate besides.
     pub(super) fn passage_error(&self, reduction: &Reduction) -> f64 {
-        self.size.phase_error(reduction) + self.size.moment * Passage::relative_error()
+        self.size.phase_error(reduction) + self.size.moment * passage::RELATIVE_ERROR
     }
 }

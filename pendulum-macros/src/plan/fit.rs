@@ -36,9 +36,7 @@ impl Fit {
         // which no plan needs, the error says what is left.
         let points = points_for(bound, rho, limit * 2f64.powi(-16)).clamp(4.0, 200.0) as usize;
         let error = interpolation_error(bound, rho, points);
-        let table = CosineTable::new(points);
-        let values: Vec<Double> = table.points().map(|u| function((u + Double::ONE) * (0.5 * end))).collect();
-        let series = table.coefficients(&values);
+        let series = CosineTable::new(points).interpolant(|u| function((u + Double::ONE) * (0.5 * end)));
         let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error;
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
         let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));

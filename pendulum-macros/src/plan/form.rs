@@ -10,9 +10,8 @@ use crate::series::Parity;
 pub(crate) enum Form {
     /// Powers of p + `shift`, of which blocks of four are adapted where that loses nothing ([`blocks`]): well conditioned
     /// about the middle of the interval or nearer to the end where the curve bends; without a shift an operation less.
-    Powers { shift: f64 },
-    /// The same with the largest terms added last: rounded less, and slower in calls one by one.
-    Careful { shift: f64 },
+    /// With the largest terms added last it is rounded less, and slower in calls one by one.
+    Powers { shift: f64, largest_last: bool },
     /// Powers of 8p − 1, likewise, as well conditioned: where powers of p, the square of a time, would overflow, or
     /// underflow.
     Normalised,
@@ -65,7 +64,7 @@ impl Variant {
     pub(crate) fn suits(self, terms: usize, float: Float) -> bool {
         let left = self.left(terms);
         // Adapted coefficients are for few operations, and poles may as well be under them.
-        let beside = left > 1 && matches!(self.form, Form::Powers { .. } | Form::Careful { .. });
+        let beside = left > 1 && matches!(self.form, Form::Powers { .. });
         (self.poles != Poles::Beside || beside) && self.form.suits(left, float)
     }
 
@@ -143,22 +142,22 @@ impl Form {
         Self::Adapted { chunk: 16 },
         Self::Adapted { chunk: 8 },
         Self::Adapted { chunk: 4 },
-        Self::Powers { shift: 0.0 },
-        Self::Powers { shift: -0.125 },
-        Self::Powers { shift: -0.15625 },
-        Self::Careful { shift: -0.125 },
-        Self::Careful { shift: -0.15625 },
+        Self::Powers { shift: 0.0, largest_last: false },
+        Self::Powers { shift: -0.125, largest_last: false },
+        Self::Powers { shift: -0.15625, largest_last: false },
+        Self::Powers { shift: -0.125, largest_last: true },
+        Self::Powers { shift: -0.15625, largest_last: true },
         Self::Normalised,
     ];
 
     /// What is added to p.
     pub(crate) fn shift(self) -> f64 {
-        if let Self::Powers { shift } | Self::Careful { shift } = self { shift } else { 0.0 }
+        if let Self::Powers { shift, .. } = self { shift } else { 0.0 }
     }
 
     /// Whether the largest terms are added last.
     pub(crate) fn largest_last(self) -> bool {
-        matches!(self, Self::Careful { .. } | Self::Normalised)
+        matches!(self, Self::Powers { largest_last: true, .. } | Self::Normalised)
     }
 
     /// Terms of a block.
@@ -171,7 +170,7 @@ impl Form {
     pub(crate) fn suits(self, terms: usize, float: Float) -> bool {
         match self {
             Self::Adapted { chunk } => chunk <= 4 || terms > chunk / 2,
-            Self::Powers { .. } | Self::Careful { .. } => float == Float::F64 || terms <= 16,
+            Self::Powers { .. } => float == Float::F64 || terms <= 16,
             Self::Normalised => true,
         }
     }
@@ -180,8 +179,8 @@ impl Form {
     /// few terms do without.
     pub(crate) fn variables(self, terms: usize) -> f64 {
         let variable = match self {
-            Self::Powers { shift: 0.0 } | Self::Adapted { chunk: ..=4 } => 0.0,
-            Self::Powers { .. } | Self::Careful { .. } | Self::Adapted { .. } => 1.0,
+            Self::Powers { shift: 0.0, .. } | Self::Adapted { chunk: ..=4 } => 0.0,
+            Self::Powers { .. } | Self::Adapted { .. } => 1.0,
             Self::Normalised => 2.0,
         };
         variable + if terms < blocks::LEAST { 0.0 } else { 1.0 }
@@ -209,10 +208,10 @@ impl Form {
         let square = square(parity);
         let neither = parity == Parity::Neither;
         match self {
-            Self::Powers { shift: 0.0 } | Self::Adapted { .. } => square.to_owned(),
-            Self::Powers { shift: -0.125 } | Self::Careful { shift: -0.125 } if neither => "s".to_owned(),
-            Self::Powers { shift } | Self::Careful { shift } if neither => format!("s − {}", -4.0 * shift - 0.5),
-            Self::Powers { shift } | Self::Careful { shift } => format!("s² − {}", -shift),
+            Self::Powers { shift: 0.0, .. } | Self::Adapted { .. } => square.to_owned(),
+            Self::Powers { shift: -0.125, .. } if neither => "s".to_owned(),
+            Self::Powers { shift, .. } if neither => format!("s − {}", -4.0 * shift - 0.5),
+            Self::Powers { shift, .. } => format!("s² − {}", -shift),
             Self::Normalised if neither => "2s".to_owned(),
             Self::Normalised => "8s² − 1".to_owned(),
         }
@@ -221,8 +220,8 @@ impl Form {
     /// How it is evaluated, for the reader.
     pub(crate) fn scheme(self) -> String {
         match self {
-            Self::Powers { .. } => ", by powers".to_owned(),
-            Self::Careful { .. } | Self::Normalised => ", the largest terms added last".to_owned(),
+            Self::Powers { largest_last: false, .. } => ", by powers".to_owned(),
+            Self::Powers { .. } | Self::Normalised => ", the largest terms added last".to_owned(),
             Self::Adapted { chunk } => format!(", adapted in blocks of {chunk}"),
         }
     }
@@ -245,7 +244,7 @@ mod tests {
         for form in Form::ALL {
             let suits = |&terms: &usize| Variant { form, poles: Poles::Beside }.suits(terms, Float::F32);
             let suited: Vec<usize> = (1..30).filter(suits).collect();
-            let powers = matches!(form, Form::Powers { .. } | Form::Careful { .. });
+            let powers = matches!(form, Form::Powers { .. });
             let expected: Vec<usize> = if powers { (4..=18).collect() } else { Vec::new() };
             assert_eq!(suited, expected, "{form:?}");
         }

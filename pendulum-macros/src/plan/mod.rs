@@ -33,7 +33,7 @@ pub(crate) mod variables;
 mod verify;
 
 use crate::exact::Real;
-use crate::motion::Regime;
+use crate::motion::{Regime, Swing};
 use crate::parse::{Method, Output};
 use crate::program::Program;
 use crate::scene::{Goal, Scene};
@@ -117,10 +117,10 @@ impl Function {
 pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
     let planned = cheapest(scene);
     let Err(Refusal::Unreachable { best }) = planned else { return planned };
-    let best = match scene.goal {
-        Goal::Terms(_) => return planned,
-        _ => offer::best(scene, best),
-    };
+    if matches!(scene.goal, Goal::Terms(_)) {
+        return planned;
+    }
+    let best = offer::best(scene, best);
     match scene.goal {
         // What keeps a finer promise keeps this one: pieces may serve the finer one only.
         Goal::Tolerance(tol) if best <= tol => cheapest(&scene.asking(best)),
@@ -129,21 +129,23 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
 }
 
 pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
-    let plan = match &scene.motion.regime {
-        Regime::Swing(swing) if is_of_paper(scene) => {
-            paper::plan(scene, swing, scene.method.unwrap_or(Method::Fourier))
-        }
-        _ => search::plan(scene),
+    let plan = match of_paper(scene) {
+        Some((swing, method)) => paper::plan(scene, swing, method),
+        None => search::plan(scene),
     }?;
     // What overflows where units are far from 1 is known by no bound if it precedes what is given to the analysis.
     let finite = plan.functions.iter().all(|function| function.program.is_finite());
     if finite { Ok(plan) } else { Err(Refusal::Unreachable { best: f64::INFINITY }) }
 }
 
-/// Whether it is to be planned by a method of the paper's, or the series of θ.
-fn is_of_paper(scene: &Scene) -> bool {
-    let forced = scene.method.is_some_and(|method| method != Method::Polynomial);
-    matches!(scene.motion.regime, Regime::Swing(_)) && (forced || matches!(scene.goal, Goal::Terms(_)))
+/// A swing to be planned by a method of the paper's, or the series of θ, and that.
+fn of_paper(scene: &Scene) -> Option<(&Swing, Method)> {
+    let Regime::Swing(swing) = &scene.motion.regime else { return None };
+    match scene.method {
+        Some(Method::Polynomial) => None,
+        None if matches!(scene.goal, Goal::Terms(_)) => Some((swing, Method::Fourier)),
+        method => Some((swing, method?)),
+    }
 }
 
 impl Plan {

@@ -30,7 +30,7 @@ impl Moments {
         let ratio = libm::pow(0.5 / first, 1.0 / f64::from(SLICES - 1));
         let end = |slice: i32| if slice == 0 { 0.0 } else { first * ratio.powi(slice - 1) };
         let speed = |z: f64| slope.roughly(0.5 - z).abs() * rate;
-        let mut moments = Self { angle: 0.0, velocity: 0.0, acceleration: 0.0 };
+        let mut moments = [0.0f64; 3];
         let mut before = fastest;
         for slice in 0..SLICES {
             let z = end(slice + 1).min(0.5);
@@ -39,15 +39,14 @@ impl Moments {
             let [high, low] = [slow.max(0.0), fast].map(|v| height(v, fastest));
             let sine = if low <= 1.0 && high >= 1.0 { 1.0 } else { sine(low).max(sine(high)) };
             let cosine = (1.0 - low).abs().max((1.0 - high).abs());
-            let steepest = [fast, sine, cosine * fast].map(|steepest| z * steepest / rate);
-            moments.angle = moments.angle.max(steepest[0]);
-            moments.velocity = moments.velocity.max(steepest[1]);
-            moments.acceleration = moments.acceleration.max(steepest[2]);
+            let steepest = [fast, sine, cosine * fast];
+            for (moment, steepest) in moments.iter_mut().zip(steepest) {
+                *moment = moment.max(z * steepest / rate);
+            }
             before = here;
         }
-        let inflated = |x: f64| x * (1.0 + 1e-9);
-        let Self { angle, velocity, acceleration } = moments;
-        Self { angle: inflated(angle), velocity: inflated(velocity), acceleration: inflated(acceleration) }
+        let [angle, velocity, acceleration] = moments.map(|moment| moment * (1.0 + 1e-9));
+        Self { angle, velocity, acceleration }
     }
 }
 

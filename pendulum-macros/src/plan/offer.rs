@@ -1,12 +1,12 @@
 //! The best tolerance that can be offered in place of one out of reach.
 
-use super::{Refusal, cheapest, is_of_paper, search};
+use super::{Refusal, cheapest, of_paper, search};
 use crate::parse::Method;
 use crate::scene::{Goal, Scene};
 
 /// The best that can be asked for, infinite if that isn't known, where the goal is refused with what was reached.
 pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
-    let least = if is_of_paper(scene) { f64::INFINITY } else { search::least_error(scene) };
+    let least = if of_paper(scene).is_some() { f64::INFINITY } else { search::least_error(scene) };
     let (best, full, tol) = match scene.goal {
         Goal::Tolerance(tol) => (reached.min(least), of_full_precision(scene), tol),
         // It is that of which `reached` tells.

@@ -27,7 +27,7 @@ pub(crate) struct Turning {
 }
 
 /// Below this, 2⁵², the number of turns is exact, halves of them included.
-const EXACT_TURNS: f64 = 4_503_599_627_370_496.0;
+const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 
 impl Turning {
     pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {

@@ -78,7 +78,7 @@ impl Variables {
         }
     }
 
-    /// From an anchor, with signs.
+    /// What every origin begins with: signs, one kernel, and no side.
     pub(crate) fn of_one_kernel([distance, square]: [Id; 2], unit: Double, source: Source, phase: Phase) -> Self {
         let Phase { magic, count, .. } = phase;
         let (magnitude, unlimited, side, alone, signs) = (distance, None, None, true, true);

@@ -9,7 +9,7 @@ use super::aim::Aim;
 use super::task::Task;
 use super::{Part, Plan};
 use crate::exact::Real;
-use crate::parse::{Float, Output};
+use crate::parse::Output;
 use crate::program::rounding::UNDERFLOW;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
@@ -29,7 +29,8 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
     let near = PROBES.map(|probe| (probe / (2.0 * task.rate.to_f64())).clamp(-horizon, horizon));
     let far = FAR_PROBES.map(|probe| probe * horizon);
     let probe = |t: f64| -> Option<Output> {
-        let t = within(scene.float.round(t), horizon, scene.float);
+        let most = scene.float.round_down(horizon);
+        let t = scene.float.round(t).clamp(-most, most);
         let phase = &task.rate * &context.float(t)? + &task.launch;
         let number = phase.round();
         let odd = !(number.scale(-1) - number.scale(-1).round()).is_zero();
@@ -46,15 +47,6 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
         task.aims.iter().zip(&plan.parts).zip(&plan.functions).find_map(broken).or_else(differs)
     };
     near.into_iter().chain(far).find_map(probe)
-}
-
-/// The time, or the next smaller one of the float where it was rounded up beyond the horizon.
-fn within(t: f64, horizon: f64, float: Float) -> f64 {
-    match float {
-        _ if t.abs() <= horizon => t,
-        Float::F64 => horizon.copysign(t),
-        Float::F32 => f64::from((t.abs() as f32).next_down()).copysign(t),
-    }
 }
 
 /// Whether the function of θ and velocity, if there is one, gives what the functions of either give, to the bit.

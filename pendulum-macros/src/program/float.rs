@@ -1,14 +1,15 @@
 //! What rounding depends on.
 
 use crate::parse::Float;
+use std::ops::RangeInclusive;
 
 impl Float {
     /// Adding this number rounds to an integer, held in the low bits of the sum: 1.5·2⁵² or 1.5·2²³, for magnitudes
     /// below a third of it.
     pub(crate) const fn magic(self) -> f64 {
         match self {
-            Self::F64 => 6_755_399_441_055_744.0,
-            Self::F32 => 12_582_912.0,
+            Self::F64 => (3_u64 << 51) as f64,
+            Self::F32 => (3_u64 << 22) as f64,
         }
     }
 
@@ -26,6 +27,15 @@ impl Float {
             Self::F64 => f64::MAX,
             Self::F32 => f32::MAX as f64,
         }
+    }
+
+    /// Numbers whose products with others of a plan, in two words or squared in part, neither over- nor underflow.
+    pub(crate) fn moderate(self) -> RangeInclusive<f64> {
+        let most = match self {
+            Self::F64 => 1e280,
+            Self::F32 => 1e30,
+        };
+        1.0 / most..=most
     }
 
     /// Significant bits.

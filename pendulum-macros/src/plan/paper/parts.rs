@@ -130,7 +130,7 @@ impl Sum {
         let base = |curve: &Curve| {
             let approximation = Approximation::entire(curve, precision / 16.0);
             let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
-            approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0 })
+            approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0, largest_last: false })
         };
         let one = scene.motion.omega.context().integer(1);
         let cosine = base(&Curve::cosine(&one));

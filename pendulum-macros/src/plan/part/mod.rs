@@ -1,4 +1,4 @@
-//! One output's kernel: by polynomials, by the passage through the lowest point or in pieces, the first that keeps the
+//! One output's kernel, by polynomials, by the passage through the lowest point or in pieces, and whether it keeps the
 //! promise.
 
 mod draft;

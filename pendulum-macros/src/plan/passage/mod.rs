@@ -95,6 +95,9 @@ enum Images {
 /// E below 2 to minus this is nothing beside the roundings of 1.
 const NEGLIGIBLE_BINADE: i32 = 24;
 
+/// What the rounding of w adds, relative to w: the rate's, and the product's.
+pub(super) const RELATIVE_ERROR: f64 = 2.001 * Float::F64.unit();
+
 impl Orbit {
     /// w = (πK/K′)·phase, in units of ln 2; `None` where q′ is too large.
     pub(crate) fn new(motion: &Motion, elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Self> {
@@ -258,11 +261,6 @@ impl Passage {
             rounding_given(program, &known.map(|(name, (low, high))| (name, Known::between(low, high))))
         };
         largest((0..=most).flat_map(slices).filter(is_met).map(bound), cap)
-    }
-
-    /// What the rounding of w adds, relative to w: the rate's, and the product's.
-    pub(crate) fn relative_error() -> f64 {
-        2.001 * Float::F64.unit()
     }
 }
 

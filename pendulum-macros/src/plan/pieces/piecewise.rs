@@ -42,10 +42,7 @@ impl Piecewise {
     pub(crate) fn new(curve: &Curve, pieces: usize, negligible: f64) -> Option<Self> {
         let Interpolation { points, error, .. } = enough_points(curve, pieces, negligible)?;
         let table = CosineTable::new(points);
-        let series = |index: usize| {
-            let values: Vec<Double> = table.points().map(|u| curve.at(phase(pieces, index, u))).collect();
-            table.coefficients(&values)
-        };
+        let series = |index: usize| table.interpolant(|u| curve.at(phase(pieces, index, u)));
         Some(Self {
             series: (0..=pieces / 2).map(series).collect(),
             error: error + curve.omitted() + lebesgue(points) * curve.rounding(),

@@ -20,7 +20,6 @@ use crate::plan::moebius::Moebius;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
-use std::ops::Range;
 use std::rc::Rc;
 
 /// More points than this take too long.
@@ -126,14 +125,12 @@ impl Approximation {
 
     fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, interpolation: &Interpolation) -> Self {
         let Interpolation { points, rho, error } = *interpolation;
-        let table = CosineTable::new(points);
         let sample = |u: Double| {
             let s = if curve.parity() == Parity::Neither { u * 0.5 } else { ((u + Double::ONE) * 0.125).sqrt() };
             let value = pole.map_or(Double::ONE, |pole| pole.at(u)) * curve.at(s);
             if curve.parity() == Parity::Odd { value / s } else { value }
         };
-        let values: Vec<Double> = table.points().map(sample).collect();
-        let mut series = table.coefficients(&values);
+        let mut series = CosineTable::new(points).interpolant(sample);
         // Terms that the sum omits change the value itself, which an error of the series does by half as much at most where
         // the curve is odd.
         let mut remainder =
@@ -194,8 +191,8 @@ impl Approximation {
         let supremum = || tail::supremum(coefficients, *first, self.pole, self.parity, reach, self.leeway.as_ref());
         let within = suprema.get(reach, supremum);
         let weight = self.weight(overshoot);
-        let at_end = within + self.leeway.as_ref().map_or(0.0, |leeway| leeway.spared(0));
-        (whole * weight).min(at_end * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
+        // At the end the curve is steepest, and nothing is spared.
+        (whole * weight).min(within * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
     }
 
     /// The series of so many terms. Where it is met as a whole, they make up for the others as well as they can; without
@@ -221,10 +218,9 @@ impl Approximation {
         Shortened::new(series, left, 0)
     }
 
-    /// What dropping these terms changes at most, whatever their signs.
-    fn without(&self, dropped: Range<usize>, overshoot: f64) -> f64 {
-        let term = |j: usize| self.series[j].hi.abs() * at_most_cosh(j as f64 * ellipse_of(overshoot));
-        dropped.map(term).sum::<f64>() * self.weight(overshoot)
+    /// What dropping a term changes at most.
+    fn without(&self, j: usize, overshoot: f64) -> f64 {
+        self.series[j].hi.abs() * at_most_cosh(j as f64 * ellipse_of(overshoot)) * self.weight(overshoot)
     }
 
     /// The error of the whole series.
@@ -261,7 +257,7 @@ impl Approximation {
                 break;
             }
             enough = Some(terms);
-            truncation += self.without(terms - 1..terms, overshoot);
+            truncation += self.without(terms - 1, overshoot);
         }
         // The magnitudes add up to more than what is left out, by little unless a part of the interval is, or others
         // make up for them.

@@ -93,25 +93,25 @@ impl Series {
 
     /// The poles, from these on, over which so many terms serve.
     fn polished(&self, pole: Pole, terms: usize, limit: f64) -> Option<Pole> {
-        let serves = |&pole: &Pole| self.serves(pole, terms, limit);
-        Some(pole).filter(serves).or_else(|| {
-            let polished = || polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref());
-            Some(()).filter(|()| self.is_polished(terms, limit)).and_then(|()| polished()).filter(serves)
-        })
+        if !self.can_be_polished(terms, limit) {
+            return None;
+        }
+        if self.serves(pole, terms, limit) {
+            return Some(pole);
+        }
+        let polished = polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref());
+        polished.filter(|&pole| self.serves(pole, terms, limit))
     }
 
     /// Whether one word is enough to make so many terms the best there are for an error.
-    fn is_polished(&self, terms: usize, limit: f64) -> bool {
+    fn can_be_polished(&self, terms: usize, limit: f64) -> bool {
         // Of a curve of about 1.
         const FINEST: f64 = 1e-12;
         terms >= 2 && limit >= FINEST * self.at(0, 0).abs()
     }
 
-    /// Whether so many terms over these poles are as near as that, where one word can tell.
+    /// Whether so many terms over these poles are as near as that.
     fn serves(&self, pole: Pole, terms: usize, limit: f64) -> bool {
-        if !self.is_polished(terms, limit) {
-            return false;
-        }
         let dropped: Vec<f64> = (terms..self.length(pole)).map(self.divided(pole)).collect();
         // Of what is left there will be a bound, and rounding.
         Corrections::new(&dropped, terms, Some(pole), self.parity, self.leeway.as_ref()).left <= 0.9 * limit

@@ -66,7 +66,7 @@ impl Truncated<'_> {
         Some(Polynomial { divided: Divided::Rest(pole, Remainder { powers: remainder, dispensable }), ..whole })
     }
 
-    /// The same by powers, which always are: of p if no other form is asked for.
+    /// The same by powers, without a numerator taken out of them.
     pub(crate) fn in_powers(&self, form: Form) -> Polynomial {
         self.over_poles(form, Numerator::One)
     }
@@ -200,8 +200,7 @@ struct Variable {
 /// the unit are. Powers of a phase in units of time are of any size, and an amplitude may be 1e-300.
 fn lost_to_underflow(terms: usize, area: Double) -> f64 {
     let eighth = 8.0 * area.hi;
-    let (highest, widest) = (eighth.powi(terms as i32), 1e280);
-    if !(1.0 / widest..widest).contains(&highest) {
+    if !Float::F64.moderate().contains(&eighth.powi(terms as i32)) {
         return f64::INFINITY;
     }
     // Of 8p ≤ 2.

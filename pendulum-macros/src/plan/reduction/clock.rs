@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
 /// The longest horizon in anchors, 2⁵⁴: 2⁵³ periods of a swing, which passes two in each.
-const UNLIMITED: f64 = 18_014_398_509_481_984.0;
+const UNLIMITED: f64 = (1_u64 << 54) as f64;
 
 /// The rounding of remainders up to ½ as they become `f32`, and of one just beyond ½ in a sum of any time.
 const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
@@ -187,7 +187,7 @@ impl<'a> Clock<'a> {
         }
         let time = self.rate.context().integer(1) / self.rate;
         let words = split_down(&time, p - k, count, self.float);
-        if words.iter().any(|w| *w != 0.0 && w.abs() < self.smallest_safe()) {
+        if words.iter().any(|w| *w != 0.0 && w.abs() < *self.float.moderate().start()) {
             return None;
         }
         let rate = self.float.round(self.rate.to_f64());
@@ -219,7 +219,7 @@ impl<'a> Clock<'a> {
     /// launch in two words neither over- nor underflow.
     fn has_moderate_multiples(&self) -> bool {
         let time = 1.0 / self.rate.to_f64();
-        (1e-280..1e280).contains(&time) && self.horizon() + time < self.float.largest() / 4.0
+        Float::F64.moderate().contains(&time) && self.horizon() + time < self.float.largest() / 4.0
     }
 
     /// How far beyond half an anchor a remainder, wrong by `error`, may be that isn't what n was rounded from: by what
@@ -304,7 +304,7 @@ impl<'a> Clock<'a> {
 
     /// What the words leave, the roundings of the last part, and those of sums, relative to the result.
     fn any_time(&self, count: usize, origin: Origin, doubled: bool) -> Reduction {
-        let words = split_near::<4>(self.rate, &[26, 25, 25][..count - 1])[..count].to_vec();
+        let words = split_near(self.rate, &[26, 25, 25][..count - 1]);
         let drift = self.drift(&words) + self.rounding_of_last_part(&words);
         let scheme = Scheme::AnyTime { words, doubled };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
@@ -370,14 +370,6 @@ impl<'a> Clock<'a> {
     /// What a rate comes to by then.
     fn over_horizon(&self, rate: &Real) -> f64 {
         (rate.abs() * self.exact(self.horizon())).to_f64()
-    }
-
-    /// Words below this would lose bits to underflow in products.
-    fn smallest_safe(&self) -> f64 {
-        match self.float {
-            Float::F64 => 1e-280,
-            Float::F32 => 1e-30,
-        }
     }
 }
 

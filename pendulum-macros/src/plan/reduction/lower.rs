@@ -188,7 +188,7 @@ impl Reduction {
     /// rounding but for times of a few anchors, and what is left, below 2⁻²⁴, to the last part. Each sum is rounded relative
     /// to its result.
     fn launched(&self, b: &mut Builder, n: Id, leading: &[Id], last: Id) -> Id {
-        const PARTS: f64 = 8_388_608.0;
+        const PARTS: f64 = (1 << 23) as f64;
         let offset = self.offset();
         let coarse = (offset.hi * PARTS).round_ties_even() / PARTS;
         let fine = (offset - Double::new(coarse)).hi;

@@ -90,7 +90,7 @@ pub(crate) enum Scheme {
     /// An `f64` time, R in two to four words; all products that matter but the last are exact. `doubled` if sums with a launch
     /// are done in two words.
     AnyTime { words: Vec<f64>, doubled: bool },
-    /// s = t: the horizon is less than an arc, whether the motion over it is symmetric or not.
+    /// s = t: the horizon is an arc, about whose centre the motion is symmetric or `lopsided`.
     Time { lopsided: bool },
     /// z = (t − t₀)·R, |z| ≤ `half`, never reduced: the separatrix has one lowest point, passed at t₀, known in two
     /// words. Both times are multiplied with a power of two, by which R is divided.
@@ -123,9 +123,8 @@ const LINEAR_HALF: f64 = 700.0;
 impl Reduction {
     /// The time itself, where |t| up to `reach` is half an arc, if its type is good for such times.
     pub(crate) fn time(reach: f64, lopsided: bool, float: Float) -> Option<Self> {
-        let most: f64 = if float == Float::F64 { 1e280 } else { 1e30 };
         let scale = if MODERATE.contains(&reach) { 1.0 } else { 2f64.powi(-1 - exponent(reach)) };
-        (1.0 / most..most).contains(&reach).then(|| Self {
+        float.moderate().contains(&reach).then(|| Self {
             unit: Double::new(0.5 / scale) / reach,
             scale,
             ..Self::exact(Scheme::Time { lopsided }, Origin::Anchor, float)

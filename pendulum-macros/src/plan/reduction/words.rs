@@ -22,12 +22,12 @@ pub(super) fn split_down(x: &Real, bits: i32, count: usize, float: Float) -> Vec
     words
 }
 
-/// `x` as a sum of words, all but the last rounded to nearest with the bits stated: each word's leading bit stands at
-/// least that many places below the one before.
-pub(super) fn split_near<const N: usize>(x: &Real, bits: &[i32]) -> [f64; N] {
+/// `x` as a sum of words, all but the last rounded to nearest with the bits stated, the last, one more, with all it has:
+/// each word's leading bit stands at least that many places below the one before.
+pub(super) fn split_near(x: &Real, bits: &[i32]) -> Vec<f64> {
     let mut rest = x.clone();
     let mut unit = 2f64.powi(exponent(x.to_f64()) + 1);
-    let mut words = [0.0; N];
+    let mut words = vec![0.0; bits.len() + 1];
     for (index, word) in words.iter_mut().enumerate() {
         let head = rest.to_f64();
         *word = head;
@@ -100,7 +100,7 @@ mod tests {
         for text in ["0.9999999999999999999999999", "1.0000000000000000000000001", "3.0", "0.7853981633974483096156608"]
         {
             let x = context.decimal(text).unwrap();
-            let words: [f64; 4] = split_near(&x, &[26, 25, 25]);
+            let words = split_near(&x, &[26, 25, 25]);
             let mut rest = x.clone();
             let mut unit = 2f64.powi(exponent(x.to_f64()) + 1);
             for (word, bits) in words.iter().zip([26, 25, 25, 53]) {

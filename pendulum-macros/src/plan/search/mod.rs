@@ -1,5 +1,5 @@
 //! The cheapest plan: every reduction, with polynomials, in pieces or with the passage through the lowest point, in the
-//! order of their estimated cost, until one keeps the promise.
+//! order of their estimated cost, until none that is left can be cheaper.
 
 mod candidate;
 mod choice;

@@ -9,7 +9,7 @@ use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
 use crate::plan::tests::scene;
 
-pub(in super::super) const PLAIN: Form = Form::Powers { shift: 0.0 };
+pub(in super::super) const PLAIN: Form = Form::Powers { shift: 0.0, largest_last: false };
 
 impl Polynomial {
     /// At the phase s from an anchor, in anchors.
@@ -67,8 +67,9 @@ fn truncation_errors() {
                 let approximation = Approximation::new(curve, nearest(curve, power), 1e-20).unwrap();
                 let reduction = Reduction { overshoot, ..reduction.clone() };
                 for terms in [3, 6, 11] {
-                    let polynomial =
-                        approximation.truncated(terms, &reduction, false).in_powers(Form::Powers { shift: -0.15625 });
+                    let polynomial = approximation
+                        .truncated(terms, &reduction, false)
+                        .in_powers(Form::Powers { shift: -0.15625, largest_last: false });
                     let (bound, seen) = (polynomial.truncation, sampled(&polynomial, curve, overshoot));
                     let most = if overshoot == 0.0 { 1.2 } else { most };
                     let about = format!("{text} {index} {power} {terms} {overshoot}: {seen:e} of {bound:e}");
@@ -153,7 +154,8 @@ fn terms_of_nearly_nothing() {
 }
 
 fn magnitudes(approximation: &Approximation, terms: usize) -> f64 {
-    approximation.without(terms..approximation.series.len(), 0.0) + approximation.least_truncation(0.0)
+    (terms..approximation.series.len()).map(|j| approximation.without(j, 0.0)).sum::<f64>()
+        + approximation.least_truncation(0.0)
 }
 
 /// What is cut at once and what is cut later is the same error.
