@@ -3,7 +3,7 @@
 use crate::agm::agm_double;
 use crate::angle::{Angle, reduce};
 use crate::carlson::elapsed;
-use crate::double::Double;
+use crate::double::{Double, two_sum};
 use crate::double_trig::half_angle_from_top;
 use crate::error::{Error, finite};
 use crate::kernel::four_atan;
@@ -44,12 +44,15 @@ pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion
         // At rest, or so slow that the motion it adds is below the smallest `f64`.
         return Ok(released(start, base, theta, omega));
     }
-    let speed = Double::new(speed) / Double::new(omega / unit);
+    let whole = omega / unit;
+    let (slack, below) = two_sum(whole, -speed);
+    let [speed, slack] = [Double::new(speed), Double { hi: slack, lo: below }].map(|x| x / Double::new(whole));
     let forward = velocity > 0.0;
     let state = State {
         angle: if forward { angle } else { -angle },
         from_top,
         speed,
+        slack,
         base,
         direction: if forward { 1.0 } else { -1.0 },
         theta,
@@ -92,8 +95,9 @@ struct State {
     /// In [−π, π], and how far from the top.
     angle: Double,
     from_top: Double,
-    /// |θ̇|/(2ω).
+    /// |θ̇|/(2ω), and what it lacks of 1, as precise as itself.
     speed: Double,
+    slack: Double,
     base: Double,
     direction: f64,
     theta: f64,
@@ -109,8 +113,10 @@ impl State {
             let magnitude = elapsed(sine, cosine, self.speed, k);
             if self.angle.hi < 0.0 { -magnitude } else { magnitude }
         };
-        // 1 − k² = cos²(θ/2) − (θ̇/2ω)², as a product so that nothing cancels but the difference itself.
-        let below = cosine - self.speed;
+        // 1 − k² = cos²(θ/2) − (θ̇/2ω)², as a product so that nothing cancels but the difference itself, of the smaller
+        // terms: through the lowest point there is none.
+        let below =
+            if cosine.hi > 0.5 { self.slack - sine * sine / (Double::ONE + cosine) } else { cosine - self.speed };
         let above = cosine + self.speed;
         if below.hi > 0.0 {
             self.swing(k, (below * above).sqrt(), since_bottom)

@@ -120,7 +120,8 @@ pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let angle = b.push(Op::Select { a: angle, b: minus, then: forth, otherwise: angle });
     b.name(angle, "angle");
     // Rounding may put it on the wrong end.
-    within_half_turn(b, angle)
+    let most = below_half_turn(b.float());
+    between(b, angle, if b.float() == Float::F64 { -PI } else { -most }, most)
 }
 
 /// What [`modulo_turn`] rounds by: the sum with a turn, the turn's own rounding, and the distance from π of the largest
@@ -135,15 +136,21 @@ pub(super) fn rounding_within(float: Float) -> f64 {
     2.0 * half_ulp(PI, float)
 }
 
-/// The nearest number from −π to below π, the number next to π in `f64` being π itself.
+/// The nearest number from above −π to below π: of mirror images the same.
 pub(super) fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
-    let (most, least) = match b.float() {
-        Float::F64 => (PI.next_down(), -PI),
-        Float::F32 => {
-            let below = f64::from(std::f32::consts::PI.next_down());
-            (below, -below)
-        }
-    };
+    let most = below_half_turn(b.float());
+    between(b, angle, -most, most)
+}
+
+/// The largest number below π, the number next to π in `f64` being π itself.
+fn below_half_turn(float: Float) -> f64 {
+    match float {
+        Float::F64 => PI.next_down(),
+        Float::F32 => f64::from(std::f32::consts::PI.next_down()),
+    }
+}
+
+fn between(b: &mut Builder, angle: Id, least: f64, most: f64) -> Id {
     let (most, least) = (b.constant(most), b.constant(least));
     let angle = b.push(Op::Min { limit: most, x: angle });
     b.name(angle, "angle");
@@ -209,12 +216,16 @@ mod tests {
             ("theta0 = π - 2e-9, float = f32", [0.0, 0.5]),
             ("theta0 = 2e-9 - π, tol = 1e-3, t_max = 40", [0.0, -1.0]),
             ("velocity0 = 2, tol = 1e-3", [40.0, -1e300]),
+            ("theta0 = π - 3.8190685071550958e-6, tol = 0.000025, t_max = 6.1e9", [0.0, 1.0]),
         ] {
             let plan = plan(&scene(&format!("struct Motion; {text}, outputs = [wrapped]"))).unwrap();
             let above = |x: f64| if text.contains("f32") { x > f64::from(3.141_592_5_f32) } else { x >= PI };
             for t in times {
                 let angle = plan.functions[0].program.run(t)[0];
                 assert!(!above(angle) && angle >= -PI && angle.abs() > 3.1, "{text}: {angle}");
+                let mirrored = text.replace("0 = ", "0 = -(").replacen(',', "),", 1);
+                let mirrored = self::plan(&scene(&format!("struct Motion; {mirrored}, outputs = [wrapped]"))).unwrap();
+                assert_eq!(mirrored.functions[0].program.run(t)[0], -angle, "{text}");
             }
         }
     }
