@@ -1,7 +1,6 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
 use super::{Sum, pieces, whole};
-use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::bias::bends;
@@ -15,7 +14,7 @@ use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
 use crate::plan::reduction::Reduction;
 use crate::plan::{Bound, Part};
 use crate::program::rounding::half_ulp;
-use crate::scene::{Goal, Scene};
+use crate::scene::Goal;
 use pendulum_runtime::double::Double;
 
 /// An output, and what doesn't depend on the reduction.
@@ -64,11 +63,11 @@ impl Wanted {
     }
 }
 
-impl Sum {
-    pub(super) fn wanted(&self, scene: &Scene, swing: &Swing) -> Vec<Wanted> {
-        let curves = SwingCurves::new(swing, &scene.motion.omega);
+impl Sum<'_> {
+    pub(super) fn wanted(&self) -> Vec<Wanted> {
+        let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
         let theta = curves.angle();
-        let approximate = self.approximate(&theta, scene, swing);
+        let approximate = self.approximate(&theta);
         let one = |&output: &Output| {
             let (curve, bias) = match output {
                 Output::Velocity => (curves.velocity(), approximate.velocity()),
@@ -77,36 +76,36 @@ impl Sum {
                 Output::Position => (theta.clone().into_position(), approximate.at_most()),
                 Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
             };
-            let whole = if output == Output::Theta { self.whole(scene, swing, bias) } else { None };
+            let whole = if output == Output::Theta { self.whole(bias) } else { None };
             Wanted { output, curve, bias, whole }
         };
-        scene.outputs.iter().map(one).collect()
+        self.scene.outputs.iter().map(one).collect()
     }
 
     /// `None` where there is no arcsine. It may be off by what a tolerance leaves, or by 8 units in the last place
     /// of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
-    fn whole(&self, scene: &Scene, swing: &Swing, bias: f64) -> Option<Whole> {
+    fn whole(&self, bias: f64) -> Option<Whole> {
+        if self.method != Method::Fourier {
+            return None;
+        }
+        let &Self { scene, swing, .. } = self;
         let units = |units: f64| 2.0 * units * half_ulp(swing.amplitude.to_f64(), scene.float);
         let allowed = match scene.goal {
             Goal::Tolerance(tol) => vec![tol - bias],
             _ => [8.0, 11.0].map(units).into(),
         };
-        if self.method != Method::Fourier {
-            return None;
-        }
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
-        let truncation = self.met(scene, swing).map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
+        let truncation = self.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
         let limit = truncation.min(allowed[0] / 8.0);
         let approximation = whole::approximation(&self.weights, limit);
         let pieces = pieces::approximation(&self.weights, limit);
         Some(Whole { approximation, pieces, allowed, truncation })
     }
 
-    pub(super) fn part(&self, scene: &Scene, swing: &Swing, wanted: &Wanted, reduction: &Reduction) -> Part {
+    pub(super) fn part(&self, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
-        let direction = direction(swing.mirrored);
-        let summed = Kernel::Harmonics(Box::new(self.harmonics(scene, *output, reduction, direction)));
-        let whole = whole.iter().flat_map(|whole| whole.kernels(&curve.size, reduction, direction));
+        let summed = Kernel::Harmonics(Box::new(self.harmonics(*output, reduction)));
+        let whole = whole.iter().flat_map(|whole| whole.kernels(&curve.size, reduction, self.direction()));
         let whole = whole
             .map(|candidate| (cost(reduction, &candidate.kernel), candidate))
             .min_by(|(a, _), (b, _)| a.total_cmp(b))
@@ -124,18 +123,19 @@ impl Sum {
         wanted.part(kernel, description, bound)
     }
 
-    fn harmonics(&self, scene: &Scene, output: Output, reduction: &Reduction, direction: f64) -> Harmonics {
+    fn harmonics(&self, output: Output, reduction: &Reduction) -> Harmonics {
+        let direction = self.direction();
         let derivative = output == Output::Velocity;
-        let precision = scene.float.unit() / 2.0;
+        let precision = self.scene.float.unit() / 2.0;
         let base = |curve: &Curve| {
             let approximation = Approximation::entire(curve, precision / 16.0);
             let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
             approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0 })
         };
-        let one = scene.motion.omega.context().integer(1);
+        let one = self.scene.motion.omega.context().integer(1);
         let cosine = base(&Curve::cosine(&one));
         let sine = derivative.then(|| base(&Curve::sine()));
-        let made = self.made(scene, output, reduction);
+        let made = self.made(output, reduction);
         let cosines = match (&made, output) {
             (Made::Sum, Output::Velocity) => Vec::new(),
             (Made::Sum, Output::Acceleration) => bends(&self.weights, &self.rate, direction),
@@ -143,31 +143,31 @@ impl Sum {
             _ => self.weights.clone(),
         };
         let sines = if derivative { self.slopes(direction) } else { Vec::new() };
-        let folded = if made == Made::Sum || derivative { None } else { self.folded(scene, reduction) };
+        let folded = if made == Made::Sum || derivative { None } else { self.folded(reduction) };
         Harmonics { cosine, sine, cosines, sines, folded, made, direction }
     }
 
     /// What an output is made of: in the paper's formula the sum is sin(θ̂/2).
-    fn made(&self, scene: &Scene, output: Output, reduction: &Reduction) -> Made {
+    fn made(&self, output: Output, reduction: &Reduction) -> Made {
         match output {
             _ if self.method != Method::Fourier => Made::Sum,
             Output::Theta | Output::Wrapped => Made::Angle(self.arcsine(reduction)),
             Output::Velocity => Made::Velocity,
-            Output::Acceleration => Made::Acceleration(scene.motion.omega.square().to_double()),
+            Output::Acceleration => Made::Acceleration(self.scene.motion.omega.square().to_double()),
             Output::Position => Made::Position,
         }
     }
 
     /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
-    fn folded(&self, scene: &Scene, reduction: &Reduction) -> Option<Polynomial> {
-        let size = self.size();
-        let precision = size * scene.float.unit() / 2.0;
+    fn folded(&self, reduction: &Reduction) -> Option<Polynomial> {
+        let (size, unit) = (self.size(), self.scene.float.unit());
+        let precision = size * unit / 2.0;
         let approximation = Approximation::new(&Curve::harmonics(&self.weights), None, precision / 16.0)?;
         let terms = approximation.terms_for(precision, reduction.overshoot).filter(|&terms| terms <= MOST_FOLDED)?;
         Form::ALL.into_iter().find_map(|form| {
             // Adapting saves less than it may cost of the few units of θ0 that a formula to be reproduced can lose.
             let most = if let Form::Adapted { .. } = form { 6.0 } else { 12.0 };
-            let cap = most * size * scene.float.unit();
+            let cap = most * size * unit;
             let polynomial = approximation.truncated(terms, reduction, true).polynomial(form, Numerator::One, cap)?;
             (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
         })
