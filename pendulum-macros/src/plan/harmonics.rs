@@ -30,8 +30,6 @@ pub(crate) struct Harmonics {
     pub(crate) cosines: Vec<Double>,
     /// Weights of sin((2n−1)πs), where the output is a derivative.
     pub(crate) sines: Vec<Double>,
-    /// The sum of cosines as one polynomial, where that is as accurate: its chain of operations is the shorter.
-    pub(crate) folded: Option<Polynomial>,
     pub(crate) made: Made,
     /// −1 for a mirror image; the weights of a sum that is sin(θ̂/2) are never mirrored.
     pub(crate) direction: f64,
@@ -42,10 +40,18 @@ pub(crate) struct Harmonics {
 pub(crate) enum Made {
     /// The one sum that there is.
     Sum,
-    /// θ̂ = 2 arcsin y.
-    Angle(Arcsine),
     /// θ̂′ = 2y′/√(1 − y²).
     Velocity,
+    /// What follows from y alone. It may be one polynomial, where that is as accurate as the recurrence: its chain of
+    /// operations is the shorter.
+    OfSine { formula: Formula, folded: Option<Box<Polynomial>> },
+}
+
+/// What follows from y = sin(θ̂/2).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Formula {
+    /// θ̂ = 2 arcsin y.
+    Angle(Arcsine),
     /// −ω² sin θ̂ = −2ω²y√(1 − y²), given ω².
     Acceleration(Double),
     /// sin θ̂ = 2y√(1 − y²) and −cos θ̂ = 2y² − 1.
@@ -68,7 +74,12 @@ impl Harmonics {
 
     /// Whether the rounding has a narrow peak: where y comes near 1, of what a root of 1 − y² makes of it.
     fn peaks(&self) -> bool {
-        !matches!(self.made, Made::Sum | Made::Angle(_))
+        !matches!(self.made, Made::Sum | Made::OfSine { formula: Formula::Angle(_), .. })
+    }
+
+    /// The sum of cosines as one polynomial, where it is one.
+    fn folded(&self) -> Option<&Polynomial> {
+        if let Made::OfSine { folded, .. } = &self.made { folded.as_deref() } else { None }
     }
 
     /// Whether the sum of cosines is that of the paper's formula.
@@ -82,14 +93,16 @@ impl Harmonics {
 
     pub(super) fn describe(&self) -> String {
         let harmonics = harmonics(self.terms());
-        let sum = match &self.folded {
+        let sum = match self.folded() {
             Some(folded) => format!("{harmonics} folded into a {}", folded.describe()),
             None => format!("{harmonics} by recurrence from one cosine of {} terms", self.cosine.terms()),
         };
         let made = match &self.made {
             Made::Sum => String::new(),
-            Made::Angle(arcsine) => format!(", an arcsine by a polynomial of {} terms", arcsine.terms()),
-            Made::Velocity | Made::Acceleration(_) | Made::Position => ", a square root".to_owned(),
+            Made::OfSine { formula: Formula::Angle(arcsine), .. } => {
+                format!(", an arcsine by a polynomial of {} terms", arcsine.terms())
+            }
+            Made::Velocity | Made::OfSine { .. } => ", a square root".to_owned(),
         };
         sum + &made
     }
@@ -100,7 +113,7 @@ impl Harmonics {
             let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
             variables.signed(b, value, true, parity)
         };
-        if let Made::Position = self.made {
+        if let Made::OfSine { formula: Formula::Position, .. } = self.made {
             let y = self.argument(b, variables);
             let x = self.sine_of_angle(b, y);
             b.name(x, "x");
@@ -129,8 +142,8 @@ impl Harmonics {
         }
         let sum = self.argument(b, variables);
         match &self.made {
-            Made::Angle(arcsine) => arcsine.lower(b, sum, self.direction),
-            Made::Acceleration(square) => {
+            Made::OfSine { formula: Formula::Angle(arcsine), .. } => arcsine.lower(b, sum, self.direction),
+            Made::OfSine { formula: Formula::Acceleration(square), .. } => {
                 let sine = self.sine_of_angle(b, sum);
                 let square = b.exact(-*square);
                 b.mul(sine, square)
@@ -141,7 +154,7 @@ impl Harmonics {
 
     /// The sum of cosines.
     fn argument(&self, b: &mut Builder, variables: &Variables) -> Id {
-        if let Some(folded) = &self.folded {
+        if let Some(folded) = self.folded() {
             let sum = folded.magnitude(b, variables);
             return b.name(sum, ARGUMENT);
         }
@@ -181,22 +194,20 @@ impl Harmonics {
     /// The rounding over the whole range of the phase; some number above `cap` as soon as it is known to be, but where it
     /// peaks.
     pub(super) fn rounding(&self, program: &Program, reduction: &Reduction, cap: f64) -> f64 {
-        let of_polynomial =
-            |polynomial: &Polynomial| Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
-        let sums = self.sums(reduction, self.errors(of_polynomial));
+        let sums = self.sums(reduction, self.errors(reduction));
         let phase = reduction.origin.phase();
         let names: Vec<&str> = sums.iter().map(|sum| sum.name).chain([phase]).collect();
         let closed = after_named(program, &names);
-        let by_steps = self.by_steps(program, phase);
+        // A sum of few terms that is the result itself is analysed better step by step.
+        let by_steps = (!self.is_of_paper()).then(|| self.by_steps(program, phase));
         let in_closed_form = |low: f64, high: f64| {
             let known_sums = sums.iter().map(|sum| (sum.name, sum.known(reduction, low, high)));
             let known: Vec<(&str, Known)> = known_sums.chain([(phase, Known::between(low, high))]).collect();
             rounding_given(&closed, &known)
         };
-        // A sum of few terms that is the result itself is analysed better step by step.
         let between = |low: f64, high: f64| {
             let closed = in_closed_form(low, high);
-            if self.is_of_paper() { closed } else { closed.min(by_steps(low, high)) }
+            by_steps.as_ref().map_or(closed, |by_steps| closed.min(by_steps(low, high)))
         };
         if self.peaks() {
             return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
@@ -228,10 +239,12 @@ impl Harmonics {
         }
     }
 
-    /// The errors of the cosine and the sine, given the rounding of a polynomial.
-    fn errors(&self, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
-        let error = |polynomial: &Polynomial| rounding(polynomial) + polynomial.truncation;
-        let cosine = self.folded.as_ref().unwrap_or(&self.cosine);
+    /// The errors of the cosine, or of the sum of cosines that is computed in its place, and of the sine.
+    fn errors(&self, reduction: &Reduction) -> [f64; 2] {
+        let error = |polynomial: &Polynomial| {
+            Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY) + polynomial.truncation
+        };
+        let cosine = self.folded().unwrap_or(&self.cosine);
         [error(cosine), self.sine.as_ref().map_or(0.0, error)]
     }
 
@@ -240,7 +253,7 @@ impl Harmonics {
         let sum = |name, curve, order, weights: &[Double], sine: Option<f64>| {
             let name = if self.is_of_paper() { name } else { RESULT };
             let recurrence = || Error::Recurrence(Recurrence::new(weights, cosine, sine, reduction.float));
-            let error = if self.folded.is_some() { Error::Everywhere(cosine) } else { recurrence() };
+            let error = if self.folded().is_some() { Error::Everywhere(cosine) } else { recurrence() };
             Sum { name, curve, order, error }
         };
         let mut all = vec![];

@@ -7,7 +7,7 @@ use crate::plan::bias::bends;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
 use crate::plan::form::{Division, Form};
-use crate::plan::harmonics::{Harmonics, Made, harmonics};
+use crate::plan::harmonics::{Formula, Harmonics, Made, harmonics};
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::pieces::Piecewise;
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
@@ -143,19 +143,21 @@ impl Sum<'_> {
             _ => self.weights.clone(),
         };
         let sines = if derivative { self.slopes(direction) } else { Vec::new() };
-        let folded = if made == Made::Sum || derivative { None } else { self.folded(reduction) };
-        Harmonics { cosine, sine, cosines, sines, folded, made, direction }
+        Harmonics { cosine, sine, cosines, sines, made, direction }
     }
 
     /// What an output is made of: in the paper's formula the sum is sin(θ̂/2).
     fn made(&self, output: Output, reduction: &Reduction) -> Made {
-        match output {
-            _ if self.method != Method::Fourier => Made::Sum,
-            Output::Theta | Output::Wrapped => Made::Angle(self.arcsine(reduction)),
-            Output::Velocity => Made::Velocity,
-            Output::Acceleration => Made::Acceleration(self.scene.motion.omega.square().to_double()),
-            Output::Position => Made::Position,
+        if self.method != Method::Fourier {
+            return Made::Sum;
         }
+        let formula = match output {
+            Output::Theta | Output::Wrapped => Formula::Angle(self.arcsine(reduction)),
+            Output::Velocity => return Made::Velocity,
+            Output::Acceleration => Formula::Acceleration(self.scene.motion.omega.square().to_double()),
+            Output::Position => Formula::Position,
+        };
+        Made::OfSine { formula, folded: self.folded(reduction).map(Box::new) }
     }
 
     /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
