@@ -1,12 +1,12 @@
 //! The methods of the paper, and the series of θ: sums of harmonics of one cosine.
 
+mod bias;
 mod parts;
 mod pieces;
 mod series;
 mod whole;
 
 use super::aim::FULL;
-use super::bias::{Approximate, MOST_TERMS};
 use super::curve::{Curve, Curves, SwingCurves};
 use super::met::Met;
 use super::reduction::{Clock, Reduction};
@@ -16,6 +16,7 @@ use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
+use bias::{Approximate, MOST_TERMS};
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 
@@ -122,11 +123,6 @@ impl<'a> Sum<'a> {
     fn direction(&self) -> f64 {
         direction(self.swing.mirrored)
     }
-
-    /// What it approximates θ by.
-    fn approximate<'b>(&'b self, theta: &'b Curve) -> Approximate<'b> {
-        Approximate::new((self.method, &self.weights, &self.rate), theta, self.scene, self.swing)
-    }
 }
 
 /// What the terms of a series that are left out may come to.
@@ -143,8 +139,10 @@ fn fewest_of_series(scene: &Scene, swing: &Swing) -> usize {
     let curves = SwingCurves::new(swing, &scene.motion.omega);
     let theta = curves.angle();
     let most = theta.terms().len().min(MOST_TERMS);
-    let serves =
-        |kept: usize| Sum::series(scene, swing, &theta, kept).approximate(&theta).angle() <= aim(scene, &theta);
+    let serves = |kept: usize| {
+        let sum = Sum::series(scene, swing, &theta, kept);
+        Approximate::new(&sum, &theta).angle() <= aim(scene, &theta)
+    };
     let of_theta = first_serving(negligible_after(scene, &theta), most, serves);
     let of_derivative = |output: &Output| match output {
         Output::Velocity => negligible_after(scene, &curves.velocity()),

@@ -1,9 +1,9 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
+use super::bias::Approximate;
 use super::{Sum, pieces, whole};
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
-use crate::plan::bias::bends;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, Size, SwingCurves};
 use crate::plan::form::{Division, Form};
@@ -67,7 +67,7 @@ impl Sum<'_> {
     pub(super) fn wanted(&self) -> Vec<Wanted> {
         let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
         let theta = curves.angle();
-        let approximate = self.approximate(&theta);
+        let approximate = Approximate::new(self, &theta);
         let one = |&output: &Output| {
             let (curve, bias) = match output {
                 Output::Velocity => (curves.velocity(), approximate.velocity()),
@@ -136,13 +136,14 @@ impl Sum<'_> {
         let cosine = base(&Curve::cosine(&one));
         let sine = derivative.then(|| base(&Curve::sine()));
         let made = self.made(output, reduction);
+        let mirrored = |weights: Vec<Double>| weights.into_iter().map(|weight| weight * direction).collect();
         let cosines = match (&made, output) {
             (Made::Sum, Output::Velocity) => Vec::new(),
-            (Made::Sum, Output::Acceleration) => bends(&self.weights, &self.rate, direction),
-            (Made::Sum, _) => self.weights.iter().map(|&weight| weight * direction).collect(),
+            (Made::Sum, Output::Acceleration) => mirrored(self.bends()),
+            (Made::Sum, _) => mirrored(self.weights.clone()),
             _ => self.weights.clone(),
         };
-        let sines = if derivative { self.slopes(direction) } else { Vec::new() };
+        let sines = if derivative { mirrored(self.slopes()) } else { Vec::new() };
         Harmonics { cosine, sine, cosines, sines, made, direction }
     }
 
@@ -173,12 +174,6 @@ impl Sum<'_> {
             let polynomial = approximation.truncated(terms, reduction, true).polynomial(form, Numerator::One, cap)?;
             (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
         })
-    }
-
-    /// Weights of the derivative: −wₙ(2n − 1)π·rate.
-    fn slopes(&self, direction: f64) -> Vec<Double> {
-        let rate = self.rate.to_double() * Double::PI * -direction;
-        self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
     }
 
     /// For arguments up to the largest that occurs, from the lowest point, or a little beyond it, on.
