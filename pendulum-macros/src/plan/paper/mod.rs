@@ -2,7 +2,6 @@
 
 mod bias;
 mod parts;
-mod pieces;
 mod series;
 mod whole;
 
