@@ -215,26 +215,20 @@ impl Harmonics {
         from_lowest(reduction, cap, between)
     }
 
-    /// What a sum is wrong by between two phases, operation by operation: of the cosine and the sine what their
-    /// polynomials differ by from them is passed on, too.
+    /// What a sum that is the result is wrong by between two phases, operation by operation. What the polynomials of the
+    /// cosine and the sine differ by from them is no rounding: it is added to their errors and passed on with these.
     fn by_steps(&self, program: &Program, phase: &'static str) -> impl Fn(f64, f64) -> f64 {
-        let sine = self.sine.as_ref().map_or(0.0, |sine| sine.truncation);
-        let waves = [(COSINE, self.cosine.truncation), (SINE, sine)];
-        let (waves, others): (Vec<_>, Vec<_>) = waves.into_iter().partition(|(name, _)| program.named(name).is_some());
-        // A wave of weight 1 is the result, by which name it goes; the cosine is none of one sine.
-        let is_result = |name: &str| if name == SINE { self.is_odd() } else { !self.is_odd() };
-        let of_result: f64 = others.iter().filter(|(name, _)| is_result(name)).map(|(_, truncation)| truncation).sum();
-        let polynomials: Vec<Program> =
-            waves.iter().map(|(name, _)| after_named(&program.up_to(name), &[phase])).collect();
+        let sine = self.sine.as_ref().map(|sine| (SINE, sine));
+        let all = [Some((COSINE, &self.cosine)), sine].into_iter().flatten();
+        let waves: Vec<NamedWave> = all.filter_map(|(name, wave)| NamedWave::of(program, name, wave, phase)).collect();
+        // The wave that the sum is a multiple of is the result itself, and has no other name, if its weight is 1.
+        let (name, factor) = sine.unwrap_or((COSINE, &self.cosine));
+        let of_result = if program.named(name).is_some() { 0.0 } else { factor.truncation };
         let rest = after_named(program, &[COSINE, SINE, phase]);
         move |low: f64, high: f64| {
             let phase = (phase, Known::between(low, high));
-            let wave = |(&(name, truncation), polynomial): (&(&'static str, f64), &Program)| {
-                let given = polynomial.named(phase.0).map(|id| (id, phase.1));
-                let Known { low, high, error, .. } = polynomial.rounding(given.as_slice())[0];
-                (name, Known::within(low, high, error + truncation))
-            };
-            let known: Vec<(&str, Known)> = waves.iter().zip(&polynomials).map(wave).chain([phase]).collect();
+            let known: Vec<(&str, Known)> =
+                waves.iter().map(|wave| (wave.name, wave.known(phase))).chain([phase]).collect();
             rounding_given(&rest, &known) + of_result
         }
     }
@@ -249,12 +243,12 @@ impl Harmonics {
     }
 
     /// The sums that the program computes, given the errors of the cosine and the sine.
-    fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
+    fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<AnalysedSum> {
         let sum = |name, curve, order, weights: &[Double], sine: Option<f64>| {
             let name = if self.is_of_paper() { name } else { RESULT };
             let recurrence = || Error::Recurrence(Recurrence::new(weights, cosine, sine, reduction.float));
             let error = if self.folded().is_some() { Error::Everywhere(cosine) } else { recurrence() };
-            Sum { name, curve, order, error }
+            AnalysedSum { name, curve, order, error }
         };
         let mut all = vec![];
         if !self.cosines.is_empty() {
@@ -280,16 +274,41 @@ fn root_of_rest(b: &mut Builder, y: Id) -> Id {
     b.push(Op::Root(product))
 }
 
-/// A sum in a program, and how wrong it is computed.
-struct Sum {
+/// The cosine or the sine of the phase in a program.
+struct NamedWave {
     name: &'static str,
-    /// It is the derivative of this order.
+    /// What computes it.
+    program: Program,
+    /// What its polynomial differs by from it.
+    truncation: f64,
+}
+
+impl NamedWave {
+    /// `None` if the program has no node of that name.
+    fn of(program: &Program, name: &'static str, polynomial: &Polynomial, phase: &str) -> Option<Self> {
+        program.named(name)?;
+        let program = after_named(&program.up_to(name), &[phase]);
+        Some(Self { name, program, truncation: polynomial.truncation })
+    }
+
+    /// What is known of it, given what is of the phase.
+    fn known(&self, (phase, known): (&str, Known)) -> Known {
+        let given = self.program.named(phase).map(|id| (id, known));
+        let Known { low, high, error, .. } = self.program.rounding(given.as_slice())[0];
+        Known::within(low, high, error + self.truncation)
+    }
+}
+
+/// A sum that a program computes, as the analysis of its rounding knows it.
+struct AnalysedSum {
+    name: &'static str,
+    /// The sum is the derivative of this curve of the order below.
     curve: Cosines,
     order: usize,
     error: Error,
 }
 
-/// How wrong a sum is computed.
+/// How wrong a sum is: the same for all phases, or as its recurrence makes it.
 enum Error {
     Everywhere(f64),
     Recurrence(Recurrence),
@@ -304,7 +323,7 @@ impl Error {
     }
 }
 
-impl Sum {
+impl AnalysedSum {
     /// What is known of it where the phase is between `low` and `high`, for [`crate::program::Program::rounding`].
     fn known(&self, reduction: &Reduction, low: f64, high: f64) -> Known {
         let from_anchor = |phase: f64| {
@@ -319,7 +338,7 @@ impl Sum {
     }
 }
 
-/// u₁ and u₂ (absent for a single weight).
+/// u₁ and u₂ of the recurrence; of a single weight there is no u₂, which is 0.
 fn clenshaw(b: &mut Builder, cosine: Id, weights: &[Double]) -> (Id, Option<Id>) {
     let constants: Vec<Id> = weights.iter().map(|&weight| b.exact(weight)).collect();
     let Some((&last, rest)) = constants.split_last() else { return (cosine, None) };

@@ -35,7 +35,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
         let given = matches!(scene.goal, Goal::Terms(_));
-        // In pieces as many as it is known of what they leave out.
+        // In pieces a series may have as many terms as its bias is known for.
         let most = if method == Method::Series { MOST_TERMS } else { MOST_CHOSEN };
         if sum.weights.len() >= most && !given {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
@@ -44,7 +44,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         let planned = sum.plan(&wanted);
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
         let helped = best < reached * 0.9 || best.is_infinite() && more <= 2;
-        // Where what is left out counts, more help, if slowly.
+        // Where the terms left out take a part of the promise that counts, more help, if slowly.
         let counts = wanted.iter().any(|wanted| wanted.bias > 0.1 * sum.promise(wanted));
         reached = reached.min(best);
         if given || !matches!(method, Method::Fourier | Method::Series) || !helped && !counts {
@@ -54,7 +54,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     Err(Refusal::Unreachable { best: reached })
 }
 
-/// How many terms more are tried.
+/// How many terms more than the fewest are tried.
 const MORE: [usize; 8] = [0, 1, 2, 3, 5, 8, 13, 21];
 
 /// The weights that a method gives to the harmonics of the phase of a swing.
@@ -232,8 +232,9 @@ impl Sum<'_> {
         reductions
     }
 
-    /// Whether a phase is good enough for all outputs: if nothing is promised, its error is to be beside the rounding. Of a
-    /// promise it had better not be most if it is met at the end of a long horizon only.
+    /// Whether a phase is good enough for all outputs. Without a tolerance its error is to be of the order of the rounding.
+    /// Of a tolerance, one whose error is next to nothing until the end of a long horizon is to take no more than the
+    /// terms left out do.
     fn serves(&self, wanted: &[Wanted], reduction: &Reduction) -> bool {
         let fine = |wanted: &Wanted| {
             let phase = wanted.curve.size.phase_error(reduction);
@@ -245,6 +246,7 @@ impl Sum<'_> {
         wanted.iter().all(fine)
     }
 
+    /// The cheapest plan that is found; or the least error that was reached, in units of the tolerance.
     fn cheapest(&self, wanted: &[Wanted]) -> Result<Plan, Refusal> {
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
@@ -255,17 +257,16 @@ impl Sum<'_> {
             if found.is_some() && !(reduction.has_pieces() && wanted.iter().any(Wanted::has_pieces)) {
                 continue;
             }
-            // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
+            // Nor where the phase alone is too wrong, or where all else was with another phase from the same origin.
             let lost = |wanted: &Wanted| wanted.curve.size.phase_error(reduction) > self.promise(wanted);
             if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
                 continue;
             }
             let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(wanted, reduction)).collect();
             let kept = |error: fn(Bound) -> f64| {
-                let promises = wanted.iter().map(|wanted| self.promise(wanted));
-                parts.iter().zip(promises).all(|(part, promise)| error(part.bound) <= promise)
+                parts.iter().zip(wanted).all(|(part, wanted)| error(part.bound) <= self.promise(wanted))
             };
-            // What computes the arcsine as well is made for what the phase leaves: of a finer one it may be better.
+            // A kernel for the whole of θ̂ is made as good as what the phase leaves: with a finer phase it may be better.
             if !kept(|bound| bound.truncation + bound.evaluation) && !wanted.iter().any(Wanted::is_whole) {
                 hopeless.push(reduction.origin);
             }
@@ -292,9 +293,9 @@ impl Sum<'_> {
         self.promise_observed(2.0 / 3.0, wanted)
     }
 
-    /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to
-    /// be as good as full precision, of which half may be observed: what is left out is met in full, of the rest that
-    /// part. The others are what they are.
+    /// The error that an output may have. Without a tolerance the series, which has as many terms as it takes, is to be
+    /// as good as full precision, of which half may be observed: what the terms left out come to is observed in full, of
+    /// the proven rest no more than `part`. Of the other methods nothing is promised.
     fn promise_observed(&self, part: f64, Wanted { curve, bias, .. }: &Wanted) -> f64 {
         match self.scene.goal {
             Goal::Tolerance(tol) => curve.size.within(tol),

@@ -64,6 +64,7 @@ impl Sum<'_> {
         self.scene.outputs.iter().map(one).collect()
     }
 
+    /// An output by the cheaper of the recurrence and, where it is kept, one function for the whole of θ̂.
     pub(super) fn part(&self, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
         let summed = Kernel::Harmonics(Box::new(self.harmonics(*output, reduction)));
@@ -85,15 +86,9 @@ impl Sum<'_> {
     fn harmonics(&self, output: Output, reduction: &Reduction) -> Harmonics {
         let direction = self.direction();
         let derivative = output == Output::Velocity;
-        let precision = self.scene.float.unit() / 2.0;
-        let base = |curve: &Curve| {
-            let approximation = Approximation::entire(curve, precision / 16.0);
-            let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
-            approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0 })
-        };
         let one = self.scene.motion.omega.context().integer(1);
-        let cosine = base(&Curve::cosine(&one));
-        let sine = derivative.then(|| base(&Curve::sine()));
+        let cosine = self.wave(&Curve::cosine(&one), reduction);
+        let sine = derivative.then(|| self.wave(&Curve::sine(), reduction));
         let made = self.made(output, reduction);
         let mirrored = |weights: Vec<Double>| weights.into_iter().map(|weight| weight * direction).collect();
         let cosines = match (&made, output) {
@@ -104,6 +99,14 @@ impl Sum<'_> {
         };
         let sines = if derivative { mirrored(self.slopes()) } else { Vec::new() };
         Harmonics { cosine, sine, cosines, sines, made, direction }
+    }
+
+    /// A cosine or a sine of the phase, as good as rounding.
+    fn wave(&self, curve: &Curve, reduction: &Reduction) -> Polynomial {
+        let precision = self.scene.float.unit() / 2.0;
+        let approximation = Approximation::entire(curve, precision / 16.0);
+        let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
+        approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0 })
     }
 
     /// What an output is made of: in the paper's formula the sum is sin(θ̂/2).
