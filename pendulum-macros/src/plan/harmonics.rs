@@ -30,8 +30,6 @@ pub(crate) struct Harmonics {
     pub(crate) cosines: Vec<Double>,
     /// Weights of sin((2n−1)πs), where the output is a derivative.
     pub(crate) sines: Vec<Double>,
-    /// The sum of cosines as one polynomial, where that is as accurate: its chain of operations is the shorter.
-    pub(crate) folded: Option<Polynomial>,
     pub(crate) made: Made,
     /// −1 for a mirror image; the weights of a sum that is sin(θ̂/2) are never mirrored.
     pub(crate) direction: f64,
@@ -42,10 +40,18 @@ pub(crate) struct Harmonics {
 pub(crate) enum Made {
     /// The one sum that there is.
     Sum,
-    /// θ̂ = 2 arcsin y.
-    Angle(Arcsine),
     /// θ̂′ = 2y′/√(1 − y²).
     Velocity,
+    /// What follows from y alone. It may be one polynomial, where that is as accurate as the recurrence: its chain of
+    /// operations is the shorter.
+    OfSine { formula: Formula, folded: Option<Box<Polynomial>> },
+}
+
+/// What follows from y = sin(θ̂/2).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Formula {
+    /// θ̂ = 2 arcsin y.
+    Angle(Arcsine),
     /// −ω² sin θ̂ = −2ω²y√(1 − y²), given ω².
     Acceleration(Double),
     /// sin θ̂ = 2y√(1 − y²) and −cos θ̂ = 2y² − 1.
@@ -68,7 +74,12 @@ impl Harmonics {
 
     /// Whether the rounding has a narrow peak: where y comes near 1, of what a root of 1 − y² makes of it.
     fn peaks(&self) -> bool {
-        !matches!(self.made, Made::Sum | Made::Angle(_))
+        !matches!(self.made, Made::Sum | Made::OfSine { formula: Formula::Angle(_), .. })
+    }
+
+    /// The sum of cosines as one polynomial, where it is one.
+    fn folded(&self) -> Option<&Polynomial> {
+        if let Made::OfSine { folded, .. } = &self.made { folded.as_deref() } else { None }
     }
 
     /// Whether the sum of cosines is that of the paper's formula.
@@ -82,14 +93,16 @@ impl Harmonics {
 
     pub(super) fn describe(&self) -> String {
         let harmonics = harmonics(self.terms());
-        let sum = match &self.folded {
+        let sum = match self.folded() {
             Some(folded) => format!("{harmonics} folded into a {}", folded.describe()),
             None => format!("{harmonics} by recurrence from one cosine of {} terms", self.cosine.terms()),
         };
         let made = match &self.made {
             Made::Sum => String::new(),
-            Made::Angle(arcsine) => format!(", an arcsine by a polynomial of {} terms", arcsine.terms()),
-            Made::Velocity | Made::Acceleration(_) | Made::Position => ", a square root".to_owned(),
+            Made::OfSine { formula: Formula::Angle(arcsine), .. } => {
+                format!(", an arcsine by a polynomial of {} terms", arcsine.terms())
+            }
+            Made::Velocity | Made::OfSine { .. } => ", a square root".to_owned(),
         };
         sum + &made
     }
@@ -100,7 +113,7 @@ impl Harmonics {
             let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
             variables.signed(b, value, true, parity)
         };
-        if let Made::Position = self.made {
+        if let Made::OfSine { formula: Formula::Position, .. } = self.made {
             let y = self.argument(b, variables);
             let x = self.sine_of_angle(b, y);
             b.name(x, "x");
@@ -129,8 +142,8 @@ impl Harmonics {
         }
         let sum = self.argument(b, variables);
         match &self.made {
-            Made::Angle(arcsine) => arcsine.lower(b, sum, self.direction),
-            Made::Acceleration(square) => {
+            Made::OfSine { formula: Formula::Angle(arcsine), .. } => arcsine.lower(b, sum, self.direction),
+            Made::OfSine { formula: Formula::Acceleration(square), .. } => {
                 let sine = self.sine_of_angle(b, sum);
                 let square = b.exact(-*square);
                 b.mul(sine, square)
@@ -141,7 +154,7 @@ impl Harmonics {
 
     /// The sum of cosines.
     fn argument(&self, b: &mut Builder, variables: &Variables) -> Id {
-        if let Some(folded) = &self.folded {
+        if let Some(folded) = self.folded() {
             let sum = folded.magnitude(b, variables);
             return b.name(sum, ARGUMENT);
         }
@@ -181,22 +194,20 @@ impl Harmonics {
     /// The rounding over the whole range of the phase; some number above `cap` as soon as it is known to be, but where it
     /// peaks.
     pub(super) fn rounding(&self, program: &Program, reduction: &Reduction, cap: f64) -> f64 {
-        let of_polynomial =
-            |polynomial: &Polynomial| Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY);
-        let sums = self.sums(reduction, self.errors(of_polynomial));
+        let sums = self.sums(reduction, self.errors(reduction));
         let phase = reduction.origin.phase();
         let names: Vec<&str> = sums.iter().map(|sum| sum.name).chain([phase]).collect();
         let closed = after_named(program, &names);
-        let by_steps = self.by_steps(program, phase);
+        // A sum of few terms that is the result itself is analysed better step by step.
+        let by_steps = (!self.is_of_paper()).then(|| self.by_steps(program, phase));
         let in_closed_form = |low: f64, high: f64| {
             let known_sums = sums.iter().map(|sum| (sum.name, sum.known(reduction, low, high)));
             let known: Vec<(&str, Known)> = known_sums.chain([(phase, Known::between(low, high))]).collect();
             rounding_given(&closed, &known)
         };
-        // A sum of few terms that is the result itself is analysed better step by step.
         let between = |low: f64, high: f64| {
             let closed = in_closed_form(low, high);
-            if self.is_of_paper() { closed } else { closed.min(by_steps(low, high)) }
+            by_steps.as_ref().map_or(closed, |by_steps| closed.min(by_steps(low, high)))
         };
         if self.peaks() {
             return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
@@ -204,44 +215,40 @@ impl Harmonics {
         from_lowest(reduction, cap, between)
     }
 
-    /// What a sum is wrong by between two phases, operation by operation: of the cosine and the sine what their
-    /// polynomials differ by from them is passed on, too.
+    /// What a sum that is the result is wrong by between two phases, operation by operation. What the polynomials of the
+    /// cosine and the sine differ by from them is no rounding: it is added to their errors and passed on with these.
     fn by_steps(&self, program: &Program, phase: &'static str) -> impl Fn(f64, f64) -> f64 {
-        let sine = self.sine.as_ref().map_or(0.0, |sine| sine.truncation);
-        let waves = [(COSINE, self.cosine.truncation), (SINE, sine)];
-        let (waves, others): (Vec<_>, Vec<_>) = waves.into_iter().partition(|(name, _)| program.named(name).is_some());
-        // A wave of weight 1 is the result, by which name it goes; the cosine is none of one sine.
-        let is_result = |name: &str| if name == SINE { self.is_odd() } else { !self.is_odd() };
-        let of_result: f64 = others.iter().filter(|(name, _)| is_result(name)).map(|(_, truncation)| truncation).sum();
-        let polynomials: Vec<Program> =
-            waves.iter().map(|(name, _)| after_named(&program.up_to(name), &[phase])).collect();
+        let sine = self.sine.as_ref().map(|sine| (SINE, sine));
+        let all = [Some((COSINE, &self.cosine)), sine].into_iter().flatten();
+        let waves: Vec<NamedWave> = all.filter_map(|(name, wave)| NamedWave::of(program, name, wave, phase)).collect();
+        // The wave that the sum is a multiple of is the result itself, and has no other name, if its weight is 1.
+        let (name, factor) = sine.unwrap_or((COSINE, &self.cosine));
+        let of_result = if program.named(name).is_some() { 0.0 } else { factor.truncation };
         let rest = after_named(program, &[COSINE, SINE, phase]);
         move |low: f64, high: f64| {
             let phase = (phase, Known::between(low, high));
-            let wave = |(&(name, truncation), polynomial): (&(&'static str, f64), &Program)| {
-                let given = polynomial.named(phase.0).map(|id| (id, phase.1));
-                let Known { low, high, error, .. } = polynomial.rounding(given.as_slice())[0];
-                (name, Known::within(low, high, error + truncation))
-            };
-            let known: Vec<(&str, Known)> = waves.iter().zip(&polynomials).map(wave).chain([phase]).collect();
+            let known: Vec<(&str, Known)> =
+                waves.iter().map(|wave| (wave.name, wave.known(phase))).chain([phase]).collect();
             rounding_given(&rest, &known) + of_result
         }
     }
 
-    /// The errors of the cosine and the sine, given the rounding of a polynomial.
-    fn errors(&self, rounding: impl Fn(&Polynomial) -> f64) -> [f64; 2] {
-        let error = |polynomial: &Polynomial| rounding(polynomial) + polynomial.truncation;
-        let cosine = self.folded.as_ref().unwrap_or(&self.cosine);
+    /// The errors of the cosine, or of the sum of cosines that is computed in its place, and of the sine.
+    fn errors(&self, reduction: &Reduction) -> [f64; 2] {
+        let error = |polynomial: &Polynomial| {
+            Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY) + polynomial.truncation
+        };
+        let cosine = self.folded().unwrap_or(&self.cosine);
         [error(cosine), self.sine.as_ref().map_or(0.0, error)]
     }
 
     /// The sums that the program computes, given the errors of the cosine and the sine.
-    fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<Sum> {
+    fn sums(&self, reduction: &Reduction, [cosine, sine]: [f64; 2]) -> Vec<AnalysedSum> {
         let sum = |name, curve, order, weights: &[Double], sine: Option<f64>| {
             let name = if self.is_of_paper() { name } else { RESULT };
             let recurrence = || Error::Recurrence(Recurrence::new(weights, cosine, sine, reduction.float));
-            let error = if self.folded.is_some() { Error::Everywhere(cosine) } else { recurrence() };
-            Sum { name, curve, order, error }
+            let error = if self.folded().is_some() { Error::Everywhere(cosine) } else { recurrence() };
+            AnalysedSum { name, curve, order, error }
         };
         let mut all = vec![];
         if !self.cosines.is_empty() {
@@ -267,16 +274,41 @@ fn root_of_rest(b: &mut Builder, y: Id) -> Id {
     b.push(Op::Root(product))
 }
 
-/// A sum in a program, and how wrong it is computed.
-struct Sum {
+/// The cosine or the sine of the phase in a program.
+struct NamedWave {
     name: &'static str,
-    /// It is the derivative of this order.
+    /// What computes it.
+    program: Program,
+    /// What its polynomial differs by from it.
+    truncation: f64,
+}
+
+impl NamedWave {
+    /// `None` if the program has no node of that name.
+    fn of(program: &Program, name: &'static str, polynomial: &Polynomial, phase: &str) -> Option<Self> {
+        program.named(name)?;
+        let program = after_named(&program.up_to(name), &[phase]);
+        Some(Self { name, program, truncation: polynomial.truncation })
+    }
+
+    /// What is known of it, given what is of the phase.
+    fn known(&self, (phase, known): (&str, Known)) -> Known {
+        let given = self.program.named(phase).map(|id| (id, known));
+        let Known { low, high, error, .. } = self.program.rounding(given.as_slice())[0];
+        Known::within(low, high, error + self.truncation)
+    }
+}
+
+/// A sum that a program computes, as the analysis of its rounding knows it.
+struct AnalysedSum {
+    name: &'static str,
+    /// The sum is the derivative of this curve of the order below.
     curve: Cosines,
     order: usize,
     error: Error,
 }
 
-/// How wrong a sum is computed.
+/// How wrong a sum is: the same for all phases, or as its recurrence makes it.
 enum Error {
     Everywhere(f64),
     Recurrence(Recurrence),
@@ -291,7 +323,7 @@ impl Error {
     }
 }
 
-impl Sum {
+impl AnalysedSum {
     /// What is known of it where the phase is between `low` and `high`, for [`crate::program::Program::rounding`].
     fn known(&self, reduction: &Reduction, low: f64, high: f64) -> Known {
         let from_anchor = |phase: f64| {
@@ -306,7 +338,7 @@ impl Sum {
     }
 }
 
-/// u₁ and u₂ (absent for a single weight).
+/// u₁ and u₂ of the recurrence; of a single weight there is no u₂, which is 0.
 fn clenshaw(b: &mut Builder, cosine: Id, weights: &[Double]) -> (Id, Option<Id>) {
     let constants: Vec<Id> = weights.iter().map(|&weight| b.exact(weight)).collect();
     let Some((&last, rest)) = constants.split_last() else { return (cosine, None) };

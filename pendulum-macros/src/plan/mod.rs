@@ -4,7 +4,6 @@ mod aim;
 mod alternatives;
 mod arc;
 mod arcsine;
-mod bias;
 mod blocks;
 mod cosines;
 pub(crate) mod curve;

@@ -1,21 +1,21 @@
 //! The methods of the paper, and the series of θ: sums of harmonics of one cosine.
 
+mod bias;
 mod parts;
-mod pieces;
 mod series;
 mod whole;
 
 use super::aim::FULL;
-use super::bias::{Approximate, MOST_TERMS};
 use super::curve::{Curve, Curves, SwingCurves};
 use super::met::Met;
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal};
 use crate::exact::Real;
-use crate::motion::Swing;
+use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
+use bias::{Approximate, MOST_TERMS};
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 
@@ -33,23 +33,19 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     };
     // Derivatives may need some terms more, as long as these help.
     for more in MORE {
-        let sum = match method {
-            Method::Fourier => Sum::fourier(scene, swing, fewest + more)?,
-            Method::Series => Sum::series(scene, swing, fewest + more),
-            _ => Sum::of_one(scene, swing, method),
-        };
+        let sum = Sum::new(scene, swing, method, fewest + more)?;
         let given = matches!(scene.goal, Goal::Terms(_));
-        // In pieces as many as it is known of what they leave out.
+        // In pieces a series may have as many terms as its bias is known for.
         let most = if method == Method::Series { MOST_TERMS } else { MOST_CHOSEN };
         if sum.weights.len() >= most && !given {
             return Err(Refusal::Unreachable { best: f64::INFINITY });
         }
-        let wanted = sum.wanted(scene, swing);
-        let planned = sum.plan(scene, swing, &wanted);
+        let wanted = sum.wanted();
+        let planned = sum.plan(&wanted);
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
         let helped = best < reached * 0.9 || best.is_infinite() && more <= 2;
-        // Where what is left out counts, more help, if slowly.
-        let counts = wanted.iter().any(|wanted| wanted.bias > 0.1 * sum.promise(scene, wanted));
+        // Where the terms left out take a part of the promise that counts, more help, if slowly.
+        let counts = wanted.iter().any(|wanted| wanted.bias > 0.1 * sum.promise(wanted));
         reached = reached.min(best);
         if given || !matches!(method, Method::Fourier | Method::Series) || !helped && !counts {
             break;
@@ -58,11 +54,13 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     Err(Refusal::Unreachable { best: reached })
 }
 
-/// How many terms more are tried.
+/// How many terms more than the fewest are tried.
 const MORE: [usize; 8] = [0, 1, 2, 3, 5, 8, 13, 21];
 
-/// The weights that a method gives to the harmonics of the phase.
-struct Sum {
+/// The weights that a method gives to the harmonics of the phase of a swing.
+struct Sum<'a> {
+    scene: &'a Scene,
+    swing: &'a Swing,
     method: Method,
     /// Anchors per unit of time: of the small-angle motion where that is the method.
     rate: Real,
@@ -72,20 +70,32 @@ struct Sum {
     coefficients: Vec<Real>,
 }
 
-impl Sum {
-    /// The amplitude times a cosine.
-    fn of_one(scene: &Scene, swing: &Swing, method: Method) -> Self {
-        let omega = &scene.motion.omega;
-        let rate = if method == Method::SmallAngle { omega / omega.context().pi() } else { swing.rate() };
-        Self::of_weights(method, rate, vec![swing.amplitude.to_double()])
+impl<'a> Sum<'a> {
+    /// Of so many terms, where the method has more than one.
+    fn new(scene: &'a Scene, swing: &'a Swing, method: Method, terms: usize) -> Result<Self, Refusal> {
+        match method {
+            Method::Fourier => Self::fourier(scene, swing, terms),
+            Method::Series => {
+                let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
+                Ok(Self::series(scene, swing, &theta, terms))
+            }
+            _ => Ok(Self::of_one(scene, swing, method)),
+        }
     }
 
-    fn of_weights(method: Method, rate: Real, weights: Vec<Double>) -> Self {
-        Self { method, rate, weights, coefficients: Vec::new() }
+    /// The amplitude times a cosine.
+    fn of_one(scene: &'a Scene, swing: &'a Swing, method: Method) -> Self {
+        let omega = &scene.motion.omega;
+        let rate = if method == Method::SmallAngle { omega / omega.context().pi() } else { swing.rate() };
+        Self::of_weights(scene, swing, method, rate, vec![swing.amplitude.to_double()])
+    }
+
+    fn of_weights(scene: &'a Scene, swing: &'a Swing, method: Method, rate: Real, weights: Vec<Double>) -> Self {
+        Self { scene, swing, method, rate, weights, coefficients: Vec::new() }
     }
 
     /// n terms k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
-    fn fourier(scene: &Scene, swing: &Swing, n: usize) -> Result<Self, Refusal> {
+    fn fourier(scene: &'a Scene, swing: &'a Swing, n: usize) -> Result<Self, Refusal> {
         let analysis = swing.elliptic.fourier_analysis();
         if let Some(overshoot) = analysis.overshoot(n) {
             let smallest = swing.smallest_working_terms(scene.float.unit());
@@ -94,27 +104,23 @@ impl Sum {
         }
         let coefficients = swing.fourier_coefficients(n);
         let weights = swing.half_sine_weights(&coefficients);
-        Ok(Self { coefficients, ..Self::of_weights(Method::Fourier, swing.rate(), weights) })
+        Ok(Self { coefficients, ..Self::of_weights(scene, swing, Method::Fourier, swing.rate(), weights) })
     }
 
     /// The first terms of the series of θ.
-    fn series(scene: &Scene, swing: &Swing, kept: usize) -> Self {
-        Self::of_curve(swing, &SwingCurves::new(swing, &scene.motion.omega).angle(), kept)
-    }
-
-    fn of_curve(swing: &Swing, theta: &Curve, kept: usize) -> Self {
+    fn series(scene: &'a Scene, swing: &'a Swing, theta: &Curve, kept: usize) -> Self {
         let first = theta.terms().iter().take(kept.min(MOST_TERMS));
-        Self::of_weights(Method::Series, swing.rate(), first.map(|&(_, a)| a).collect())
+        Self::of_weights(scene, swing, Method::Series, swing.rate(), first.map(|&(_, a)| a).collect())
     }
 
     /// What of our phase a short horizon meets.
-    fn met(&self, scene: &Scene, swing: &Swing) -> Option<Met> {
-        Met::within(scene, &self.rate, &swing.launch)
+    fn met(&self) -> Option<Met> {
+        Met::within(self.scene, &self.rate, &self.swing.launch)
     }
 
-    /// What it approximates θ by.
-    fn approximate<'a>(&'a self, theta: &'a Curve, scene: &'a Scene, swing: &'a Swing) -> Approximate<'a> {
-        Approximate::new((self.method, &self.weights, &self.rate), theta, scene, swing)
+    /// −1 for a mirror image.
+    fn direction(&self) -> f64 {
+        direction(self.swing.mirrored)
     }
 }
 
@@ -133,8 +139,8 @@ fn fewest_of_series(scene: &Scene, swing: &Swing) -> usize {
     let theta = curves.angle();
     let most = theta.terms().len().min(MOST_TERMS);
     let serves = |kept: usize| {
-        let sum = Sum::of_curve(swing, &theta, kept);
-        sum.approximate(&theta, scene, swing).angle() <= aim(scene, &theta)
+        let sum = Sum::series(scene, swing, &theta, kept);
+        Approximate::new(&sum, &theta).angle() <= aim(scene, &theta)
     };
     let of_theta = first_serving(negligible_after(scene, &theta), most, serves);
     let of_derivative = |output: &Output| match output {
@@ -193,29 +199,30 @@ fn is_useful(part: &Part, scene: &Scene) -> bool {
     bound.is_finite() && !vague
 }
 
-impl Sum {
+impl Sum<'_> {
     /// The cheapest reduction with which the promise is kept, or, if nothing is promised, whose error is beside the
     /// rounding of the rest. Where the recurrence doesn't keep it, the series does in pieces.
-    fn plan(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Result<Plan, Refusal> {
+    fn plan(&self, wanted: &[Wanted]) -> Result<Plan, Refusal> {
         // Where the sum itself is too far from the motion no reduction helps.
-        if wanted.iter().any(|wanted| self.left(scene, wanted) <= 0.0) {
+        if wanted.iter().any(|wanted| self.left(wanted) <= 0.0) {
             let best = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
             return Err(Refusal::Unreachable { best });
         }
         if self.method != Method::Series {
-            return self.cheapest(scene, swing, wanted);
+            return self.cheapest(wanted);
         }
         let long = self.weights.len() >= MOST_CHOSEN;
         let too_long = Err(Refusal::Unreachable { best: f64::INFINITY });
-        let summed = if long { too_long } else { self.cheapest(scene, swing, wanted) };
+        let summed = if long { too_long } else { self.cheapest(wanted) };
         let Err(Refusal::Unreachable { best }) = summed else { return summed };
-        let in_pieces = self.in_pieces(scene, swing, wanted);
+        let in_pieces = self.in_pieces(wanted);
         in_pieces.map_err(|reached| Refusal::Unreachable { best: best.min(reached) })
     }
 
     /// The reductions, cheapest first; over a short horizon those that are as good as is taken for granted there.
-    fn reductions(&self, scene: &Scene, swing: &Swing) -> Vec<Reduction> {
-        let met = self.met(scene, swing);
+    fn reductions(&self) -> Vec<Reduction> {
+        let &Self { scene, swing, .. } = self;
+        let met = self.met();
         let most = met.map_or(f64::INFINITY, |met| met.wrong(&swing.launch, scene.float));
         let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing).into_iter();
         let fine = reductions.filter(|reduction| reduction.error + 0.5 * reduction.relative_error <= most);
@@ -225,44 +232,45 @@ impl Sum {
         reductions
     }
 
-    /// Whether a phase is good enough for all outputs: if nothing is promised, its error is to be beside the rounding. Of a
-    /// promise it had better not be most if it is met at the end of a long horizon only.
-    fn serves(scene: &Scene, wanted: &[Wanted], reduction: &Reduction) -> bool {
+    /// Whether a phase is good enough for all outputs. Without a tolerance its error is to be of the order of the rounding.
+    /// Of a tolerance, one whose error is next to nothing until the end of a long horizon is to take no more than the
+    /// terms left out do.
+    fn serves(&self, wanted: &[Wanted], reduction: &Reduction) -> bool {
         let fine = |wanted: &Wanted| {
             let phase = wanted.curve.size.phase_error(reduction);
-            match scene.goal {
+            match self.scene.goal {
                 Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
-                _ => phase <= 8.0 * scene.float.unit() * wanted.curve.size.largest,
+                _ => phase <= 8.0 * self.scene.float.unit() * wanted.curve.size.largest,
             }
         };
         wanted.iter().all(fine)
     }
 
-    fn cheapest(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Result<Plan, Refusal> {
+    /// The cheapest plan that is found; or the least error that was reached, in units of the tolerance.
+    fn cheapest(&self, wanted: &[Wanted]) -> Result<Plan, Refusal> {
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
         let mut found: Option<Plan> = None;
-        let reductions = self.reductions(scene, swing);
-        for reduction in reductions.iter().filter(|reduction| Self::serves(scene, wanted, reduction)) {
+        let reductions = self.reductions();
+        for reduction in reductions.iter().filter(|reduction| self.serves(wanted, reduction)) {
             // A dearer reduction is worth a look only where it leads to pieces and a cheaper one didn't.
             if found.is_some() && !(reduction.has_pieces() && wanted.iter().any(Wanted::has_pieces)) {
                 continue;
             }
-            // Where the phase alone is too wrong, or everything else is, with a phase from the same origin.
-            let lost = |wanted: &Wanted| wanted.curve.size.phase_error(reduction) > self.promise(scene, wanted);
+            // Nor where the phase alone is too wrong, or where all else was with another phase from the same origin.
+            let lost = |wanted: &Wanted| wanted.curve.size.phase_error(reduction) > self.promise(wanted);
             if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
                 continue;
             }
-            let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(scene, swing, wanted, reduction)).collect();
+            let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(wanted, reduction)).collect();
             let kept = |error: fn(Bound) -> f64| {
-                let promises = wanted.iter().map(|wanted| self.promise(scene, wanted));
-                parts.iter().zip(promises).all(|(part, promise)| error(part.bound) <= promise)
+                parts.iter().zip(wanted).all(|(part, wanted)| error(part.bound) <= self.promise(wanted))
             };
-            // What computes the arcsine as well is made for what the phase leaves: of a finer one it may be better.
+            // A kernel for the whole of θ̂ is made as good as what the phase leaves: with a finer phase it may be better.
             if !kept(|bound| bound.truncation + bound.evaluation) && !wanted.iter().any(Wanted::is_whole) {
                 hopeless.push(reduction.origin);
             }
-            if kept(Bound::total) && parts.iter().all(|part| is_useful(part, scene)) {
+            if kept(Bound::total) && parts.iter().all(|part| is_useful(part, self.scene)) {
                 let plan = self.joined(reduction, parts);
                 found = Some(found.filter(|found| found.cost() <= plan.cost()).unwrap_or(plan));
                 if reduction.has_pieces() {
@@ -281,18 +289,18 @@ impl Sum {
     }
 
     /// The error that an output may have by the recurrence, of whose proven rounding two thirds are observed.
-    fn promise(&self, scene: &Scene, wanted: &Wanted) -> f64 {
-        self.promise_observed(2.0 / 3.0, scene, wanted)
+    fn promise(&self, wanted: &Wanted) -> f64 {
+        self.promise_observed(2.0 / 3.0, wanted)
     }
 
-    /// The error that an output may have: without a tolerance the series, which has as many terms as it takes, is to
-    /// be as good as full precision, of which half may be observed: what is left out is met in full, of the rest that
-    /// part. The others are what they are.
-    fn promise_observed(&self, part: f64, scene: &Scene, Wanted { curve, bias, .. }: &Wanted) -> f64 {
-        match scene.goal {
+    /// The error that an output may have. Without a tolerance the series, which has as many terms as it takes, is to be
+    /// as good as full precision, of which half may be observed: what the terms left out come to is observed in full, of
+    /// the proven rest no more than `part`. Of the other methods nothing is promised.
+    fn promise_observed(&self, part: f64, Wanted { curve, bias, .. }: &Wanted) -> f64 {
+        match self.scene.goal {
             Goal::Tolerance(tol) => curve.size.within(tol),
             Goal::Full if self.method == Method::Series => {
-                let half = 0.5 * FULL * scene.float.unit() * curve.size.largest;
+                let half = 0.5 * FULL * self.scene.float.unit() * curve.size.largest;
                 bias + (half - bias) / part
             }
             Goal::Full | Goal::Terms(_) => f64::INFINITY,

@@ -6,26 +6,24 @@
 
 use super::Sum;
 use super::parts::Wanted;
-use crate::motion::Swing;
 use crate::plan::aim::Aim;
 use crate::plan::harmonics::harmonics;
 use crate::plan::part::{InPieces, observed};
 use crate::plan::task::Task;
 use crate::plan::{Bound, Part, Plan};
-use crate::scene::Scene;
 use crate::supremum::worst;
 
-impl Sum {
+impl Sum<'_> {
     /// In few pieces if those serve, with the cheapest reduction that keeps the promise; or the error reached, in units of
     /// the tolerance.
-    pub(super) fn in_pieces(&self, scene: &Scene, swing: &Swing, wanted: &[Wanted]) -> Result<Plan, f64> {
-        let mut task = Task::new(scene);
-        task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.aim(scene, wanted, aim));
+    pub(super) fn in_pieces(&self, wanted: &[Wanted]) -> Result<Plan, f64> {
+        let mut task = Task::new(self.scene);
+        task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.aim(wanted, aim));
         let bias = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
-        let all = InPieces::all(&task, &self.reductions(scene, swing));
+        let all = InPieces::all(&task, &self.reductions());
         let pieces = all.first().ok_or(f64::INFINITY)?;
         let mut reached = f64::INFINITY;
-        for reduction in pieces.reductions.iter().filter(|reduction| Self::serves(scene, wanted, reduction)) {
+        for reduction in pieces.reductions.iter().filter(|reduction| self.serves(wanted, reduction)) {
             match pieces.parts(&task, reduction, f64::INFINITY) {
                 Ok(parts) => {
                     let parts = parts.into_iter().zip(wanted).map(|(part, wanted)| self.of_sum(part, wanted));
@@ -38,16 +36,16 @@ impl Sum {
     }
 
     /// What the promise leaves to the phase and pieces.
-    pub(super) fn left(&self, scene: &Scene, wanted: &Wanted) -> f64 {
-        self.promise_observed(observed(scene.float), scene, wanted) - wanted.bias
+    pub(super) fn left(&self, wanted: &Wanted) -> f64 {
+        self.promise_observed(observed(self.scene.float), wanted) - wanted.bias
     }
 
     /// The sum in place of the whole curve, with what is left to it.
-    fn aim(&self, scene: &Scene, wanted: &Wanted, aim: &mut Aim) {
+    fn aim(&self, wanted: &Wanted, aim: &mut Aim) {
         aim.curves = vec![wanted.curve.clone().first(self.weights.len())];
         // A sum has no logarithms.
         aim.power = 1;
-        aim.limit = self.left(scene, wanted);
+        aim.limit = self.left(wanted);
         aim.truncation = aim.limit;
     }
 

@@ -319,7 +319,7 @@ fn the_paper_and_its_derivative() {
         let weights: Vec<f64> = plan.coefficients.iter().map(|b| k * b.to_f64()).collect();
         assert_eq!((weights.len(), plan.terms, plan.parts[1].kernel.terms()), (n, n, n));
         let rate = 2.0 / swing.period.to_f64();
-        let side = crate::motion::direction(swing.mirrored);
+        let side = direction(swing.mirrored);
         let mut worst = [0.0_f64; 2];
         for i in 0..60 {
             let t = (f64::from(i) + 0.37) / 15.0 / rate;

@@ -3,6 +3,7 @@
 use super::*;
 use crate::motion::Regime;
 use crate::plan::tests::scene;
+use crate::scene::Scene;
 use std::f64::consts::PI;
 
 /// Twice the derivative of the arcsine of Σ a cos ms, and its derivative.
@@ -53,13 +54,14 @@ impl Case {
         let exact = swing.rate();
         let rate = &exact * &exact.context().float(self.faster).unwrap();
         let theta = curves.angle();
-        let ours = Approximate::new((self.method, &weights, &rate), &theta, &self.scene, swing);
-        let found = Approximate { drift: self.drift, ..ours }.velocity();
-        let ours: Vec<(f64, f64)> = weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
+        let sum = Sum::of_weights(&self.scene, swing, self.method, rate, weights);
+        let found = Approximate { drift: self.drift, ..Approximate::new(&sum, &theta) }.velocity();
+        let ours: Vec<(f64, f64)> =
+            sum.weights.iter().enumerate().map(|(n, w)| ((2 * n + 1) as f64 * PI, w.hi)).collect();
         let terms = theta.terms();
         let slope =
             |s: f64| terms.iter().map(|&(m, a)| -f64::from(m) * PI * a.hi * (f64::from(m) * PI * s).sin()).sum::<f64>();
-        let seen = sampled(&ours, self.method, rate.to_f64(), self.drift, |s| slope(s) * exact.to_f64());
+        let seen = sampled(&ours, self.method, sum.rate.to_f64(), self.drift, |s| slope(s) * exact.to_f64());
         (found, seen)
     }
 
@@ -121,10 +123,10 @@ fn of_angles_within_a_moment() {
                 Method::Fourier => swing.half_sine_weights(&swing.fourier_coefficients(terms)),
                 _ => theta.terms().iter().take(terms).map(|term| term.1).collect(),
             };
-            let ours = Approximate::new((method, &weights, &rate), &theta, &scene, swing);
+            let ours = Sum::of_weights(&scene, swing, method, rate.clone(), weights);
             let angle = |s: f64| {
                 let sum: f64 =
-                    weights.iter().enumerate().map(|(n, w)| w.hi * ((2 * n + 1) as f64 * PI * s).cos()).sum();
+                    ours.weights.iter().enumerate().map(|(n, w)| w.hi * ((2 * n + 1) as f64 * PI * s).cos()).sum();
                 if method == Method::Fourier { 2.0 * sum.asin() } else { sum }
             };
             let (reach, launch) = (t_max * rate.to_f64(), swing.launch.to_f64());
@@ -132,7 +134,7 @@ fn of_angles_within_a_moment() {
             let seen = worst(seen.map(|s| (angle(s) - theta.at(Double::new(s)).hi).abs()));
             let beyond =
                 worst((0..=5000).map(|i| (angle(f64::from(i) * 1e-4).abs() - swing.amplitude.to_f64()).max(0.0)));
-            let (found, seen) = (ours.angle(), seen.max(beyond));
+            let (found, seen) = (Approximate::new(&ours, &theta).angle(), seen.max(beyond));
             assert!(seen <= found && found <= 1.1 * seen, "{start}, {method:?} {terms}: {found:e} for {seen:e}");
         }
     }
@@ -185,8 +187,8 @@ fn near_the_top() {
     let rate = swinging.rate();
     let theta = SwingCurves::new(swinging, &motion.scene.motion.omega).angle();
     let of = |method| {
-        let ours = Approximate::new((method, &[Double::PI], &rate), &theta, &motion.scene, swinging);
-        Approximate { drift: 1.0, ..ours }.velocity()
+        let sum = Sum::of_weights(&motion.scene, swinging, method, rate.clone(), vec![Double::PI]);
+        Approximate { drift: 1.0, ..Approximate::new(&sum, &theta) }.velocity()
     };
     assert!((1.0..1.0 + 1e-8).contains(&(of(Method::Harmonic) / expected)));
     assert_eq!(of(Method::Fourier), f64::INFINITY);

@@ -1,42 +1,31 @@
 //! How far an approximate θ is from θ, its derivative from θ̇, and what follows from it for θ̈ from that.
 
-use super::cosines::Cosines;
-use super::curve::{Curve, Curves, SwingCurves};
-use super::met::Met;
-use super::reduction::Clock;
-use crate::exact::Real;
-use crate::motion::Swing;
+use super::Sum;
 use crate::parse::Method;
+use crate::plan::cosines::Cosines;
+use crate::plan::curve::{Curve, Curves, SwingCurves};
+use crate::plan::met::Met;
+use crate::plan::reduction::Clock;
 use crate::program::rounding::products;
-use crate::scene::Scene;
 use crate::supremum::{Halving, by_halves, worst};
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
 /// θ̂ = Σ wₙ cos((2n−1)πs), or twice the arcsine of that for [`Method::Fourier`], beside the θ of a swing.
 pub(super) struct Approximate<'a> {
-    method: Method,
-    weights: &'a [Double],
-    /// Anchors per unit of time.
-    rate: &'a Real,
+    sum: &'a Sum<'a>,
     /// By how many anchors the phase at this rate comes to differ from the exact one within the horizon.
     drift: f64,
     theta: &'a Curve,
-    scene: &'a Scene,
-    swing: &'a Swing,
 }
 
 impl<'a> Approximate<'a> {
-    pub(super) fn new(
-        (method, weights, rate): (Method, &'a [Double], &'a Real),
-        theta: &'a Curve,
-        scene: &'a Scene,
-        swing: &'a Swing,
-    ) -> Self {
+    pub(super) fn new(sum: &'a Sum<'a>, theta: &'a Curve) -> Self {
+        let Sum { scene, swing, rate, .. } = sum;
         let exact = swing.rate();
         let horizon = Clock::new(scene, &exact, &swing.launch).horizon();
         let drift = rate.context().float(horizon).map_or(f64::INFINITY, |t| ((rate - &exact).abs() * t).to_f64());
-        Self { method, weights, rate, drift, theta, scene, swing }
+        Self { sum, drift, theta }
     }
 
     /// sup |θ̂ − θ| over the horizon, or by how much θ̂ exceeds the amplitude beyond it, if that is more.
@@ -49,15 +38,14 @@ impl<'a> Approximate<'a> {
 
     /// sup |θ̂′ − θ̇| over the horizon, in rad per unit of t.
     pub(super) fn velocity(&self) -> f64 {
-        let theta = self.theta;
-        let (ours, exact) = (Cosines::odd(self.weights), sum_of(theta.terms()));
-        let (rate, exact_rate) = (self.rate.to_f64(), self.swing.rate().to_f64());
+        let &Self { theta, sum: Sum { scene, swing, method, rate, weights, .. }, drift } = self;
+        let (ours, exact) = (Cosines::odd(weights), sum_of(theta.terms()));
+        let (rate, exact_rate) = (rate.to_f64(), swing.rate().to_f64());
         if theta.terms().len() > MOST_TERMS {
-            let slopes = if self.method == Method::Fourier { f64::INFINITY } else { ours.magnitude(1) };
-            return (slopes * rate + self.scene.motion.fastest().to_f64()) * (1.0 + 1e-9);
+            let slopes = if *method == Method::Fourier { f64::INFINITY } else { ours.magnitude(1) };
+            return (slopes * rate + scene.motion.fastest().to_f64()) * (1.0 + 1e-9);
         }
         // Of our phases, which differ by the drift from those that are met.
-        let drift = self.drift;
         let met = self.met().filter(|_| drift < 0.25).map(|Met { least, farthest }| [least - drift, farthest + drift]);
         let met = met.unwrap_or([0.0, 0.5]);
         // Both at the same phase and rate; then the other rate, and the other phase.
@@ -73,10 +61,12 @@ impl<'a> Approximate<'a> {
     /// How far −ω² sin θ̂ by the paper's formula, or otherwise θ̂″, is from θ̈ over the horizon at most, in rad per unit of
     /// t squared.
     pub(super) fn acceleration(&self) -> f64 {
-        let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
-        if self.method != Method::Fourier {
-            let (weights, theta) = (bends(self.weights, self.rate, 1.0), curves.acceleration());
-            return Approximate { weights: &weights, theta: &theta, ..*self }.at_most();
+        let &Sum { scene, swing, method, ref rate, .. } = self.sum;
+        let omega = &scene.motion.omega;
+        if method != Method::Fourier {
+            let bent = Sum::of_weights(scene, swing, method, rate.clone(), self.sum.bends());
+            let theta = SwingCurves::new(swing, omega).acceleration();
+            return Approximate { sum: &bent, theta: &theta, ..*self }.at_most();
         }
         let by_angle = self.everywhere();
         let apart = if self.theta.terms().len() > MOST_TERMS {
@@ -85,7 +75,7 @@ impl<'a> Approximate<'a> {
             let met = self.met().map_or([0.0, 0.5], |Met { least, farthest }| [least, farthest]);
             by_angle.min(self.at_same_phase(met, Sines::sines_apart, 0))
         };
-        apart * self.scene.motion.omega.square().to_f64() * (1.0 + 1e-9)
+        apart * omega.square().to_f64() * (1.0 + 1e-9)
     }
 
     /// sup |θ̂ − θ| over the horizon, as far as what is met of it is known.
@@ -97,9 +87,10 @@ impl<'a> Approximate<'a> {
 
     /// sup |θ̂ − θ| over all phases.
     fn everywhere(&self) -> f64 {
-        match self.method {
-            Method::Fourier => self.swing.elliptic.fourier_analysis().certified_bound(self.weights.len(), SLACK),
-            Method::Series => left_out(self.theta, self.weights.len()),
+        let Sum { swing, method, weights, .. } = self.sum;
+        match method {
+            Method::Fourier => swing.elliptic.fourier_analysis().certified_bound(weights.len(), SLACK),
+            Method::Series => left_out(self.theta, weights.len()),
             _ => self.of_cosine() + self.moved(0.5),
         }
     }
@@ -110,11 +101,11 @@ impl<'a> Approximate<'a> {
     fn of_cosine(&self) -> f64 {
         let theta = self.theta;
         if theta.terms().len() > MOST_TERMS {
-            return theta.size.largest.max(self.weights[0].hi.abs()) * (1.0 + 8.0 * f64::EPSILON);
+            return theta.size.largest.max(self.sum.weights[0].hi.abs()) * (1.0 + 8.0 * f64::EPSILON);
         }
         let mut terms = theta.terms().to_vec();
         if let Some(first) = terms.first_mut() {
-            first.1 = first.1 - self.weights[0];
+            first.1 = first.1 - self.sum.weights[0];
         }
         tail(&terms, theta.omitted())
     }
@@ -131,11 +122,11 @@ impl<'a> Approximate<'a> {
     /// The difference of the angles, or of their derivatives by the phase, at one phase of both: given for sines, and the
     /// derivative of that order of a sum.
     fn at_same_phase(&self, phases: [f64; 2], of_sines: fn(&Sines, f64, f64) -> f64, order: usize) -> f64 {
-        if self.method == Method::Fourier {
+        if self.sum.method == Method::Fourier {
             let sines = self.sines();
             return supremum(phases, |low, high| of_sines(&sines, low, high));
         }
-        let apart = difference(self.theta.terms(), self.weights);
+        let apart = difference(self.theta.terms(), &self.sum.weights);
         supremum(phases, |low, high| apart.over(low, high).largest(order))
     }
 
@@ -144,10 +135,11 @@ impl<'a> Approximate<'a> {
         if self.is_cosine() {
             return 0.0;
         }
-        let (ours, amplitude) = (Cosines::odd(self.weights), self.swing.amplitude.to_f64());
+        let Sum { swing, method, weights, .. } = self.sum;
+        let (ours, amplitude) = (Cosines::odd(weights), swing.amplitude.to_f64());
         let over = |low: f64, high: f64| {
             let sum = ours.over(low, high).largest(0);
-            let angle = if self.method == Method::Fourier { 2.0 * libm::asin(sum.min(1.0)) } else { sum };
+            let angle = if *method == Method::Fourier { 2.0 * libm::asin(sum.min(1.0)) } else { sum };
             (angle - amplitude).max(0.0)
         };
         let halving =
@@ -158,34 +150,43 @@ impl<'a> Approximate<'a> {
     /// What another rate comes to for phases that go so far from an anchor: of the one cosine θ0 cos πs, which alone has
     /// one.
     fn moved(&self, farthest: f64) -> f64 {
-        if self.is_cosine() { self.weights[0].hi.abs() * of_moved_cosine(farthest, self.drift) } else { 0.0 }
+        if self.is_cosine() { self.sum.weights[0].hi.abs() * of_moved_cosine(farthest, self.drift) } else { 0.0 }
     }
 
     fn is_cosine(&self) -> bool {
-        matches!(self.method, Method::Harmonic | Method::SmallAngle)
+        matches!(self.sum.method, Method::Harmonic | Method::SmallAngle)
     }
 
     /// The phases of both that may be compared within the horizon.
     fn met(&self) -> Option<Met> {
-        let Swing { launch, .. } = self.swing;
-        let met = Met::within(self.scene, &self.swing.rate(), launch);
-        met.map(|met| met.as_reduced(launch, self.scene.float))
+        let Sum { scene, swing, .. } = self.sum;
+        let met = Met::within(scene, &swing.rate(), &swing.launch);
+        met.map(|met| met.as_reduced(&swing.launch, scene.float))
     }
 
     fn sines(&self) -> Sines {
-        let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
-        Sines::new(self.weights, sum_of(self.theta.terms()), &curves)
+        let Sum { scene, swing, weights, .. } = self.sum;
+        let curves = SwingCurves::new(swing, &scene.motion.omega);
+        Sines::new(weights, sum_of(self.theta.terms()), &curves)
     }
 }
 
-/// The weights of θ̂″ at that rate, mirrored if `direction` is negative: −wₙ((2n − 1)π·rate)².
-pub(super) fn bends(weights: &[Double], rate: &Real, direction: f64) -> Vec<Double> {
-    let rate = rate.to_double() * Double::PI;
-    let bend = |(index, &w): (usize, &Double)| {
-        let frequency = rate * (2 * index + 1) as f64;
-        w * frequency * frequency * -direction
-    };
-    weights.iter().enumerate().map(bend).collect()
+impl Sum<'_> {
+    /// The weights of the sum's derivative, a sum of sines: −wₙ(2n − 1)π·rate.
+    pub(super) fn slopes(&self) -> Vec<Double> {
+        let rate = self.rate.to_double() * -Double::PI;
+        self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
+    }
+
+    /// The weights of its second derivative: −wₙ((2n − 1)π·rate)².
+    pub(super) fn bends(&self) -> Vec<Double> {
+        let rate = self.rate.to_double() * Double::PI;
+        let bend = |(index, &w): (usize, &Double)| {
+            let frequency = rate * (2 * index + 1) as f64;
+            -(w * frequency * frequency)
+        };
+        self.weights.iter().enumerate().map(bend).collect()
+    }
 }
 
 /// sup |cos πs − cos πs′| for phases s up to `farthest` that differ from s′ by up to `drift`, in anchors: it is

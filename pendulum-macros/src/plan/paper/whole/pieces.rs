@@ -1,17 +1,21 @@
-//! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), piece by piece.
+//! The paper's θ̂ as one polynomial in each piece of half a period.
 //!
 //! θ̂ is analytic but where y = ±1, which at 7π/8 with N = 4 it is nowhere within 0.125i of the real axis: as far as
 //! eight times half a 64th of a period. So a dozen terms about the middle of such a piece leave less than rounding does,
-//! where one polynomial for all phases needs 34 ([`super::whole`]).
+//! where one polynomial for all phases needs 34 ([`super::single`]).
 //!
-//! **Error.** As in [`super::whole`], each interpolant Q is tested afterwards. With x = c + hu the residual R = y(x) −
+//! **Error.** As in [`super::single`], each interpolant Q is tested afterwards. With x = c + hu the residual R = y(x) −
 //! sin(Q(u)/2) is an entire function of u. On an ellipse of parameter ρ |y| is bounded by its coefficients, Im x being
 //! at most h(ρ − 1/ρ)/2; and |sin(Q/2)| by the hyperbolic cosine of |Im Q/2|, to which the constant adds nothing. What
-//! follows from sup |R| is the same as there.
+//! follows from sup |R| is in [`super::residual`].
 
-use super::whole::{Point, of_residual, residual, twice_arcsine};
+use super::Limits;
+use super::residual::{Point, of_residual, residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
+use crate::plan::Bound;
+use crate::plan::kernel::Kernel;
 use crate::plan::pieces::{Piecewise, half, phase};
+use crate::plan::reduction::Reduction;
 use crate::series::Wave;
 use pendulum_runtime::double::Double;
 
@@ -36,7 +40,7 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise>
 fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
     let table = CosineTable::new(POINTS);
     let sampled = |index: usize| -> Vec<(Double, Double)> {
-        let phases = table.points().map(|u| Piece { pieces, index }.phase(u));
+        let phases = table.points().map(|u| phase(pieces, index, u));
         phases.map(|s| (s, sum.at(s))).collect()
     };
     let samples: Vec<Vec<(Double, Double)>> = (0..=pieces / 2).map(sampled).collect();
@@ -49,39 +53,55 @@ fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
     for (index, own) in samples.iter().enumerate() {
         let values: Option<Vec<Double>> = own.iter().map(|&(_, y)| twice_arcsine(y)).collect();
         let own = table.coefficients(&values?);
-        residual = residual.max(Piece { pieces, index }.residual(sum, &own, negligible)?);
+        residual = residual.max(Piece { sum, pieces, index }.residual(&own, negligible)?);
         series.push(own);
     }
     let error = of_residual(sum, &points, residual)?;
     (error <= negligible).then(|| Piecewise::known(series, error))
 }
 
-/// One piece.
-struct Piece {
+/// The kernel with a table that keeps the limits.
+pub(super) fn kernel(
+    piecewise: &Piecewise,
+    limits: Limits,
+    reduction: &Reduction,
+    direction: f64,
+) -> Option<(Kernel, Bound)> {
+    let (mut pieces, truncation) = piecewise.kernel(reduction, limits.truncation)?;
+    let bound = limits.kept(truncation, pieces.rounding())?;
+    if direction < 0.0 {
+        pieces.negate();
+    }
+    Some((Kernel::Pieces(Box::new(pieces)), bound))
+}
+
+/// One of so many pieces, and the sum y, of which θ̂ is twice the arcsine.
+struct Piece<'a> {
+    sum: &'a Wave,
     pieces: usize,
     index: usize,
 }
 
-impl Piece {
+impl Piece<'_> {
     fn phase(&self, u: Double) -> Double {
         phase(self.pieces, self.index, u)
     }
 
     /// Bounds |y − sin(Q/2)| for the interpolant Q.
-    fn residual(&self, sum: &Wave, series: &[Double], negligible: f64) -> Option<f64> {
-        let ellipse = |rho: f64| (self.bound(sum, series, rho), rho);
+    fn residual(&self, series: &[Double], negligible: f64) -> Option<f64> {
+        let ellipse = |rho: f64| (self.bound(series, rho), rho);
         let ellipses = [3.0, 5.0, 8.0, 12.0, 20.0, 32.0].into_iter().map(ellipse);
         let interpolation = Interpolation::fewest(ellipses, negligible * 1e-4, 2, MOST_POINTS)?;
-        let at = |u: Double| residual(sum.at(self.phase(u)), series, u);
+        let at = |u: Double| residual(self.sum.at(self.phase(u)), series, u);
         Some(interpolation.supremum(CosineTable::new(interpolation.points).points().map(at)))
     }
 
     /// The same on the ellipse with parameter ρ.
-    fn bound(&self, sum: &Wave, series: &[Double], rho: f64) -> f64 {
+    fn bound(&self, series: &[Double], rho: f64) -> f64 {
         let height = 0.5 * half(self.pieces) * (rho - 1.0 / rho);
         let term = |(j, c): (usize, &Double)| c.hi.abs() * libm::sinh(j as f64 * libm::log(rho));
         let angle: f64 = series.iter().enumerate().map(term).sum();
-        sum.bound(height) + libm::cosh(0.5 * angle)
+        self.sum.bound(height) + libm::cosh(0.5 * angle)
     }
 }
 
@@ -97,7 +117,7 @@ mod tests {
     fn weights(theta0: &str, terms: usize) -> Vec<Double> {
         let scene = scene(&format!("theta0 = {theta0}"));
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        super::super::whole::tests::weights(swing, terms)
+        super::super::tests::weights(swing, terms)
     }
 
     /// The numbers of pieces and of terms for an error of 2⁻⁵²; nearer to an overshoot there are no pieces.
@@ -121,17 +141,17 @@ mod tests {
         let sum = Wave::harmonics(&weights("7π/8", 4));
         let table = CosineTable::new(POINTS);
         for index in [0, 5, 16] {
-            let piece = Piece { pieces: 32, index };
+            let piece = Piece { sum: &sum, pieces: 32, index };
             let angle = |u: Double| twice_arcsine(sum.at(piece.phase(u))).unwrap();
             let mut series = table.coefficients(&table.points().map(angle).collect::<Vec<_>>());
-            let exact = piece.residual(&sum, &series, 1e-20).unwrap();
+            let exact = piece.residual(&series, 1e-20).unwrap();
             assert!(exact < 1e-19, "{index}: {exact:e}");
             let epsilon = 1e-9;
             series[2] = series[2] + Double::new(epsilon);
             // T₂ is largest at the ends, cos(θ̂/2) where θ̂ is smaller.
             let ends = [-1.0, 1.0].map(|u| libm::cos(0.5 * angle(Double::new(u)).hi));
             let expected = 0.5 * epsilon * ends[0].max(ends[1]);
-            let times = piece.residual(&sum, &series, 1e-20).unwrap() / expected;
+            let times = piece.residual(&series, 1e-20).unwrap() / expected;
             assert!((1.0..4.0).contains(&times), "{index}: {times}");
         }
     }
@@ -140,10 +160,10 @@ mod tests {
     #[test]
     fn bounds_on_ellipses() {
         let sum = Wave::harmonics(&[Double::ONE]);
-        let piece = Piece { pieces: 32, index: 5 };
+        let piece = Piece { sum: &sum, pieces: 32, index: 5 };
         let series = [Double::new(3.0), Double::ONE];
         let expected = (half(32) * 0.75 * std::f64::consts::PI).cosh() + (0.5 * 0.75_f64).cosh();
-        let found = piece.bound(&sum, &series, 2.0);
+        let found = piece.bound(&series, 2.0);
         assert!((found / expected - 1.0).abs() < 1e-8, "{found} {expected}");
     }
 }

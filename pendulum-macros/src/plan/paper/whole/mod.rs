@@ -1,0 +1,125 @@
+//! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), as a whole: one function of the phase instead of a sum, a root and
+//! an arcsine.
+
+mod pieces;
+mod residual;
+mod single;
+
+use super::Sum;
+use crate::parse::Method;
+use crate::plan::Bound;
+use crate::plan::curve::Size;
+use crate::plan::kernel::{self, Kernel};
+use crate::plan::pieces::Piecewise;
+use crate::plan::polynomial::Approximation;
+use crate::plan::reduction::Reduction;
+use crate::program::rounding::half_ulp;
+use crate::scene::Goal;
+
+/// θ̂ as one function of the phase, and how far off it may be.
+pub(super) struct Whole {
+    /// For one polynomial; `None` where that takes too many terms.
+    single: Option<Approximation>,
+    /// For one in each piece; `None` where that takes too many pieces.
+    pieces: Option<Piecewise>,
+    /// What it may differ from θ̂ by at most, phase and rounding included: the first of these that can be kept counts.
+    allowed: Vec<f64>,
+    /// What it may differ from θ̂ by at most before these.
+    truncation: f64,
+}
+
+/// A kernel for it, how wrong it is, and what it costs.
+pub(super) struct Candidate {
+    pub(super) kernel: Kernel,
+    pub(super) bound: Bound,
+    pub(super) cost: f64,
+}
+
+/// What a kernel may be wrong by, given what the phase is.
+#[derive(Clone, Copy)]
+struct Limits {
+    phase: f64,
+    /// Truncation and rounding together.
+    rest: f64,
+    /// The truncation alone.
+    truncation: f64,
+}
+
+/// Parts of what the phase leaves that the truncation may take; the first that leaves enough to the rounding counts.
+const SHARES: [f64; 2] = [4.0, 16.0];
+
+impl Whole {
+    /// `None` where there is no arcsine. It may be off by what a tolerance leaves beside the sum's own `bias`, or by 8
+    /// units in the last place of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
+    pub(super) fn new(sum: &Sum, bias: f64) -> Option<Self> {
+        if sum.method != Method::Fourier {
+            return None;
+        }
+        let units = |units: f64| 2.0 * units * half_ulp(sum.swing.amplitude.to_f64(), sum.scene.float);
+        let allowed = match sum.scene.goal {
+            Goal::Tolerance(tol) => vec![tol - bias],
+            _ => [8.0, 11.0].map(units).into(),
+        };
+        // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
+        let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
+        let limit = truncation.min(allowed[0] / 8.0);
+        let single = single::approximation(&sum.weights, limit);
+        let pieces = pieces::approximation(&sum.weights, limit);
+        Some(Self { single, pieces, allowed, truncation })
+    }
+
+    /// Whether one polynomial or many can stand for the arcsine.
+    pub(super) fn is_possible(&self) -> bool {
+        self.single.is_some() || self.pieces.is_some()
+    }
+
+    /// Whether many can, for reductions that count pieces.
+    pub(super) fn has_pieces(&self) -> bool {
+        self.pieces.is_some()
+    }
+
+    /// The cheaper of one polynomial in its cheapest form and of many, each off by no more than is allowed.
+    pub(super) fn cheapest(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<Candidate> {
+        let candidates = [self.single(size, reduction, direction), self.pieces(size, reduction, direction)];
+        let candidates = candidates.into_iter().flatten().map(|(kernel, bound)| {
+            let cost = cost(reduction, &kernel);
+            Candidate { kernel, bound, cost }
+        });
+        candidates.min_by(|a, b| a.cost.total_cmp(&b.cost))
+    }
+
+    fn single(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
+        let approximation = self.single.as_ref()?;
+        let mut limits = self.limits(size.phase_error(reduction));
+        limits.find_map(|limits| single::kernel(approximation, limits, reduction, direction))
+    }
+
+    fn pieces(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
+        let piecewise = self.pieces.as_ref()?;
+        let reduction = reduction.in_pieces(piecewise.pieces() as f64)?;
+        let mut limits = self.limits(size.phase_error(&reduction));
+        limits.find_map(|limits| pieces::kernel(piecewise, limits, &reduction, direction))
+    }
+
+    /// What may be tried with a phase so wrong, in that order.
+    fn limits(&self, phase: f64) -> impl Iterator<Item = Limits> {
+        let rests = self.allowed.iter().map(move |allowed| allowed - phase);
+        rests.flat_map(move |rest| {
+            SHARES.map(|share| Limits { phase, rest, truncation: self.truncation.min(rest / share) })
+        })
+    }
+}
+
+impl Limits {
+    /// What a kernel is wrong by, if it is within these.
+    fn kept(self, truncation: f64, evaluation: f64) -> Option<Bound> {
+        (evaluation <= self.rest - truncation).then_some(Bound { truncation, phase: self.phase, evaluation })
+    }
+}
+
+pub(super) fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {
+    kernel::function(reduction, &[kernel]).cost_of_calls_too()
+}
+
+#[cfg(test)]
+mod tests;
