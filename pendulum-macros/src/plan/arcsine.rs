@@ -24,12 +24,15 @@ const DIRECT: f64 = 0.4;
 impl Arcsine {
     /// For arguments from −`beyond`, which is little, to `most`, with an error of the ratio of at most `limit`.
     pub(crate) fn new(beyond: f64, most: f64, limit: f64) -> Self {
-        let direct = most * most < DIRECT;
-        let end = if direct { (most * most).max(1e-6) * 1.0001 } else { 0.5 + beyond.max(5e-5) };
-        // To few bits, so that the change of variable is exact.
-        let end = f64::from(end as f32);
-        let ratio = Fit::new(&Domain::reaching(end, end - 1.0, FRAC_PI_2), limit, ratio);
-        Self { ratio, complement: !direct }
+        if most * most >= DIRECT {
+            return Self::of_complement(beyond, limit);
+        }
+        Self { ratio: ratio_to((most * most).max(1e-6) * 1.0001, limit), complement: false }
+    }
+
+    /// For arguments from −`beyond` to 1, by the complement.
+    pub(crate) fn of_complement(beyond: f64, limit: f64) -> Self {
+        Self { ratio: ratio_to(0.5 + beyond.max(5e-5), limit), complement: true }
     }
 
     /// Emits 2·sign·arcsin y.
@@ -45,13 +48,17 @@ impl Arcsine {
         let rest = b.sub(one, y);
         let z = b.mul(rest, half);
         b.name(z, "z");
+        let (pi, four) = (b.exact(Double::PI.scale(sign)), b.constant(4.0 * sign));
+        self.lower_of_complement(b, z, [pi, four])
+    }
+
+    /// Emits sign·(π − 4 arcsin √z), given π and 4 with that sign.
+    pub(crate) fn lower_of_complement(&self, b: &mut Builder, z: Id, [pi, four]: [Id; 2]) -> Id {
         let root = b.push(Op::Root(z));
         b.name(root, "root");
         let ratio = self.ratio(b, z);
         let single = b.mul(root, ratio);
-        let four = b.constant(4.0 * sign);
         let fourfold = b.mul(single, four);
-        let pi = b.exact(Double::PI.scale(sign));
         b.sub(pi, fourfold)
     }
 
@@ -62,6 +69,13 @@ impl Arcsine {
     pub(crate) fn terms(&self) -> usize {
         self.ratio.terms()
     }
+}
+
+/// The polynomial for 0 ≤ z ≤ `end`.
+fn ratio_to(end: f64, limit: f64) -> Fit {
+    // To few bits, so that the change of variable is exact.
+    let end = f64::from(end as f32);
+    Fit::new(&Domain::reaching(end, end - 1.0, FRAC_PI_2), limit, ratio)
 }
 
 /// arcsin √z/√z = Σ (2j)!/(4ʲ j!² (2j + 1)) zʲ, for 0 ≤ z < 1.

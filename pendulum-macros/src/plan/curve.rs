@@ -97,6 +97,12 @@ impl Curve {
         self.wave.strip() / self.arc.stretch.hi
     }
 
+    /// Whether it has no poles, or none that matter: those of a sum of harmonics stand for there being none.
+    pub(crate) fn is_entire(&self) -> bool {
+        const FAR: f64 = 100.0;
+        self.strip() > FAR
+    }
+
     /// Heights of the ellipses in the strip that may serve an interpolation's error. Up to 1.5 they are within |s| ≤ 4, for
     /// which the bound holds.
     pub(crate) fn heights(&self) -> [f64; 6] {

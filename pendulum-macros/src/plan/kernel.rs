@@ -2,7 +2,7 @@
 
 use super::harmonics::Harmonics;
 use super::passage::Passage;
-use super::pieces::{Halves, Pieces};
+use super::pieces::{Complement, Halves, Pieces};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::turning::{Turning, modulo_turn, rounding_modulo, rounding_within, within_half_turn};
@@ -25,6 +25,8 @@ pub(crate) enum Kernel {
     Pieces(Box<Pieces>),
     /// As [`Self::Circle`], of such factors.
     Halves(Box<Halves>),
+    /// Twice the arcsine of such a curve, by its complement.
+    Complement(Box<Complement>),
     /// A sum of harmonics of one cosine.
     Harmonics(Box<Harmonics>),
     /// The passage through the lowest point of a motion that comes near the top.
@@ -45,6 +47,7 @@ impl Kernel {
             Self::Circle(factors) => circle(b, variables, factors),
             Self::Pieces(pieces) => vec![pieces.lower(b, name)],
             Self::Halves(halves) => halves.lower(b),
+            Self::Complement(complement) => vec![complement.lower(b, name)],
             Self::Harmonics(harmonics) => harmonics.lower(b, variables, name),
             Self::Passage(passage) => passage.lower(b, variables, name),
             Self::Turning(turning) => vec![turning.lower(b, variables, name)],
@@ -65,7 +68,7 @@ impl Kernel {
             Self::Polynomial(polynomial) => polynomial.parity == Parity::Odd,
             Self::Circle(factors) => factors.iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
-            Self::Passage(_) | Self::Pieces(_) | Self::Halves(_) => false,
+            Self::Passage(_) | Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) => false,
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_odd(),
         }
     }
@@ -82,7 +85,7 @@ impl Kernel {
     pub(crate) fn word(&self) -> &'static str {
         match self {
             Self::Polynomial(_) | Self::Circle(_) => "polynomial",
-            Self::Pieces(_) | Self::Halves(_) => "pieces",
+            Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) => "pieces",
             Self::Harmonics(_) => "harmonics",
             Self::Passage(_) => "passage",
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.word(),
@@ -99,6 +102,7 @@ impl Kernel {
             }
             Self::Pieces(pieces) => pieces.describe(),
             Self::Halves(halves) => halves.describe(),
+            Self::Complement(complement) => complement.describe(),
             Self::Harmonics(harmonics) => harmonics.describe(),
             Self::Passage(passage) => passage.describe(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.describe(),
@@ -112,6 +116,7 @@ impl Kernel {
             Self::Circle(factors) => factors[0].terms(),
             Self::Pieces(pieces) => pieces.terms(),
             Self::Halves(halves) => halves.sine.terms(),
+            Self::Complement(complement) => complement.terms(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Passage(passage) => passage.terms(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms(),
@@ -124,7 +129,9 @@ impl Kernel {
             Self::Polynomial(polynomial) => vec![polynomial.terms()],
             Self::Circle(factors) => factors.iter().map(Polynomial::terms).collect(),
             Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms_of_each(),
-            Self::Pieces(_) | Self::Halves(_) | Self::Harmonics(_) | Self::Passage(_) => Vec::new(),
+            Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) | Self::Harmonics(_) | Self::Passage(_) => {
+                Vec::new()
+            }
         }
     }
 
@@ -144,6 +151,7 @@ impl Kernel {
             Self::Wrapped(angle) => of(angle) + rounding_modulo(reduction.float),
             Self::Pieces(pieces) => pieces.rounding(),
             Self::Halves(halves) => halves.rounding(),
+            Self::Complement(complement) => complement.rounding(),
             Self::Passage(passage) => passage.rounding(&whole(), cap),
             Self::Harmonics(harmonics) => harmonics.rounding(&whole(), reduction, cap),
             // Of either sign it is the same, and bounded better where the sign is known.

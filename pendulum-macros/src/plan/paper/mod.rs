@@ -191,6 +191,12 @@ fn fewest(scene: &Scene, swing: &Swing) -> usize {
     first_serving(smallest, MOST_CHOSEN, |n| analysis.supremum(n) < tol)
 }
 
+/// What a plan of a formula to be reproduced is rounded by counts before what it costs, where that is more than is
+/// allowed.
+fn rank(plan: &Plan) -> [f64; 2] {
+    [worst(plan.parts.iter().map(|part| part.share)).max(1.0), plan.cost()]
+}
+
 /// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the
 /// largest.
 fn is_useful(part: &Part, scene: &Scene) -> bool {
@@ -237,7 +243,7 @@ impl Sum<'_> {
     /// terms left out do.
     fn serves(&self, wanted: &[Wanted], reduction: &Reduction) -> bool {
         let fine = |wanted: &Wanted| {
-            let phase = wanted.curve.size.phase_error(reduction);
+            let phase = wanted.phase_error(reduction);
             match self.scene.goal {
                 Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
                 _ => phase <= 8.0 * self.scene.float.unit() * wanted.curve.size.largest,
@@ -258,7 +264,7 @@ impl Sum<'_> {
                 continue;
             }
             // Nor where the phase alone is too wrong, or where all else was with another phase from the same origin.
-            let lost = |wanted: &Wanted| wanted.curve.size.phase_error(reduction) > self.promise(wanted);
+            let lost = |wanted: &Wanted| wanted.phase_error(reduction) > self.promise(wanted);
             if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
                 continue;
             }
@@ -272,7 +278,7 @@ impl Sum<'_> {
             }
             if kept(Bound::total) && parts.iter().all(|part| is_useful(part, self.scene)) {
                 let plan = self.joined(reduction, parts);
-                found = Some(found.filter(|found| found.cost() <= plan.cost()).unwrap_or(plan));
+                found = Some(found.filter(|found| rank(found) <= rank(&plan)).unwrap_or(plan));
                 if reduction.has_pieces() {
                     break;
                 }

@@ -39,6 +39,12 @@ impl Wanted {
         Part { output: *output, kernel, description, bound, unit, largest, share: 0.0 }
     }
 
+    /// What the phase makes of it, in pieces if it may be.
+    pub(super) fn phase_error(&self, reduction: &Reduction) -> f64 {
+        let in_pieces = self.whole.as_ref().and_then(|whole| whole.in_pieces(reduction));
+        self.curve.size.phase_error(in_pieces.as_ref().unwrap_or(reduction))
+    }
+
     /// Whether there are pieces for reductions that can count them.
     pub(super) fn has_pieces(&self) -> bool {
         self.whole.as_ref().is_some_and(Whole::has_pieces)
@@ -64,23 +70,28 @@ impl Sum<'_> {
         self.scene.outputs.iter().map(one).collect()
     }
 
-    /// An output by the cheaper of the recurrence and, where it is kept, one function for the whole of θ̂.
+    /// An output by the cheaper of the recurrence and, where it is kept, one function for the whole of θ̂; by that, too,
+    /// where the recurrence is rounded by more than is allowed.
     pub(super) fn part(&self, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
         let summed = Kernel::Harmonics(Box::new(self.harmonics(*output, reduction)));
-        let whole = whole.as_ref().and_then(|whole| whole.cheapest(&curve.size, reduction, self.direction()));
-        let whole = whole.filter(|whole| whole.cost < cost(reduction, &summed));
-        let (kernel, description, bound) = if let Some(Candidate { kernel, bound, .. }) = whole {
+        let candidate = whole.as_ref().and_then(|whole| whole.cheapest(&curve.size, reduction, self.direction()));
+        let is_cheaper = candidate.as_ref().is_some_and(|candidate| candidate.cost < cost(reduction, &summed));
+        let phase = curve.size.phase_error(reduction);
+        let evaluation = if is_cheaper { f64::INFINITY } else { summed.rounding(reduction, f64::INFINITY) };
+        let share = |bound: Bound| whole.as_ref().map_or(0.0, |whole| whole.share(bound));
+        let of_sum = share(Bound { truncation: 0.0, phase, evaluation });
+        if let Some(Candidate { kernel, bound, .. }) =
+            candidate.filter(|candidate| of_sum > share(candidate.bound).max(1.0))
+        {
             let (harmonics, word) = (harmonics(self.weights.len()), kernel.describe());
             let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
             let description = format!("{harmonics}, twice the arcsine of their sum as {one}{word}");
-            (kernel, description, Bound { truncation: bias + bound.truncation, ..bound })
-        } else {
-            let (description, evaluation) = (summed.describe(), summed.rounding(reduction, f64::INFINITY));
-            let phase = curve.size.phase_error(reduction);
-            (summed, description, Bound { truncation: *bias, phase, evaluation })
-        };
-        wanted.part(kernel, description, bound)
+            let of_all = Bound { truncation: bias + bound.truncation, ..bound };
+            return Part { share: share(bound), ..wanted.part(kernel, description, of_all) };
+        }
+        let (description, bound) = (summed.describe(), Bound { truncation: *bias, phase, evaluation });
+        Part { share: of_sum, ..wanted.part(summed, description, bound) }
     }
 
     fn harmonics(&self, output: Output, reduction: &Reduction) -> Harmonics {

@@ -4,9 +4,11 @@
 //! terms, near the top and for the paper's θ̂, it takes half of the operations or less, in one shallow chain, and the row
 //! is known before the remainder is.
 
+mod complement;
 mod halves;
 mod piecewise;
 
+pub(crate) use complement::Complement;
 pub(crate) use halves::Halves;
 pub(crate) use piecewise::{Piecewise, half, phase};
 

@@ -1,6 +1,7 @@
 //! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), as a whole: one function of the phase instead of a sum, a root and
 //! an arcsine.
 
+mod complement;
 mod pieces;
 mod residual;
 mod single;
@@ -15,6 +16,7 @@ use crate::plan::polynomial::Approximation;
 use crate::plan::reduction::Reduction;
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
+use complement::Sines;
 
 /// θ̂ as one function of the phase, and how far off it may be.
 pub(super) struct Whole {
@@ -22,6 +24,8 @@ pub(super) struct Whole {
     single: Option<Approximation>,
     /// For one in each piece; `None` where that takes too many pieces.
     pieces: Option<Piecewise>,
+    /// Where neither serves.
+    sines: Option<Sines>,
     /// What it may differ from θ̂ by at most, phase and rounding included: the first of these that can be kept counts.
     allowed: Vec<f64>,
     /// What it may differ from θ̂ by at most before these.
@@ -65,22 +69,45 @@ impl Whole {
         let limit = truncation.min(allowed[0] / 8.0);
         let single = single::approximation(&sum.weights, limit);
         let pieces = pieces::approximation(&sum.weights, limit);
-        Some(Self { single, pieces, allowed, truncation })
+        let none = single.is_none() && pieces.is_none();
+        let sines = none.then(|| Sines::new(&sum.weights, limit)).flatten();
+        Some(Self { single, pieces, sines, allowed, truncation })
     }
 
-    /// Whether one polynomial or many can stand for the arcsine.
+    /// Whether one polynomial or many can stand for the arcsine, or for the sum.
     pub(super) fn is_possible(&self) -> bool {
-        self.single.is_some() || self.pieces.is_some()
+        self.single.is_some() || self.has_pieces()
     }
 
     /// Whether many can, for reductions that count pieces.
     pub(super) fn has_pieces(&self) -> bool {
-        self.pieces.is_some()
+        self.pieces.is_some() || self.sines.is_some()
     }
 
-    /// The cheaper of one polynomial in its cheapest form and of many, each off by no more than is allowed.
+    /// A reduction to its pieces, if both can be had.
+    pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
+        let of_sum = self.sines.as_ref().map(Sines::fewest_pieces);
+        reduction.in_pieces(self.pieces.as_ref().map(Piecewise::pieces).or(of_sum)? as f64)
+    }
+
+    /// The most that is allowed.
+    fn most(&self) -> f64 {
+        self.allowed.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// What part of what is allowed, phase and rounding included, an error is.
+    pub(super) fn share(&self, bound: Bound) -> f64 {
+        bound.total() / self.most()
+    }
+
+    /// The cheapest of one polynomial in its cheapest form, of many, and of many for the sum, each off by no more than is
+    /// allowed.
     pub(super) fn cheapest(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<Candidate> {
-        let candidates = [self.single(size, reduction, direction), self.pieces(size, reduction, direction)];
+        let candidates = [
+            self.single(size, reduction, direction),
+            self.pieces(size, reduction, direction),
+            self.complement(size, reduction, direction),
+        ];
         let candidates = candidates.into_iter().flatten().map(|(kernel, bound)| {
             let cost = cost(reduction, &kernel);
             Candidate { kernel, bound, cost }
@@ -95,10 +122,20 @@ impl Whole {
     }
 
     fn pieces(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
-        let piecewise = self.pieces.as_ref()?;
-        let reduction = reduction.in_pieces(piecewise.pieces() as f64)?;
+        let (piecewise, reduction) = (self.pieces.as_ref()?, self.in_pieces(reduction)?);
         let mut limits = self.limits(size.phase_error(&reduction));
         limits.find_map(|limits| pieces::kernel(piecewise, limits, &reduction, direction))
+    }
+
+    /// The same by the complement, or as little off as can be.
+    fn complement(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
+        let most = self.most();
+        let limits = |reduction: &Reduction| {
+            let phase = size.phase_error(reduction);
+            // So little of the truncation that it doesn't matter for what else there is.
+            Limits { phase, rest: most - phase, truncation: self.truncation.min(most / SHARES[1]) }
+        };
+        self.sines.as_ref()?.kernel(limits, reduction, direction)
     }
 
     /// What may be tried with a phase so wrong, in that order.

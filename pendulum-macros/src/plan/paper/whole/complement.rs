@@ -1,0 +1,71 @@
+//! The paper's θ̂ next to an overshoot, where y comes so near to 1 that neither one polynomial nor one in each piece can
+//! stand for twice its arcsine: the sum itself in pieces, and the arcsine of its complement ([`Complement`]).
+
+use super::Limits;
+use crate::plan::Bound;
+use crate::plan::cosines::Cosines;
+use crate::plan::curve::Curve;
+use crate::plan::kernel::Kernel;
+use crate::plan::pieces::{Complement, Piecewise};
+use crate::plan::reduction::Reduction;
+use crate::supremum::by_halves;
+use pendulum_runtime::double::Double;
+
+/// The sum y in pieces.
+pub(super) struct Sines {
+    weights: Vec<Double>,
+    /// Few first.
+    pieces: Vec<Piecewise>,
+    /// 1/√z where z = (1 − y)/2 is least: by how much more θ̂ is wrong than y.
+    slope: f64,
+}
+
+/// The numbers of pieces of half a period that are tried.
+const COUNTS: [usize; 3] = [32, 64, 128];
+
+impl Sines {
+    /// For a sum of these weights that is nowhere 1, the pieces' series wrong by much less than makes `limit` of θ̂.
+    pub(super) fn new(weights: &[Double], limit: f64) -> Option<Self> {
+        let sum = Cosines::odd(weights);
+        let most = by_halves([0.0, 0.5], 96, 400, |low, high| sum.over(low, high).range(0).1.max(0.0));
+        let slope = (0.5 * (1.0 - most)).sqrt().recip();
+        let curve = Curve::harmonics(weights);
+        let piecewise = |pieces: usize| Piecewise::new(&curve, pieces, limit / slope / 512.0);
+        let pieces: Vec<Piecewise> = COUNTS.into_iter().filter_map(piecewise).collect();
+        (most < 1.0 && !pieces.is_empty()).then(|| Self { weights: weights.to_vec(), pieces, slope })
+    }
+
+    pub(super) fn fewest_pieces(&self) -> usize {
+        self.pieces.first().map_or(0, Piecewise::pieces)
+    }
+
+    /// By few pieces, or by more if these don't keep the limits, given the phase that a reduction to so many leaves; or
+    /// the least that is rounded.
+    pub(super) fn kernel(
+        &self,
+        limits: impl Fn(&Reduction) -> Limits,
+        reduction: &Reduction,
+        direction: f64,
+    ) -> Option<(Kernel, Bound)> {
+        let mut least: Option<(Kernel, Bound)> = None;
+        for piecewise in &self.pieces {
+            let Some(reduction) = reduction.in_pieces(piecewise.pieces() as f64) else { continue };
+            let limits = limits(&reduction);
+            let made = piecewise.kernel(&reduction, limits.truncation / self.slope);
+            let Some((sine, truncation)) = made.filter(|(sine, _)| sine.terms() <= Piecewise::MOST_TERMS) else {
+                continue;
+            };
+            let complement = Complement::new(sine, truncation, &self.weights, direction);
+            // What the pieces are wrong by is in it.
+            let bound = Bound { truncation: 0.0, phase: limits.phase, evaluation: complement.rounding() };
+            let best = least.as_ref().is_none_or(|(_, least)| bound.total() < least.total());
+            if best {
+                least = Some((Kernel::Complement(Box::new(complement)), bound));
+            }
+            if bound.evaluation <= limits.rest {
+                break;
+            }
+        }
+        least
+    }
+}

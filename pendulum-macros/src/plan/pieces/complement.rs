@@ -1,0 +1,133 @@
+//! 2 arcsin y where y, a curve in pieces, comes near 1: π − 4 arcsin √z with z = (1 − y)/2.
+//!
+//! What y is wrong by, half a unit of rounding of 1 at least, the arcsine multiplies by 2/√(1 − y²). The powers of a
+//! piece make z itself, wrong by units of its own and of what it changes by in the piece; and that the arcsine multiplies by
+//! no more than 2/√(z(1 − z)), of which the product with z is small where z is.
+//!
+//! Beyond the lowest point y is negative, and the arcsine that of the mirror image: with σ = −1 in those pieces, z =
+//! (1 − σy)/2, and π and 4 change their signs. So both are numbers of the row.
+
+use super::{POWERS, Pieces};
+use crate::plan::arcsine::Arcsine;
+use crate::plan::cosines::Cosines;
+use crate::plan::estrin::estrin;
+use crate::plan::kernel::after_named;
+use crate::plan::variables::clamp;
+use crate::program::rounding::Known;
+use crate::program::{Builder, Id, Op, Program};
+use crate::supremum::{by_halves, norm, worst};
+use pendulum_runtime::double::Double;
+
+/// Twice the arcsine of a sum of harmonics, by its complement.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Complement {
+    sine: Pieces,
+    /// What the pieces of y are wrong by before they are rounded.
+    truncation: f64,
+    arcsine: Arcsine,
+    /// −1 for the mirror image.
+    direction: f64,
+    /// The weights of y, which tell where it is.
+    weights: Vec<Double>,
+}
+
+/// The name of z.
+const REST: &str = "z";
+
+/// How the remainder's range is divided for the analysis of the rounding, and how many parts of it are halved.
+const CELLS: u32 = 4;
+const MOST_HALVED: usize = 48;
+
+impl Complement {
+    /// Of y = Σ wₙ cos((2n−1)πs), |y| < 1, in pieces that are wrong by `truncation`.
+    pub(crate) fn new(sine: Pieces, truncation: f64, weights: &[Double], direction: f64) -> Self {
+        // Half a piece beyond the lowest point y is as far beyond 0.
+        let reach = sine.reduction.half() * sine.reduction.unit.hi;
+        let beyond = Cosines::odd(weights).over(0.5, 0.5 + reach).largest(0);
+        let arcsine = Arcsine::of_complement(beyond, sine.reduction.float.unit() / 2.0);
+        Self { sine, truncation, arcsine, direction, weights: weights.to_vec() }
+    }
+
+    pub(crate) fn terms(&self) -> usize {
+        self.sine.terms()
+    }
+
+    /// For the reader.
+    pub(crate) fn describe(&self) -> String {
+        let arcsine = self.arcsine.terms();
+        format!(
+            "that of what it is less than 1, by {}, and one of {arcsine} terms for the arcsine",
+            self.sine.describe()
+        )
+    }
+
+    /// Emits it, with a phase of its own.
+    pub(crate) fn lower(&self, b: &mut Builder, name: &'static str) -> Id {
+        let reduction = &self.sine.reduction;
+        let t = b.input();
+        let phase = reduction.lower(b, t);
+        let remainder = clamp(b, phase.remainder, reduction.half());
+        b.name(remainder, POWERS[0]);
+        let numbers = b.look_up(&self.rows(), phase.magic);
+        let (powers, signed) = numbers.split_at(self.terms());
+        let z = estrin(b, remainder, powers, &POWERS);
+        b.name(z, REST);
+        let angle = self.arcsine.lower_of_complement(b, z, [signed[0], signed[1]]);
+        b.name(angle, name);
+        self.sine.alternate(b, angle, phase.magic)
+    }
+
+    /// The powers of z, and π and 4 with their sign.
+    fn rows(&self) -> Vec<Vec<Double>> {
+        let last = self.sine.rows.len() / 2;
+        let row = |(index, powers): (usize, &Vec<Double>)| {
+            let sign = if index <= last { 1.0 } else { -1.0 };
+            let rest = |(power, c): (usize, &Double)| {
+                let one = if power == 0 { Double::ONE } else { Double::ZERO };
+                (one - *c * sign) * 0.5
+            };
+            let signed = [Double::PI, Double::new(4.0)].map(|x| x * (sign * self.direction));
+            powers.iter().enumerate().map(rest).chain(signed).collect()
+        };
+        self.sine.rows.iter().enumerate().map(row).collect()
+    }
+
+    /// Bounds the rounding over the whole range of the remainder, taken as exact, and what the pieces are wrong by;
+    /// infinite where z may be 0.
+    pub(crate) fn rounding(&self) -> f64 {
+        let mut b = Builder::new(self.sine.reduction.float);
+        let result = self.lower(&mut b, "result");
+        let program = b.finish(vec![result]);
+        let (before, after) = (program.up_to(REST), after_named(&program, &[REST]));
+        let (half, y) = (self.sine.reduction.half(), Cosines::odd(&self.weights));
+        let pieces = self.sine.rows.len();
+        // A row and its mirror image are rounded alike.
+        let of_row = |index: usize| {
+            let row = &program.table[index];
+            let centre = index as f64 / pieces as f64;
+            let bound = |low: f64, high: f64| {
+                let error = rounded(&before, row, (POWERS[0], Known::between(low, high))) + 0.5 * self.truncation;
+                let [from, to] = [low, high].map(|remainder| centre + remainder * self.sine.reduction.unit.hi);
+                let (least, most) = y.over(from, to).range(0);
+                let known = Known::within(0.5 * (1.0 - most) - error, 0.5 * (1.0 - least) + error, error);
+                rounded(&after, row, (REST, known))
+            };
+            by_halves([-half, half], CELLS, MOST_HALVED, bound)
+        };
+        worst((0..=pieces / 2).map(of_row))
+    }
+}
+
+/// What a program's results are rounded by with the numbers of that row, given what is known of the node of that name.
+fn rounded(program: &Program, row: &[Double], (name, known): (&str, Known)) -> f64 {
+    let number = |(id, node): (Id, &crate::program::Node)| match node.op {
+        Op::Entry { column, .. } => {
+            let value = node.float.round(row[column].hi);
+            Some((id, Known::within(value, value, (row[column] - Double::new(value)).hi.abs())))
+        }
+        _ => None,
+    };
+    let numbers = program.nodes.iter().enumerate().filter_map(number);
+    let given: Vec<(Id, Known)> = numbers.chain(program.named(name).map(|id| (id, known))).collect();
+    norm(program.rounding(&given).iter().map(|known| known.error))
+}
