@@ -121,10 +121,10 @@ fn what_follows_from_the_papers_function() {
     assert_eq!(Hat::position(1.25).1, Hat::position(-1.25).1);
 }
 
-/// Just below an overshoot the argument y of the arcsine comes near 1 in mid-swing, too, and the arcsine's slope,
-/// 1/√(1 − y²), multiplies its roundings: 8 ulp of θ0 where the slope is at most 4, 3 ulp times the slope beyond.
+/// Just below an overshoot the argument of the arcsine comes near 1, in mid-swing, too, where the arcsine multiplies what
+/// that is rounded by: the same 8 ulp of θ0 all the same, at the turning points as elsewhere.
 #[test]
-fn a_steep_arcsine_costs_three_ulp_times_its_slope() {
+fn next_to_an_overshoot_it_is_the_papers_function_too() {
     macro_rules! hats {
         ($($theta0:tt $n:literal)*) => {
             [$({
@@ -136,9 +136,9 @@ fn a_steep_arcsine_costs_three_ulp_times_its_slope() {
             }),*]
         };
     }
-    let mut steepest = 0.0_f64;
     for (theta0, n, amplitude, period, theta) in hats! {
-        (7π/8) 4 (0.9π) 2 (0.9045π) 2 (0.913π) 3 (0.95π) 4 (0.961π) 5 (0.97π) 6 (0.9868π) 8
+        (7π/8) 4 (0.9π) 2 (0.9045π) 2 (0.913π) 3 (0.95π) 4 3 5 (0.961π) 5 (0.97π) 6 (0.9868π) 8 (0.98π) 20 (0.99π) 25
+        (0.999π) 40
     } {
         let motion = Motion::new(Start::written(theta0.trim_matches(['(', ')']), "0", "1").expect("an angle"));
         let Regime::Swing(series) = &motion.regime else { panic!("{theta0} swings") };
@@ -147,14 +147,13 @@ fn a_steep_arcsine_costs_three_ulp_times_its_slope() {
         let mut random = Random::new(n as u64);
         for i in 0..200 {
             let t = [1.0, 1e6, 1e14][i % 3] * period * random.signed();
-            let (exact, slope) = series.paper(&coefficients, &motion.phase(t)).expect("no overshoot");
+            // One in five next to a turning point.
+            let t = if i % 5 == 0 { (t / period).round() * period * (1.0 + 1e-4 * random.signed()) } else { t };
+            let exact = series.paper(&coefficients, &motion.phase(t)).expect("no overshoot");
             let error = (&Big::from(theta(t)) - &exact).to_f64().abs() / ulp;
-            let allowed = if slope <= 4.0 { 8.0 } else { 3.0 * slope };
-            assert!(error <= allowed, "{theta0}, N = {n} at {t:e}: {error} ulp, slope {slope}");
-            steepest = steepest.max(slope);
+            assert!(error <= 8.0, "{theta0}, N = {n} at {t:e}: {error} ulp");
         }
     }
-    assert!(steepest > 20.0, "{steepest}");
 }
 
 /// The overshoot's neighbourhood: there the error is largest in mid-swing, not at the release.

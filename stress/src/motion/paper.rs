@@ -18,8 +18,8 @@ impl Series {
         coefficients
     }
 
-    /// θ̂ at phase φ, and the derivative of the arcsine there, 1/√(1 − argument²); `None` where the argument exceeds 1.
-    pub fn paper(&self, coefficients: &[Big], phase: &Big) -> Option<(Big, f64)> {
+    /// θ̂ at phase φ; `None` where the argument exceeds 1.
+    pub fn paper(&self, coefficients: &[Big], phase: &Big) -> Option<Big> {
         let cosine = (&(phase * &Big::pi()) * &2.0.into()).cos();
         let alternating = coefficients.iter().enumerate();
         let alternating = alternating.map(|(n, b)| b * &if n.is_multiple_of(2) { 1.0 } else { -1.0 }.into());
@@ -27,6 +27,6 @@ impl Series {
         let [first, second] = clenshaw(alternating, &double);
         let argument = &self.modulus[0] * &(&cosine * &(&first - &second));
         let rest = &Big::from(1.0) - &(&argument * &argument);
-        (!rest.is_negative()).then(|| (&argument.asin() * &2.0.into(), 1.0 / rest.sqrt().to_f64()))
+        (!rest.is_negative()).then(|| &argument.asin() * &2.0.into())
     }
 }

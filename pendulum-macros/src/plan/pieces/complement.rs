@@ -36,7 +36,7 @@ const REST: &str = "z";
 
 /// How the remainder's range is divided for the analysis of the rounding, and how many parts of it are halved.
 const CELLS: u32 = 4;
-const MOST_HALVED: usize = 48;
+const MOST_HALVED: usize = 400;
 
 impl Complement {
     /// Of y = Σ wₙ cos((2n−1)πs), |y| < 1, in pieces that are wrong by `truncation`.

@@ -23,16 +23,21 @@ pub(super) struct Sines {
 /// The numbers of pieces of half a period that are tried.
 const COUNTS: [usize; 3] = [32, 64, 128];
 
+/// Cells of the half wave, and how many of them are halved: next to an overshoot z is as small within a thousandth of it.
+const CELLS: u32 = 96;
+const MOST_HALVED: usize = 1000;
+
 impl Sines {
     /// For a sum of these weights that is nowhere 1, the pieces' series wrong by much less than makes `limit` of θ̂.
     pub(super) fn new(weights: &[Double], limit: f64) -> Option<Self> {
         let sum = Cosines::odd(weights);
-        let most = by_halves([0.0, 0.5], 96, 400, |low, high| sum.over(low, high).range(0).1.max(0.0));
-        let slope = (0.5 * (1.0 - most)).sqrt().recip();
+        // Infinite, or no number, where z may be 0.
+        let slope_between = |low: f64, high: f64| (0.5 * (1.0 - sum.over(low, high).range(0).1)).sqrt().recip();
+        let slope = by_halves([0.0, 0.5], CELLS, MOST_HALVED, slope_between);
         let curve = Curve::harmonics(weights);
         let piecewise = |pieces: usize| Piecewise::new(&curve, pieces, limit / slope / 512.0);
         let pieces: Vec<Piecewise> = COUNTS.into_iter().filter_map(piecewise).collect();
-        (most < 1.0 && !pieces.is_empty()).then(|| Self { weights: weights.to_vec(), pieces, slope })
+        (slope.is_finite() && !pieces.is_empty()).then(|| Self { weights: weights.to_vec(), pieces, slope })
     }
 
     pub(super) fn fewest_pieces(&self) -> usize {

@@ -17,6 +17,8 @@ use crate::plan::reduction::Reduction;
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
 use complement::Sines;
+use pendulum_runtime::double::Double;
+use std::cell::OnceCell;
 
 /// θ̂ as one function of the phase, and how far off it may be.
 pub(super) struct Whole {
@@ -24,8 +26,9 @@ pub(super) struct Whole {
     single: Option<Approximation>,
     /// For one in each piece; `None` where that takes too many pieces.
     pieces: Option<Piecewise>,
-    /// Where neither serves.
-    sines: Option<Sines>,
+    /// For where neither serves, made when it is wanted first.
+    sines: OnceCell<Option<Sines>>,
+    weights: Vec<Double>,
     /// What it may differ from θ̂ by at most, phase and rounding included: the first of these that can be kept counts.
     allowed: Vec<f64>,
     /// What it may differ from θ̂ by at most before these.
@@ -69,9 +72,7 @@ impl Whole {
         let limit = truncation.min(allowed[0] / 8.0);
         let single = single::approximation(&sum.weights, limit);
         let pieces = pieces::approximation(&sum.weights, limit);
-        let none = single.is_none() && pieces.is_none();
-        let sines = none.then(|| Sines::new(&sum.weights, limit)).flatten();
-        Some(Self { single, pieces, sines, allowed, truncation })
+        Some(Self { single, pieces, sines: OnceCell::new(), weights: sum.weights.clone(), allowed, truncation })
     }
 
     /// Whether one polynomial or many can stand for the arcsine, or for the sum.
@@ -81,13 +82,18 @@ impl Whole {
 
     /// Whether many can, for reductions that count pieces.
     pub(super) fn has_pieces(&self) -> bool {
-        self.pieces.is_some() || self.sines.is_some()
+        self.pieces.is_some() || self.sines().is_some()
     }
 
     /// A reduction to its pieces, if both can be had.
     pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
-        let of_sum = self.sines.as_ref().map(Sines::fewest_pieces);
-        reduction.in_pieces(self.pieces.as_ref().map(Piecewise::pieces).or(of_sum)? as f64)
+        let of_sum = || self.sines().map(Sines::fewest_pieces);
+        reduction.in_pieces(self.pieces.as_ref().map(Piecewise::pieces).or_else(of_sum)? as f64)
+    }
+
+    fn sines(&self) -> Option<&Sines> {
+        let limit = self.truncation.min(self.allowed[0] / 8.0);
+        self.sines.get_or_init(|| Sines::new(&self.weights, limit)).as_ref()
     }
 
     /// The most that is allowed.
@@ -100,19 +106,13 @@ impl Whole {
         bound.total() / self.most()
     }
 
-    /// The cheapest of one polynomial in its cheapest form, of many, and of many for the sum, each off by no more than is
-    /// allowed.
+    /// The cheaper of one polynomial in its cheapest form and of many, each off by no more than is allowed; or many for the
+    /// sum.
     pub(super) fn cheapest(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<Candidate> {
-        let candidates = [
-            self.single(size, reduction, direction),
-            self.pieces(size, reduction, direction),
-            self.complement(size, reduction, direction),
-        ];
-        let candidates = candidates.into_iter().flatten().map(|(kernel, bound)| {
-            let cost = cost(reduction, &kernel);
-            Candidate { kernel, bound, cost }
-        });
-        candidates.min_by(|a, b| a.cost.total_cmp(&b.cost))
+        let candidates = [self.single(size, reduction, direction), self.pieces(size, reduction, direction)];
+        let candidates = candidates.into_iter().flatten().map(|made| Candidate::new(made, reduction));
+        let cheapest = candidates.min_by(|a, b| a.cost.total_cmp(&b.cost));
+        cheapest.or_else(|| Some(Candidate::new(self.complement(size, reduction, direction)?, reduction)))
     }
 
     fn single(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
@@ -135,7 +135,7 @@ impl Whole {
             // So little of the truncation that it doesn't matter for what else there is.
             Limits { phase, rest: most - phase, truncation: self.truncation.min(most / SHARES[1]) }
         };
-        self.sines.as_ref()?.kernel(limits, reduction, direction)
+        self.sines()?.kernel(limits, reduction, direction)
     }
 
     /// What may be tried with a phase so wrong, in that order.
@@ -144,6 +144,13 @@ impl Whole {
         rests.flat_map(move |rest| {
             SHARES.map(|share| Limits { phase, rest, truncation: self.truncation.min(rest / share) })
         })
+    }
+}
+
+impl Candidate {
+    fn new((kernel, bound): (Kernel, Bound), reduction: &Reduction) -> Self {
+        let cost = cost(reduction, &kernel);
+        Self { kernel, bound, cost }
     }
 }
 
