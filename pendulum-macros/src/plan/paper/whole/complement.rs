@@ -10,12 +10,16 @@ use crate::plan::pieces::{Complement, Piecewise};
 use crate::plan::reduction::Reduction;
 use crate::supremum::by_halves;
 use pendulum_runtime::double::Double;
+use std::cell::OnceCell;
 
 /// The sum y in pieces.
 pub(super) struct Sines {
     weights: Vec<Double>,
-    /// Few first.
-    pieces: Vec<Piecewise>,
+    curve: Curve,
+    /// For each of the numbers of pieces, made when it is wanted first; `None` if that takes too many points.
+    pieces: [OnceCell<Option<Piecewise>>; COUNTS.len()],
+    /// What their series may be wrong by.
+    negligible: f64,
     /// 1/√z where z = (1 − y)/2 is least: by how much more θ̂ is wrong than y.
     slope: f64,
 }
@@ -34,14 +38,17 @@ impl Sines {
         // Infinite, or no number, where z may be 0.
         let slope_between = |low: f64, high: f64| (0.5 * (1.0 - sum.over(low, high).range(0).1)).sqrt().recip();
         let slope = by_halves([0.0, 0.5], CELLS, MOST_HALVED, slope_between);
-        let curve = Curve::harmonics(weights);
-        let piecewise = |pieces: usize| Piecewise::new(&curve, pieces, limit / slope / 512.0);
-        let pieces: Vec<Piecewise> = COUNTS.into_iter().filter_map(piecewise).collect();
-        (slope.is_finite() && !pieces.is_empty()).then(|| Self { weights: weights.to_vec(), pieces, slope })
+        let (weights, curve, pieces) = (weights.to_vec(), Curve::harmonics(weights), Default::default());
+        slope.is_finite().then(|| Self { weights, curve, pieces, negligible: limit / slope / 512.0, slope })
     }
 
-    pub(super) fn fewest_pieces(&self) -> usize {
-        self.pieces.first().map_or(0, Piecewise::pieces)
+    pub(super) fn fewest_pieces() -> usize {
+        COUNTS[0]
+    }
+
+    fn piecewise(&self, index: usize) -> Option<&Piecewise> {
+        let made = || Piecewise::new(&self.curve, COUNTS[index], self.negligible);
+        self.pieces[index].get_or_init(made).as_ref()
     }
 
     /// By few pieces, or by more if these don't keep the limits, given the phase that a reduction to so many leaves; or
@@ -53,8 +60,9 @@ impl Sines {
         direction: f64,
     ) -> Option<(Kernel, Bound)> {
         let mut least: Option<(Kernel, Bound)> = None;
-        for piecewise in &self.pieces {
-            let Some(reduction) = reduction.in_pieces(piecewise.pieces() as f64) else { continue };
+        for (index, count) in COUNTS.into_iter().enumerate() {
+            let Some(reduction) = reduction.in_pieces(count as f64) else { continue };
+            let Some(piecewise) = self.piecewise(index) else { continue };
             let limits = limits(&reduction);
             let made = piecewise.kernel(&reduction, limits.truncation / self.slope);
             let Some((sine, truncation)) = made.filter(|(sine, _)| sine.terms() <= Piecewise::MOST_TERMS) else {

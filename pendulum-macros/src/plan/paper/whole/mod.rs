@@ -87,7 +87,7 @@ impl Whole {
 
     /// A reduction to its pieces, if both can be had.
     pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
-        let of_sum = || self.sines().map(Sines::fewest_pieces);
+        let of_sum = || self.sines().map(|_| Sines::fewest_pieces());
         reduction.in_pieces(self.pieces.as_ref().map(Piecewise::pieces).or_else(of_sum)? as f64)
     }
 
