@@ -46,15 +46,13 @@ fn split_root(input: TokenStream) -> (TokenStream, TokenStream) {
 fn expand(root: &TokenStream, parameters: TokenStream) -> TokenStream {
     let mut report = Report::default();
     let request = parse::parse(parameters, &mut report);
-    let shape = request.as_ref().map(|request| (request.shape.clone(), request.float()));
+    let stub = request.as_ref().map(emit::Stub::new);
     let scene = request.and_then(|request| check::check(request, &mut report));
-    let planned = scene.and_then(|scene| {
-        let plan = plan::plan(&scene).map_err(|refusal| report.add(refusal.explain(&scene))).ok()?;
-        Some((scene, plan))
-    });
-    match planned {
-        Some((scene, plan)) if report.is_clean() => emit::emit(&scene, &plan, root),
-        _ => emit::stub(shape, &errors(report)),
+    let plan =
+        scene.as_ref().and_then(|scene| report.take(plan::plan(scene).map_err(|refusal| refusal.explain(scene))));
+    match (scene, plan) {
+        (Some(scene), Some(plan)) if report.is_clean() => emit::emit(&scene, &plan, root),
+        (scene, _) => emit::Stub::emit(stub, scene.as_ref(), &errors(report)),
     }
 }
 

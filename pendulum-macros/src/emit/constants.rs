@@ -15,8 +15,19 @@ pub(super) const OF_MOTION: [&str; 8] = ["THETA0", "OMEGA", "AMPLITUDE", "MODULU
 
 /// Every constant that makes sense for the regime and the plan.
 pub(super) fn all(scene: &Scene, plan: &Plan) -> TokenStream {
+    let mut constants = motion(scene);
+    constants.plan(plan);
+    constants.written.into_iter().map(|(_, constant)| constant).collect()
+}
+
+/// Those that make sense for the regime, by their names.
+pub(super) fn of_motion(scene: &Scene) -> Vec<(&'static str, TokenStream)> {
+    motion(scene).written
+}
+
+fn motion(scene: &Scene) -> Writer {
     let motion = &scene.motion;
-    let mut constants = Writer { float: scene.float, tokens: TokenStream::new() };
+    let mut constants = Writer { float: scene.float, written: Vec::new() };
     constants.real("THETA0", &motion.theta0, "θ at t = 0, rad.");
     constants.real("OMEGA", &motion.omega, "ω, the rate of small oscillations, rad per unit of t.");
     match &motion.regime {
@@ -34,32 +45,31 @@ pub(super) fn all(scene: &Scene, plan: &Plan) -> TokenStream {
             constants.real("MODULUS", &one, "k = 1: between swinging and turning over.");
         }
     }
-    constants.plan(plan);
-    constants.tokens
+    constants
 }
 
 struct Writer {
     float: Float,
-    tokens: TokenStream,
+    written: Vec<(&'static str, TokenStream)>,
 }
 
 impl Writer {
-    fn real(&mut self, name: &str, value: &Real, doc: &str) {
+    fn real(&mut self, name: &'static str, value: &Real, doc: &str) {
         self.number(name, nearest(value, self.float), doc);
     }
 
-    fn number(&mut self, name: &str, value: f64, doc: &str) {
-        let (name, float) = (format_ident!("{name}"), self.float);
+    fn number(&mut self, name: &'static str, value: f64, doc: &str) {
+        let (ident, float) = (format_ident!("{name}"), self.float);
         let value = literal::float(value, float);
         let doc = format!(" {doc}");
-        self.tokens.extend(quote!(#[doc = #doc] pub const #name: #float = #value;));
+        self.written.push((name, quote!(#[doc = #doc] pub const #ident: #float = #value;)));
     }
 
-    fn count(&mut self, name: &str, value: usize, doc: &str) {
-        let name = format_ident!("{name}");
+    fn count(&mut self, name: &'static str, value: usize, doc: &str) {
+        let ident = format_ident!("{name}");
         let value = proc_macro2::Literal::usize_unsuffixed(value);
         let doc = format!(" {doc}");
-        self.tokens.extend(quote!(#[doc = #doc] pub const #name: usize = #value;));
+        self.written.push((name, quote!(#[doc = #doc] pub const #ident: usize = #value;)));
     }
 
     /// `k` is what the modulus is called, `definition` what it is.
@@ -73,7 +83,8 @@ impl Writer {
 
     fn plan(&mut self, plan: &Plan) {
         let method = plan.method;
-        self.tokens.extend(quote!(#[doc = " The kind of plan."] pub const METHOD: &'static str = #method;));
+        let constant = quote!(#[doc = " The kind of plan."] pub const METHOD: &'static str = #method;);
+        self.written.push(("METHOD", constant));
         self.count("TERMS", plan.terms, "Terms, or harmonics, of the first function.");
         self.count("OPERATIONS", plan.operations(), "Operations of one call of the first function.");
         if !plan.coefficients.is_empty() {
@@ -90,7 +101,8 @@ impl Writer {
         let values = coefficients.iter().map(|b| literal::float(nearest(b, float), float));
         let count = proc_macro2::Literal::usize_unsuffixed(coefficients.len());
         let doc = " b₂ₙ₋₁ = (2π/(kK)) q^(n−½)/(1 − q²ⁿ⁻¹), n = 1, 2, …: the coefficients of sn (Eq. 20).";
-        self.tokens.extend(quote!(#[doc = #doc] pub const COEFFICIENTS: [#float; #count] = [#(#values),*];));
+        let constant = quote!(#[doc = #doc] pub const COEFFICIENTS: [#float; #count] = [#(#values),*];);
+        self.written.push(("COEFFICIENTS", constant));
     }
 }
 

@@ -7,7 +7,7 @@ mod outputs;
 mod program;
 mod stub;
 
-pub(crate) use stub::stub;
+pub(crate) use stub::Stub;
 
 use crate::parse::{Item, Shape};
 use crate::plan::{Function, Plan};

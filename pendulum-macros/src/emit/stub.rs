@@ -1,17 +1,35 @@
 //! What a refused request still expands to, so that one mistake is one error.
 
-use super::constants::OF_MOTION;
 use super::outputs::Wording;
-use super::{allowed, conditions};
-use crate::parse::{Float, Item, Keyword, Output, Shape};
+use super::{allowed, conditions, constants};
+use crate::parse::{Float, Item, Keyword, Output, Request, Shape};
+use crate::scene::Scene;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// The errors, and an item of the shape that was asked for.
-pub(crate) fn stub(shape: Option<(Shape, Float)>, errors: &[TokenStream]) -> TokenStream {
-    match shape {
-        Some((Shape::Item(item), float)) => structure(&item, float, errors),
-        Some((Shape::Expression, _)) | None => anywhere(errors),
+/// What is known of the item that was asked for, whatever is wrong with the rest.
+pub(crate) struct Stub {
+    shape: Shape,
+    float: Float,
+    /// The number of coefficients.
+    terms: usize,
+}
+
+/// More coefficients than anyone asks for but by mistake.
+const MOST_TERMS: usize = 1000;
+
+impl Stub {
+    pub(crate) fn new(request: &Request) -> Self {
+        let terms = request.n.as_ref().map_or(0, |given| given.value).min(MOST_TERMS);
+        Self { shape: request.shape.clone(), float: request.float_meant(), terms }
+    }
+
+    /// The errors, and an item of the shape that was asked for, of whose motion the constants may be known.
+    pub(crate) fn emit(stub: Option<Self>, scene: Option<&Scene>, errors: &[TokenStream]) -> TokenStream {
+        match stub {
+            Some(Self { shape: Shape::Item(item), float, terms }) => structure(&item, float, terms, scene, errors),
+            Some(Self { shape: Shape::Expression, .. }) | None => anywhere(errors),
+        }
     }
 }
 
@@ -24,10 +42,13 @@ fn anywhere(errors: &[TokenStream]) -> TokenStream {
     }
 }
 
-fn structure(item: &Item, float: Float, errors: &[TokenStream]) -> TokenStream {
+fn structure(item: &Item, float: Float, terms: usize, scene: Option<&Scene>, errors: &[TokenStream]) -> TokenStream {
     let Item { attributes, visibility, name } = item;
+    let known: Vec<(&str, TokenStream)> = scene.map_or(Vec::new(), constants::of_motion);
     let of_outputs = Output::ALL.iter().map(|&output| Wording::of(output).max_error);
-    let constants = OF_MOTION.into_iter().chain(of_outputs).map(|name| format_ident!("{name}"));
+    let others = constants::OF_MOTION.into_iter().filter(|name| !known.iter().any(|(known, _)| known == name));
+    let zero = others.chain(of_outputs).map(|name| format_ident!("{name}"));
+    let known = known.iter().map(|(_, constant)| constant);
     let scalars = Output::ALL.iter().filter(|&&output| output != Output::Position);
     let functions = scalars.map(|output| format_ident!("{}", output.word()));
     let allowed = allowed();
@@ -42,11 +63,12 @@ fn structure(item: &Item, float: Float, errors: &[TokenStream]) -> TokenStream {
         #allowed
         #[allow(missing_docs)]
         impl #name {
-            #(pub const #constants: #float = 0.0;)*
+            #(#known)*
+            #(pub const #zero: #float = 0.0;)*
             pub const METHOD: &'static str = "";
-            pub const TERMS: usize = 0;
-            pub const OPERATIONS: usize = 0;
-            pub const COEFFICIENTS: [#float; 0] = [];
+            pub const TERMS: usize = 1;
+            pub const OPERATIONS: usize = 1;
+            pub const COEFFICIENTS: [#float; #terms] = [0.0; #terms];
             #(pub const fn #functions(_t: #float) -> #float { 0.0 })*
             pub const fn position(_t: #float) -> (#float, #float) { (0.0, 0.0) }
             pub const fn state(_t: #float) -> (#float, #float) { (0.0, 0.0) }

@@ -196,6 +196,15 @@ impl Request {
         self.float.as_ref().map_or(Float::F64, |given| given.value)
     }
 
+    /// The type that was probably meant, where what was said of it is a mistake.
+    pub(crate) fn float_meant(&self) -> Float {
+        let mut said = self.written.iter().filter(|(name, _)| name == "float").map(|(_, value)| value.to_string());
+        match &self.float {
+            None if said.any(|value| value.contains("32")) => Float::F32,
+            _ => self.float(),
+        }
+    }
+
     /// The decimal digits of the longest number that the motion depends on.
     pub(crate) fn digits(&self) -> usize {
         let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length];

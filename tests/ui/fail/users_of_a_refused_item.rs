@@ -1,0 +1,25 @@
+//! What uses an item that was refused is no mistake: what is known of it, it has.
+
+pendula::pendulum! {
+    struct Paper;
+    theta0 = 0.95π, n = 2
+}
+const SECOND: f64 = Paper::COEFFICIENTS[1];
+const BOTH: [f64; 2] = Paper::COEFFICIENTS;
+const _: () = assert!(Paper::PERIOD > 6.0 && 10 / Paper::TERMS > 0);
+
+pendula::pendulum! {
+    struct Fine;
+    theta0 = 1, tol = 1e-30, float = f32
+}
+const _: () = assert!(Fine::PERIOD > 6.0 && Fine::THETA0 == 1.0);
+
+pendula::pendulum! {
+    struct Quoted;
+    theta0 = 1, tol = 1e-3, float = "f32"
+}
+const NARROW: f32 = Quoted::theta(1.0);
+
+fn main() {
+    let _ = (SECOND, BOTH, NARROW);
+}
