@@ -226,10 +226,11 @@ struct Readme;
 /// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a
 /// lone `π`, in a crate that has no other Greek. `theta0`, `PI` and suffixes (`7π/8`, `1π`) don't trigger it.
 ///
-/// # Constants in lower case
-/// A function's parameter is a pattern, and a pattern names a constant that is in scope, whatever macro it is in: beside a
-/// `const t` the generated `theta(t)` is an error, *refutable pattern in function argument* (E0005). The compiler warns of
-/// such names by itself.
+/// # Names in scope
+/// What is generated names its variables in lower case (`t`, `s`, `p`, `n` and the like) and the types `f32`, `f64`, `u64`,
+/// `usize` and `str`. A `const`, `static` or unit struct of such a variable's name, or another type of such a name, where the
+/// macro is called, is an error in it (E0005, E0530, E0308), since patterns name constants wherever they come from. The
+/// compiler warns of such names by itself; put the call into a module of its own.
 #[macro_export]
 macro_rules! pendulum {
     ($($input:tt)*) => { $crate::__private::pendulum! { [$crate] $($input)* } };

@@ -13,7 +13,9 @@ impl Checker<'_> {
         let tolerance = self.tolerance();
         let terms = self.terms(motion);
         if let (Some(n), true) = (&self.request.n, self.request.mentions("tol")) {
-            let message = format!("`n = {}` fixes the number of terms where `tol` would choose it: keep one", n.value);
+            // A `tol` with a mistake of its own has no value.
+            let tol = self.request.tol.as_ref().map_or_else(|| "tol".to_owned(), |tol| tol.to_string());
+            let message = format!("`{n}` fixes the number of terms where `{tol}` would choose it: keep one");
             return Err(self.refuse(&n.name, message));
         }
         Ok(match (terms?, tolerance?) {

@@ -54,6 +54,9 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
     let shown = source::value(value);
     let remedy = match suffix {
         "pi" | "PI" | "Pi" => "write it `π`, as in `2π`, or as a factor, `2*PI`".to_owned(),
+        "f32" | "f64" | "i32" | "i64" | "u32" | "u64" | "usize" | "isize" => {
+            "numbers have no type here: leave it out, and say what the results are by `float`".to_owned()
+        }
         _ => format!("`{name}` is {what}"),
     };
     (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: {remedy}"))
