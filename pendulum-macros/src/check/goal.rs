@@ -14,7 +14,7 @@ impl Checker<'_> {
         let terms = self.terms(motion);
         if let (Some(n), true) = (&self.request.n, self.request.mentions("tol")) {
             // A `tol` with a mistake of its own has no value.
-            let tol = self.request.tol.as_ref().map_or_else(|| "tol".to_owned(), |tol| tol.to_string());
+            let tol = self.request.tol.as_ref().map_or_else(|| "tol".to_owned(), ToString::to_string);
             let message = format!("`{n}` fixes the number of terms where `{tol}` would choose it: keep one");
             return Err(self.refuse(&n.name, message));
         }

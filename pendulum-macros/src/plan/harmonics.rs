@@ -8,7 +8,7 @@ mod recurrence;
 
 use super::arcsine::Arcsine;
 use super::cosines::{Cosines, Local};
-use super::kernel::{CELLS, Kernel, RESULT, after_named, from_lowest, rounding_given};
+use super::kernel::{CELLS, Kernel, RESULT, over_phases};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
@@ -197,13 +197,13 @@ impl Harmonics {
         let sums = self.sums(reduction, self.errors(reduction));
         let phase = reduction.origin.phase();
         let names: Vec<&str> = sums.iter().map(|sum| sum.name).chain([phase]).collect();
-        let closed = after_named(program, &names);
+        let closed = program.after_named(&names);
         // A sum of few terms that is the result itself is analysed better step by step.
         let by_steps = (!self.is_of_paper()).then(|| self.by_steps(program, phase));
         let in_closed_form = |low: f64, high: f64| {
             let known_sums = sums.iter().map(|sum| (sum.name, sum.known(reduction, low, high)));
             let known: Vec<(&str, Known)> = known_sums.chain([(phase, Known::between(low, high))]).collect();
-            rounding_given(&closed, &known)
+            closed.rounding_given(&known)
         };
         let between = |low: f64, high: f64| {
             let closed = in_closed_form(low, high);
@@ -212,7 +212,7 @@ impl Harmonics {
         if self.peaks() {
             return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
         }
-        from_lowest(reduction, cap, between)
+        over_phases(reduction, cap, between)
     }
 
     /// What a sum that is the result is wrong by between two phases, operation by operation. What the polynomials of the
@@ -224,12 +224,12 @@ impl Harmonics {
         // The wave that the sum is a multiple of is the result itself, and has no other name, if its weight is 1.
         let (name, factor) = sine.unwrap_or((COSINE, &self.cosine));
         let of_result = if program.named(name).is_some() { 0.0 } else { factor.truncation };
-        let rest = after_named(program, &[COSINE, SINE, phase]);
+        let rest = program.after_named(&[COSINE, SINE, phase]);
         move |low: f64, high: f64| {
             let phase = (phase, Known::between(low, high));
             let known: Vec<(&str, Known)> =
                 waves.iter().map(|wave| (wave.name, wave.known(phase))).chain([phase]).collect();
-            rounding_given(&rest, &known) + of_result
+            rest.rounding_given(&known) + of_result
         }
     }
 
@@ -287,7 +287,7 @@ impl NamedWave {
     /// `None` if the program has no node of that name.
     fn of(program: &Program, name: &'static str, polynomial: &Polynomial, phase: &str) -> Option<Self> {
         program.named(name)?;
-        let program = after_named(&program.up_to(name), &[phase]);
+        let program = program.up_to(name).after_named(&[phase]);
         Some(Self { name, program, truncation: polynomial.truncation })
     }
 

@@ -12,7 +12,7 @@ use crate::parse::Output;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{Halving, norm};
+use crate::supremum::Halving;
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -162,30 +162,17 @@ impl Kernel {
     }
 }
 
-/// What is left of a program where the nodes of these names, if it has them, are given.
-pub(super) fn after_named(program: &Program, names: &[&str]) -> Program {
-    let given: Vec<Id> = names.iter().filter_map(|name| program.named(name)).collect();
-    program.after(&given)
-}
-
-/// The norm of the rounding of a program's results, given what is known of the nodes of these names, if it has them.
-pub(super) fn rounding_given(program: &Program, given: &[(&str, Known)]) -> f64 {
-    let given: Vec<(Id, Known)> =
-        given.iter().filter_map(|&(name, known)| Some((program.named(name)?, known))).collect();
-    norm(program.rounding(&given).iter().map(|known| known.error))
-}
-
-/// The same over the whole range of the phase, of which nothing else is known.
+/// The norm of the rounding of polynomials over the whole range of the phase, of which nothing else is known.
 fn rounding_of_polynomials(program: &Program, reduction: &Reduction, cap: f64) -> f64 {
     let phase = reduction.origin.phase();
-    let program = &after_named(program, &[phase]);
-    from_lowest(reduction, cap, |low, high| rounding_given(program, &[(phase, Known::between(low, high))]))
+    let program = &program.after_named(&[phase]);
+    over_phases(reduction, cap, |low, high| program.rounding_given(&[(phase, Known::between(low, high))]))
 }
 
 /// The largest of the bounds on parts of the range of phases, or some number above `cap`. The motion is fastest, and the
 /// rounding mostly worst, at the lowest point: near the top so near to it that uniform slices bound it by several times
 /// what it is.
-pub(super) fn from_lowest(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
+pub(super) fn over_phases(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
     let [low, high] = reduction.range();
     let slice = (high - low) / f64::from(CELLS.pow(4));
     let [from, to] = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };

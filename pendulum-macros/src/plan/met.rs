@@ -6,52 +6,52 @@ use crate::parse::Float;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
-/// The distances from the nearest anchor that are met.
+/// The first and the last phase within the horizon, where that is less than from one anchor to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Met {
-    pub(super) least: f64,
-    pub(super) farthest: f64,
+pub(crate) struct Met {
+    pub(super) first: f64,
+    pub(super) last: f64,
 }
 
 /// More than a phase is wrong by over so short a horizon, and little beside what next to poles a curve changes on it.
 const MARGIN: f64 = 1e-3;
 
-/// The first and the last phase within the horizon, where that is less than from one anchor to the next.
-pub(super) fn phases(scene: &Scene, rate: &Real, launch: &Real) -> Option<(f64, f64)> {
-    let arc = Arc::new(Arc::reach(scene)?, rate, launch)?;
-    Some((arc.phase(Double::new(-0.5)).hi, arc.phase(Double::new(0.5)).hi))
-}
-
 impl Met {
-    /// Of the phases within the horizon.
     pub(super) fn within(scene: &Scene, rate: &Real, launch: &Real) -> Option<Self> {
-        phases(scene, rate, launch).map(Self::new)
+        let arc = Arc::new(Arc::reach(scene)?, rate, launch)?;
+        let at = |sigma: f64| arc.phase(Double::new(sigma)).hi;
+        Some(Self { first: at(-0.5), last: at(0.5) })
     }
 
-    /// Of the phases from the first to the last.
-    pub(super) fn new((first, last): (f64, f64)) -> Self {
+    /// The least and the largest distance from the nearest anchor.
+    pub(super) fn distances(self) -> [f64; 2] {
+        let Self { first, last } = self;
         let passes = |origin: f64| (last - origin).floor() >= (first - origin).ceil();
         let ends = [first, last].map(|s| (s - s.round()).abs());
         let least = if passes(0.0) { 0.0 } else { ends[0].min(ends[1]) };
         let farthest = if passes(0.5) { 0.5 } else { ends[0].max(ends[1]) };
-        Self { least, farthest }
+        [least, farthest]
     }
 
     /// The same of phases so near to those that a reduction over so short a horizon may give them instead: wrong by a few
     /// units of rounding of an anchor, or, where an anchor is passed at t = 0, of themselves.
-    pub(super) fn as_reduced(self, launch: &Real, float: Float) -> Self {
-        let wrong = self.wrong(launch, float);
-        Self { least: (self.least - wrong).max(0.0), farthest: (self.farthest + wrong).min(0.5) }
+    pub(super) fn distances_as_reduced(self, launch: &Real, float: Float) -> [f64; 2] {
+        let ([least, farthest], wrong) = (self.distances(), self.wrong(launch, float));
+        [(least - wrong).max(0.0), (farthest + wrong).min(0.5)]
     }
 
     /// What those may be wrong by; of the shortest horizons, as they underflow.
     pub(super) fn wrong(self, launch: &Real, float: Float) -> f64 {
-        16.0 * float.unit() * if launch.is_zero() { self.farthest.max(1e-30) } else { 1.0 }
+        16.0 * float.unit() * if launch.is_zero() { self.farthest().max(1e-30) } else { 1.0 }
     }
 
     /// How far polynomials have to reach, `None` if as far as ever.
     pub(super) fn reach(self) -> Option<f64> {
-        Some(self.farthest + MARGIN).filter(|&reach| reach < 0.5)
+        Some(self.farthest() + MARGIN).filter(|&reach| reach < 0.5)
+    }
+
+    fn farthest(self) -> f64 {
+        self.distances()[1]
     }
 }
 
@@ -69,9 +69,10 @@ mod tests {
             ((-3.375, -2.875), 0.0, 0.375),
             ((1.75, 2.25), 0.0, 0.25),
         ] {
-            assert_eq!(Met::new(phases), Met { least, farthest }, "{phases:?}");
+            let (first, last) = phases;
+            assert_eq!(Met { first, last }.distances(), [least, farthest], "{phases:?}");
         }
-        let reach = |farthest: f64| Met { least: 0.0, farthest }.reach();
+        let reach = |last: f64| Met { first: 0.0, last }.reach();
         assert_eq!([reach(0.25), reach(0.4995), reach(0.5)], [Some(0.25 + MARGIN), None, None]);
     }
 }

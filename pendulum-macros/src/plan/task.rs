@@ -3,7 +3,7 @@
 use super::aim::{Aim, aims};
 use super::arc::Arc;
 use super::curve::{RotationCurves, Size, SwingCurves};
-use super::met::{self, Met};
+use super::met::Met;
 use super::passage::Orbit;
 use super::reduction::{Clock, Origin, Reduction};
 use crate::exact::Real;
@@ -29,7 +29,7 @@ pub(super) struct Task {
     /// The most turns within the horizon, each from one anchor to the next.
     pub(super) turns: f64,
     /// The first and the last phase within the horizon, where that is less than from one anchor to the next.
-    pub(super) met: Option<(f64, f64)>,
+    pub(super) met: Option<Met>,
     /// Where no more than an arc is met, the time itself.
     unreduced: Option<Reduction>,
 }
@@ -85,7 +85,7 @@ impl Task {
     }
 
     fn whole(scene: &Scene, aims: Vec<Aim>, rate: Real, launch: Real, direction: f64) -> Self {
-        let (met, turns) = (met::phases(scene, &rate, &launch), scene.horizon() * rate.to_f64() + 2.0);
+        let (met, turns) = (Met::within(scene, &rate, &launch), scene.horizon() * rate.to_f64() + 2.0);
         Self {
             aims,
             rate,
@@ -155,17 +155,17 @@ impl Task {
 
     /// How far from an anchor the horizon goes, where that isn't all the way.
     pub(super) fn reach(&self) -> Option<f64> {
-        Met::new(self.met?).reach()
+        self.met?.reach()
     }
 
     /// The least and the largest distance from a lowest point within the horizon, in units of the reduced phase.
-    pub(super) fn met_from_lowest(&self, reduction: &Reduction) -> (f64, f64) {
+    pub(super) fn distances_from_lowest(&self, reduction: &Reduction) -> [f64; 2] {
         let half = reduction.half();
-        let Some(met) = self.met.filter(|_| !reduction.is_linear()) else { return (0.0, half) };
-        let (Met { least, farthest }, unit) = (Met::new(met), reduction.unit.hi);
+        let Some(met) = self.met.filter(|_| !reduction.is_linear()) else { return [0.0, half] };
+        let ([least, farthest], unit) = (met.distances(), reduction.unit.hi);
         let wrong = 2.0 * (reduction.error + reduction.relative_error);
         let largest = if least == 0.0 { half } else { half.min((0.5 - least + wrong) / unit) };
-        ((0.5 - farthest - wrong).max(0.0) / unit, largest)
+        [(0.5 - farthest - wrong).max(0.0) / unit, largest]
     }
 
     /// The reductions of its phase.

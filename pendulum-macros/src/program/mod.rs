@@ -149,6 +149,12 @@ impl Program {
         program.pruned()
     }
 
+    /// The same of the nodes of these names, as far as it has them.
+    pub(crate) fn after_named(&self, names: &[&str]) -> Self {
+        let given: Vec<Id> = names.iter().filter_map(|name| self.named(name)).collect();
+        self.after(&given)
+    }
+
     /// What it computes up to the node of this name, if it has one, which is its result.
     pub(crate) fn up_to(&self, name: &str) -> Self {
         Self { results: self.named(name).into_iter().collect(), ..self.clone() }.pruned()

@@ -44,9 +44,9 @@ impl Wrong {
     pub const MAX_POSITION_ERROR: f64 = 0.0;
     pub const MAX_WRAPPED_ERROR: f64 = 0.0;
     pub const METHOD: &'static str = "";
-    pub const TERMS: usize = 0;
-    pub const OPERATIONS: usize = 0;
-    pub const COEFFICIENTS: [f64; 0] = [];
+    pub const TERMS: usize = 1;
+    pub const OPERATIONS: usize = 1;
+    pub const COEFFICIENTS: [f64; 0usize] = [0.0; 0usize];
     pub const fn theta(_t: f64) -> f64 {
         0.0
     }

@@ -31,8 +31,8 @@ impl<'a> Approximate<'a> {
     /// sup |θ̂ − θ| over the horizon, or by how much θ̂ exceeds the amplitude beyond it, if that is more.
     pub(super) fn angle(&self) -> f64 {
         let everywhere = self.everywhere();
-        let Some(Met { least, farthest }) = self.met() else { return everywhere };
-        let within = self.within([least, farthest]);
+        let Some(distances) = self.met() else { return everywhere };
+        let within = self.within(distances);
         everywhere.min(within.max(self.excess(within)) * (1.0 + 1e-9))
     }
 
@@ -46,7 +46,7 @@ impl<'a> Approximate<'a> {
             return (slopes * rate + scene.motion.fastest().to_f64()) * (1.0 + 1e-9);
         }
         // Of our phases, which differ by the drift from those that are met.
-        let met = self.met().filter(|_| drift < 0.25).map(|Met { least, farthest }| [least - drift, farthest + drift]);
+        let met = self.met().filter(|_| drift < 0.25).map(|[least, farthest]| [least - drift, farthest + drift]);
         let met = met.unwrap_or([0.0, 0.5]);
         // Both at the same phase and rate; then the other rate, and the other phase.
         let at_same_phase = self.at_same_phase(met, Sines::slopes_apart, 1);
@@ -72,7 +72,7 @@ impl<'a> Approximate<'a> {
         let apart = if self.theta.terms().len() > MOST_TERMS {
             by_angle
         } else {
-            let met = self.met().map_or([0.0, 0.5], |Met { least, farthest }| [least, farthest]);
+            let met = self.met().unwrap_or([0.0, 0.5]);
             by_angle.min(self.at_same_phase(met, Sines::sines_apart, 0))
         };
         apart * omega.square().to_f64() * (1.0 + 1e-9)
@@ -81,8 +81,7 @@ impl<'a> Approximate<'a> {
     /// sup |θ̂ − θ| over the horizon, as far as what is met of it is known.
     pub(super) fn at_most(&self) -> f64 {
         let everywhere = self.everywhere();
-        self.met().map_or(everywhere, |Met { least, farthest }| everywhere.min(self.within([least, farthest])))
-            * (1.0 + 1e-9)
+        self.met().map_or(everywhere, |distances| everywhere.min(self.within(distances))) * (1.0 + 1e-9)
     }
 
     /// sup |θ̂ − θ| over all phases.
@@ -158,10 +157,10 @@ impl<'a> Approximate<'a> {
     }
 
     /// The phases of both that may be compared within the horizon.
-    fn met(&self) -> Option<Met> {
+    fn met(&self) -> Option<[f64; 2]> {
         let Sum { scene, swing, .. } = self.sum;
         let met = Met::within(scene, &swing.rate(), &swing.launch);
-        met.map(|met| met.as_reduced(&swing.launch, scene.float))
+        met.map(|met| met.distances_as_reduced(&swing.launch, scene.float))
     }
 
     fn sines(&self) -> Sines {

@@ -2,6 +2,7 @@
 
 use crate::plan::Part;
 use crate::plan::aim::Aim;
+use crate::plan::met::Met;
 use crate::plan::pieces::Piecewise;
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
@@ -11,8 +12,8 @@ use std::cell::OnceCell;
 /// All outputs in pieces.
 pub(in crate::plan) struct InPieces {
     pieces: usize,
-    /// The phases within a short horizon.
-    met: Option<(f64, f64)>,
+    /// Of a short horizon.
+    met: Option<Met>,
     /// To the nearest piece.
     pub(in crate::plan) reductions: Vec<Reduction>,
     /// Those of each output; none where one of them takes too many points.

@@ -34,12 +34,12 @@ impl Aim {
         let orbit = task.passage_by(reduction).ok_or(f64::INFINITY)?.in_units(reduction.unit);
         let factor = orbit.factor(self.output).hi;
         let mut limit = self.limit.min(self.truncation) / factor;
-        let met = task.met_from_lowest(reduction);
+        let distances = task.distances_from_lowest(reduction);
         self.first_kept(reduction, self.passage_error(reduction), most, |_| {
             let left = limit;
             limit *= 0.125;
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
-                let kernel = Passage::new(self.output, orbit.clone(), met, left);
+                let kernel = Passage::new(self.output, orbit.clone(), distances, left);
                 let truncation = kernel.truncation * factor;
                 let kernel = self.turned(task, Kernel::Passage(Box::new(kernel)), None);
                 Ok(Rc::new(Draft::new(kernel, truncation)))

@@ -25,7 +25,6 @@ mod outputs;
 mod quotient;
 
 use super::fit::{Domain, Fit};
-use super::kernel::{after_named, rounding_given};
 use super::variables::Variables;
 use crate::motion::{Elliptic, Motion};
 use crate::parse::{Float, Output};
@@ -66,7 +65,7 @@ pub(crate) struct Passage {
     pub(crate) output: Output,
     orbit: Orbit,
     /// The least and the largest |phase| within the horizon.
-    met: (f64, f64),
+    distances: [f64; 2],
     images: Images,
     /// Whether Q/P is formed with as little rounding as can be, at the price of a division.
     careful: bool,
@@ -143,7 +142,7 @@ impl Orbit {
 
 impl Passage {
     /// For phases of these magnitudes, with all approximations within `limit`, in units of the output's factor.
-    pub(crate) fn new(output: Output, orbit: Orbit, met: (f64, f64), limit: f64) -> Self {
+    pub(crate) fn new(output: Output, orbit: Orbit, distances: [f64; 2], limit: f64) -> Self {
         let factor = orbit.factor(output);
         let q = orbit.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
@@ -180,7 +179,7 @@ impl Passage {
         let truncation = left_out.sum::<f64>() + 5.0 * q.powi(6);
         // A truncation of a few units of rounding is asked for where full precision is.
         let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
-        Self { output, orbit, met, images, careful, even, odd, arctangent, factor, truncation }
+        Self { output, orbit, distances, images, careful, even, odd, arctangent, factor, truncation }
     }
 
     /// For the reader.
@@ -226,9 +225,9 @@ impl Passage {
 
     /// The rounding of the results, the phase taken as exact: w binade by binade, until it exceeds `cap`.
     pub(crate) fn rounding(&self, program: &Program, cap: f64) -> f64 {
-        let program = &after_named(program, &[FRACTION, POWER, IMAGE_POWER]);
+        let program = &program.after_named(&[FRACTION, POWER, IMAGE_POWER]);
         let rate = self.orbit.rate.hi;
-        let (nearest, furthest) = (rate * self.met.0 * (1.0 - 1e-6), rate * self.met.1 * (1.0 + 1e-6));
+        let (nearest, furthest) = (rate * self.distances[0] * (1.0 - 1e-6), rate * self.distances[1] * (1.0 + 1e-6));
         let binades = furthest.ceil() as i32;
         let most = binades.min(NEGLIGIBLE_BINADE);
         let slices = |j: i32| {
@@ -258,7 +257,7 @@ impl Passage {
                 ((power(-j), power(-j)), (image(j), image(j)))
             };
             let known = [(FRACTION, (low, high)), (POWER, powers), (IMAGE_POWER, images)];
-            rounding_given(program, &known.map(|(name, (low, high))| (name, Known::between(low, high))))
+            program.rounding_given(&known.map(|(name, (low, high))| (name, Known::between(low, high))))
         };
         largest((0..=most).flat_map(slices).filter(is_met).map(bound), cap)
     }

@@ -70,7 +70,7 @@ impl Trial {
             Output::Acceleration => Double::new(9.0),
             _ => Double::ONE,
         };
-        let passage = Passage::new(output, self.orbit.clone(), (0.0, 0.5), limit);
+        let passage = Passage::new(output, self.orbit.clone(), [0.0, 0.5], limit);
         let kernel = Kernel::Passage(Box::new(passage.clone()));
         let program = function(&self.reduction, &[&kernel]);
         let bound = (passage.truncation * factor.hi + passage.rounding(&program, f64::INFINITY)) / factor.hi;
@@ -138,7 +138,7 @@ fn velocities_at_the_lowest_point() {
         let trial = Trial::new(text, "f64");
         let fastest = trial.scene.motion.fastest().to_double();
         for limit in limits {
-            let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), (0.0, 0.5), limit);
+            let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), [0.0, 0.5], limit);
             let program = function(&trial.reduction, &[&Kernel::Passage(Box::new(kernel))]);
             let mut given = program.clone();
             given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
@@ -156,7 +156,7 @@ fn the_last_binade_stands_for_all_that_follow() {
         let motion = &scene("struct Motion; velocity0 = 2").motion;
         let (rate, image) = (Double::new(60.0), Double::new(q));
         let orbit = Orbit { rate, sigma: 1.0, image, image_exponent, ..Orbit::separatrix(motion, 1.0) };
-        Passage::new(Output::Theta, orbit, (0.0, 0.5), 1e-16)
+        Passage::new(Output::Theta, orbit, [0.0, 0.5], 1e-16)
     };
     for (name, factor, constant) in [("power", 2f64.powi(30), 0.0), ("image_power", -(2f64.powi(15)), 1.0)] {
         let mut b = Builder::new(Float::F64);
@@ -235,10 +235,10 @@ fn what_of_a_passage_is_met() {
         let task = Task::new(&scene);
         for reduction in task.reductions(&scene) {
             let unit = reduction.unit.hi;
-            let found = task.met_from_lowest(&reduction);
+            let found = task.distances_from_lowest(&reduction);
             let near = |found: f64, expected: f64| (found * unit - expected).abs() < 1e-2;
-            assert!(near(found.0, least) && near(found.1, largest), "{start} {t_max}: {found:?} of {reduction:?}");
-            assert!(found.1 <= reduction.half() && (least > 0.0) == (found.0 > 0.0), "{found:?}");
+            assert!(near(found[0], least) && near(found[1], largest), "{start} {t_max}: {found:?} of {reduction:?}");
+            assert!(found[1] <= reduction.half() && (least > 0.0) == (found[0] > 0.0), "{found:?}");
         }
     }
 }
@@ -255,7 +255,7 @@ fn passages_in_other_units() {
     for reduction in &lowest {
         let part = task.aims[0].passage_part(&task, &Drafts::default(), reduction, f64::INFINITY).unwrap();
         let Kernel::Passage(kernel) = part.kernel else { panic!("another kernel") };
-        let (rate, half) = (kernel.orbit.rate, kernel.met.1);
+        let (rate, half) = (kernel.orbit.rate, kernel.distances[1]);
         assert!((rate / (orbit.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");
         let length = rate.hi * half / (orbit.rate.hi * (0.5 + reduction.overshoot));
         assert!((1.0..1.0 + 1e-14).contains(&length), "{reduction:?}: {length}");

@@ -7,15 +7,14 @@
 //! Beyond the lowest point y is negative, and the arcsine that of the mirror image: with σ = −1 in those pieces, z =
 //! (1 − σy)/2, and π and 4 change their signs. So both are numbers of the row.
 
-use super::{POWERS, Pieces};
+use super::{POWERS, Pieces, rounded};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
 use crate::plan::estrin::estrin;
-use crate::plan::kernel::after_named;
 use crate::plan::variables::clamp;
 use crate::program::rounding::Known;
-use crate::program::{Builder, Id, Op, Program};
-use crate::supremum::{by_halves, norm, worst};
+use crate::program::{Builder, Id};
+use crate::supremum::{by_halves, worst};
 use pendulum_runtime::double::Double;
 
 /// Twice the arcsine of a sum of harmonics, by its complement.
@@ -98,7 +97,7 @@ impl Complement {
         let mut b = Builder::new(self.sine.reduction.float);
         let result = self.lower(&mut b, "result");
         let program = b.finish(vec![result]);
-        let (before, after) = (program.up_to(REST), after_named(&program, &[REST]));
+        let (before, after) = (program.up_to(REST), program.after_named(&[REST]));
         let (half, y) = (self.sine.reduction.half(), Cosines::odd(&self.weights));
         let pieces = self.sine.rows.len();
         // A row and its mirror image are rounded alike.
@@ -116,18 +115,4 @@ impl Complement {
         };
         worst((0..=pieces / 2).map(of_row))
     }
-}
-
-/// What a program's results are rounded by with the numbers of that row, given what is known of the node of that name.
-fn rounded(program: &Program, row: &[Double], (name, known): (&str, Known)) -> f64 {
-    let number = |(id, node): (Id, &crate::program::Node)| match node.op {
-        Op::Entry { column, .. } => {
-            let value = node.float.round(row[column].hi);
-            Some((id, Known::within(value, value, (row[column] - Double::new(value)).hi.abs())))
-        }
-        _ => None,
-    };
-    let numbers = program.nodes.iter().enumerate().filter_map(number);
-    let given: Vec<(Id, Known)> = numbers.chain(program.named(name).map(|id| (id, known))).collect();
-    norm(program.rounding(&given).iter().map(|known| known.error))
 }

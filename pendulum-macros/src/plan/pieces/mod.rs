@@ -16,7 +16,7 @@ use super::estrin::estrin;
 use super::reduction::Reduction;
 use super::variables::clamp;
 use crate::program::rounding::Known;
-use crate::program::{Builder, Id, Op, Program};
+use crate::program::{Builder, Id, Node, Op, Program};
 use crate::series::Parity;
 use crate::supremum::{norm, worst};
 use pendulum_runtime::double::Double;
@@ -96,22 +96,24 @@ impl Pieces {
     /// The norm of what all rows of a program's table, whose pieces are these, are rounded by. A row and its mirror image
     /// are rounded alike.
     fn rounding_of(&self, program: &Program) -> f64 {
-        let (half, float) = (self.reduction.half(), self.reduction.float);
-        let known = |row: &[Double], (id, op): (Id, Op)| match op {
-            Op::Entry { column, .. } => {
-                let value = float.round(row[column].hi);
-                Some((id, Known::within(value, value, (row[column] - Double::new(value)).hi.abs())))
-            }
-            _ if program.nodes[id].name == Some(POWERS[0]) => Some((id, Known::between(-half, half))),
-            _ => None,
-        };
-        let of_row = |row: &Vec<Double>| {
-            let nodes = program.nodes.iter().map(|node| node.op).enumerate();
-            let given: Vec<(Id, Known)> = nodes.filter_map(|node| known(row, node)).collect();
-            norm(program.rounding(&given).iter().map(|known| known.error))
-        };
-        worst(program.table[..=program.table.len() / 2].iter().map(of_row))
+        let remainder = (POWERS[0], Known::between(-self.reduction.half(), self.reduction.half()));
+        worst(program.table[..=program.table.len() / 2].iter().map(|row| rounded(program, row, remainder)))
     }
+}
+
+/// The norm of what a program's results are rounded by with the numbers of that row, given what is known of the node of
+/// that name.
+fn rounded(program: &Program, row: &[Double], (name, known): (&str, Known)) -> f64 {
+    let number = |(id, node): (Id, &Node)| match node.op {
+        Op::Entry { column, .. } => {
+            let value = node.float.round(row[column].hi);
+            Some((id, Known::within(value, value, (row[column] - Double::new(value)).hi.abs())))
+        }
+        _ => None,
+    };
+    let numbers = program.nodes.iter().enumerate().filter_map(number);
+    let given: Vec<(Id, Known)> = numbers.chain(program.named(name).map(|id| (id, known))).collect();
+    norm(program.rounding(&given).iter().map(|known| known.error))
 }
 
 #[cfg(test)]

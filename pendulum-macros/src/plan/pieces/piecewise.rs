@@ -7,6 +7,7 @@
 use super::Pieces;
 use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers, scale, to_powers};
 use crate::plan::curve::Curve;
+use crate::plan::met::Met;
 use crate::plan::reduction::Reduction;
 use crate::series::Parity;
 use crate::supremum::worst;
@@ -27,8 +28,8 @@ pub(crate) struct Piecewise {
     error: f64,
     parity: Parity,
     alternates: bool,
-    /// The phases from the first to the last that are met, where that isn't all.
-    met: Option<(f64, f64)>,
+    /// Where not all is met.
+    met: Option<Met>,
 }
 
 impl Piecewise {
@@ -53,7 +54,7 @@ impl Piecewise {
     }
 
     /// The same, of which a short horizon meets no more than these phases.
-    pub(crate) fn meeting(self, phases: Option<(f64, f64)>) -> Self {
+    pub(crate) fn meeting(self, phases: Option<Met>) -> Self {
         Self { met: phases, ..self }
     }
 
@@ -75,7 +76,7 @@ impl Piecewise {
 
     /// Whether a phase of which a reduction makes a remainder from the middle of a piece, or of its mirror image, is met.
     fn meets(&self, index: usize, reduction: &Reduction) -> bool {
-        let Some((first, last)) = self.met else { return true };
+        let Some(Met { first, last }) = self.met else { return true };
         let (place, wrong) = (index as f64 / self.pieces() as f64, reduction.error + reduction.relative_error);
         let reach = half(self.pieces()) + 2.0 * wrong;
         [place, -place].into_iter().any(|place| place + (first - reach - place).ceil() <= last + reach)
@@ -225,7 +226,7 @@ mod tests {
         for (first, last, rows) in
             [(-0.2, 0.2, 0..=13), (0.1, 0.3, 6..=19), (-0.3, -0.1, 6..=19), (1.9, 2.25, 0..=16), (0.4, 0.7, 19..=32)]
         {
-            let met = whole.clone().meeting(Some((first, last)));
+            let met = whole.clone().meeting(Some(Met { first, last }));
             let found: Vec<usize> = (0..=32).filter(|&index| met.meets(index, &reduction)).collect();
             assert_eq!(found, rows.collect::<Vec<_>>(), "{first} {last}");
             let (kernel, truncation) = met.kernel(&reduction, 1e-9).unwrap();

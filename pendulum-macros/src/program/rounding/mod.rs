@@ -15,6 +15,7 @@ mod adjoint;
 
 use super::{Id, Op, Program};
 use crate::parse::Float;
+use crate::supremum::norm;
 use pendulum_runtime::double::{two_prod, two_sum};
 use pendulum_runtime::support::{LEAST_UNDER_ROOT, ROOT_ERROR};
 
@@ -102,6 +103,13 @@ pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
 }
 
 impl Program {
+    /// The norm of the rounding of its results, given what is known of the nodes of these names, as far as it has them.
+    pub(crate) fn rounding_given(&self, given: &[(&str, Known)]) -> f64 {
+        let given: Vec<(Id, Known)> =
+            given.iter().filter_map(|&(name, known)| Some((self.named(name)?, known))).collect();
+        norm(self.rounding(&given).iter().map(|known| known.error))
+    }
+
     /// The error bound of each result where the nodes `given` hold values in the intervals stated.
     pub(crate) fn rounding(&self, given: &[(Id, Known)]) -> Vec<Known> {
         let mut known: Vec<Known> = Vec::with_capacity(self.nodes.len());
