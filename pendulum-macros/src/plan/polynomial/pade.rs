@@ -93,11 +93,11 @@ impl Series {
 
     /// The poles, from these on, over which so many terms serve.
     fn polished(&self, pole: Pole, terms: usize, limit: f64) -> Option<Pole> {
-        if !self.can_be_polished(terms, limit) {
-            return None;
-        }
         if self.serves(pole, terms, limit) {
             return Some(pole);
+        }
+        if !self.can_be_polished(terms, limit) {
+            return None;
         }
         let polished = polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref());
         polished.filter(|&pole| self.serves(pole, terms, limit))
@@ -110,8 +110,11 @@ impl Series {
         terms >= 2 && limit >= FINEST * self.at(0, 0).abs()
     }
 
-    /// Whether so many terms over these poles are as near as that.
+    /// Whether so many terms over these poles are as near as that, where one word can tell.
     fn serves(&self, pole: Pole, terms: usize, limit: f64) -> bool {
+        if !self.can_be_polished(terms, limit) {
+            return false;
+        }
         let dropped: Vec<f64> = (terms..self.length(pole)).map(self.divided(pole)).collect();
         // Of what is left there will be a bound, and rounding.
         Corrections::new(&dropped, terms, Some(pole), self.parity, self.leeway.as_ref()).left <= 0.9 * limit
