@@ -191,10 +191,14 @@ fn fewest(scene: &Scene, swing: &Swing) -> usize {
     first_serving(smallest, MOST_CHOSEN, |n| analysis.supremum(n) < tol)
 }
 
-/// What a plan of a formula to be reproduced is rounded by counts before what it costs, where that is more than is
-/// allowed.
-fn rank(plan: &Plan) -> [f64; 2] {
-    [worst(plan.parts.iter().map(|part| part.share)).max(1.0), plan.cost()]
+/// The part of what is allowed that a formula to be reproduced is wrong by counts before what it costs, where it is more than
+/// all.
+fn rank(share: f64, cost: f64) -> [f64; 2] {
+    [share.max(1.0), cost]
+}
+
+fn rank_of(plan: &Plan) -> [f64; 2] {
+    rank(worst(plan.parts.iter().map(|part| part.share)), plan.cost())
 }
 
 /// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the
@@ -278,7 +282,7 @@ impl Sum<'_> {
             }
             if kept(Bound::total) && parts.iter().all(|part| is_useful(part, self.scene)) {
                 let plan = self.joined(reduction, parts);
-                found = Some(found.filter(|found| rank(found) <= rank(&plan)).unwrap_or(plan));
+                found = Some(found.filter(|found| rank_of(found) <= rank_of(&plan)).unwrap_or(plan));
                 if reduction.has_pieces() {
                     break;
                 }

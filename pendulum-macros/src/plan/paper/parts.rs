@@ -1,8 +1,8 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
-use super::Sum;
 use super::bias::Approximate;
 use super::whole::{Candidate, Whole, cost};
+use super::{Sum, rank};
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
@@ -70,28 +70,32 @@ impl Sum<'_> {
         self.scene.outputs.iter().map(one).collect()
     }
 
-    /// An output by the cheaper of the recurrence and, where it is kept, one function for the whole of θ̂; by that, too,
-    /// where the recurrence is rounded by more than is allowed.
+    /// An output by the recurrence or, where it is kept and ranks before that, one function for the whole of θ̂.
     pub(super) fn part(&self, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
         let summed = Kernel::Harmonics(Box::new(self.harmonics(*output, reduction)));
-        let candidate = whole.as_ref().and_then(|whole| whole.cheapest(&curve.size, reduction, self.direction()));
-        let is_cheaper = candidate.as_ref().is_some_and(|candidate| candidate.cost < cost(reduction, &summed));
-        let phase = curve.size.phase_error(reduction);
-        let evaluation = if is_cheaper { f64::INFINITY } else { summed.rounding(reduction, f64::INFINITY) };
-        let share = |bound: Bound| whole.as_ref().map_or(0.0, |whole| whole.share(bound));
-        let of_sum = share(Bound { truncation: 0.0, phase, evaluation });
-        if let Some(Candidate { kernel, bound, .. }) =
-            candidate.filter(|candidate| of_sum > share(candidate.bound).max(1.0))
-        {
-            let (harmonics, word) = (harmonics(self.weights.len()), kernel.describe());
-            let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
-            let description = format!("{harmonics}, twice the arcsine of their sum as {one}{word}");
-            let of_all = Bound { truncation: bias + bound.truncation, ..bound };
-            return Part { share: share(bound), ..wanted.part(kernel, description, of_all) };
+        let cost = cost(reduction, &summed);
+        let mut candidate = whole.as_ref().and_then(|whole| whole.cheapest(&curve.size, reduction, self.direction()));
+        // What the recurrence is rounded by takes long to know, and is at best within what is allowed.
+        if let Some(better) = candidate.take_if(|candidate| candidate.rank() < rank(0.0, cost)) {
+            return self.whole(wanted, better);
+        }
+        let (phase, evaluation) = (curve.size.phase_error(reduction), summed.rounding(reduction, f64::INFINITY));
+        let share = whole.as_ref().map_or(0.0, |whole| whole.share(Bound { truncation: 0.0, phase, evaluation }));
+        if let Some(better) = candidate.filter(|candidate| candidate.rank() < rank(share, cost)) {
+            return self.whole(wanted, better);
         }
         let (description, bound) = (summed.describe(), Bound { truncation: *bias, phase, evaluation });
-        Part { share: of_sum, ..wanted.part(summed, description, bound) }
+        Part { share, ..wanted.part(summed, description, bound) }
+    }
+
+    /// θ̂ by that kernel.
+    fn whole(&self, wanted: &Wanted, Candidate { kernel, bound, share, .. }: Candidate) -> Part {
+        let (harmonics, word) = (harmonics(self.weights.len()), kernel.describe());
+        let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
+        let description = format!("{harmonics}, twice the arcsine of their sum as {one}{word}");
+        let bound = Bound { truncation: wanted.bias + bound.truncation, ..bound };
+        Part { share, ..wanted.part(kernel, description, bound) }
     }
 
     fn harmonics(&self, output: Output, reduction: &Reduction) -> Harmonics {

@@ -10,8 +10,6 @@
 use super::{POWERS, Pieces, rounded};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
-use crate::plan::estrin::estrin;
-use crate::plan::variables::clamp;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id};
 use crate::supremum::{by_halves, worst};
@@ -62,18 +60,11 @@ impl Complement {
 
     /// Emits it, with a phase of its own.
     pub(crate) fn lower(&self, b: &mut Builder, name: &'static str) -> Id {
-        let reduction = &self.sine.reduction;
-        let t = b.input();
-        let phase = reduction.lower(b, t);
-        let remainder = clamp(b, phase.remainder, reduction.half());
-        b.name(remainder, POWERS[0]);
-        let numbers = b.look_up(&self.rows(), phase.magic);
-        let (powers, signed) = numbers.split_at(self.terms());
-        let z = estrin(b, remainder, powers, &POWERS);
+        let (z, signed, magic) = self.sine.looked_up(b, &self.rows());
         b.name(z, REST);
         let angle = self.arcsine.lower_of_complement(b, z, [signed[0], signed[1]]);
         b.name(angle, name);
-        self.sine.alternate(b, angle, phase.magic)
+        self.sine.alternate(b, angle, magic)
     }
 
     /// The powers of z, and π and 4 with their sign.

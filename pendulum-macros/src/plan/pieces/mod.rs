@@ -71,13 +71,19 @@ impl Pieces {
 
     /// The value without the sign that anchors give, and the sum that counts pieces.
     fn within_anchor(&self, b: &mut Builder, name: &'static str) -> (Id, Id) {
+        let (value, _, magic) = self.looked_up(b, &self.rows);
+        (b.name(value, name), magic)
+    }
+
+    /// The polynomial by the first numbers of a piece's row, the others, and the sum that counts pieces.
+    fn looked_up(&self, b: &mut Builder, rows: &[Vec<Double>]) -> (Id, Vec<Id>, Id) {
         let t = b.input();
         let phase = self.reduction.lower(b, t);
         let remainder = clamp(b, phase.remainder, self.reduction.half());
         b.name(remainder, POWERS[0]);
-        let coefficients = b.look_up(&self.rows, phase.magic);
-        let value = estrin(b, remainder, &coefficients, &POWERS);
-        (b.name(value, name), phase.magic)
+        let mut powers = b.look_up(rows, phase.magic);
+        let others = powers.split_off(self.terms());
+        (estrin(b, remainder, &powers, &POWERS), others, phase.magic)
     }
 
     /// With the other sign from anchor to anchor, which are passed once for all pieces.

@@ -6,7 +6,7 @@ mod pieces;
 mod residual;
 mod single;
 
-use super::Sum;
+use super::{Sum, rank};
 use crate::parse::Method;
 use crate::plan::Bound;
 use crate::plan::curve::Size;
@@ -29,6 +29,8 @@ pub(super) struct Whole {
     /// For where neither serves, made when it is wanted first.
     sines: OnceCell<Option<Sines>>,
     weights: Vec<Double>,
+    /// What their series may be wrong by.
+    limit: f64,
     /// What it may differ from θ̂ by at most, phase and rounding included: the first of these that can be kept counts.
     allowed: Vec<f64>,
     /// What it may differ from θ̂ by at most before these.
@@ -40,6 +42,8 @@ pub(super) struct Candidate {
     pub(super) kernel: Kernel,
     pub(super) bound: Bound,
     pub(super) cost: f64,
+    /// The part of what is allowed that it is wrong by.
+    pub(super) share: f64,
 }
 
 /// What a kernel may be wrong by, given what the phase is.
@@ -69,10 +73,9 @@ impl Whole {
         };
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
         let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
-        let limit = truncation.min(allowed[0] / 8.0);
-        let single = single::approximation(&sum.weights, limit);
-        let pieces = pieces::approximation(&sum.weights, limit);
-        Some(Self { single, pieces, sines: OnceCell::new(), weights: sum.weights.clone(), allowed, truncation })
+        let (limit, weights) = (truncation.min(allowed[0] / 8.0), sum.weights.clone());
+        let (single, pieces) = (single::approximation(&weights, limit), pieces::approximation(&weights, limit));
+        Some(Self { single, pieces, sines: OnceCell::new(), weights, limit, allowed, truncation })
     }
 
     /// Whether one polynomial or many can stand for the arcsine, or for the sum.
@@ -92,8 +95,7 @@ impl Whole {
     }
 
     fn sines(&self) -> Option<&Sines> {
-        let limit = self.truncation.min(self.allowed[0] / 8.0);
-        self.sines.get_or_init(|| Sines::new(&self.weights, limit)).as_ref()
+        self.sines.get_or_init(|| Sines::new(&self.weights, self.limit)).as_ref()
     }
 
     /// The most that is allowed.
@@ -110,9 +112,14 @@ impl Whole {
     /// sum.
     pub(super) fn cheapest(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<Candidate> {
         let candidates = [self.single(size, reduction, direction), self.pieces(size, reduction, direction)];
-        let candidates = candidates.into_iter().flatten().map(|made| Candidate::new(made, reduction));
+        let candidates = candidates.into_iter().flatten().map(|made| self.candidate(made, reduction));
         let cheapest = candidates.min_by(|a, b| a.cost.total_cmp(&b.cost));
-        cheapest.or_else(|| Some(Candidate::new(self.complement(size, reduction, direction)?, reduction)))
+        cheapest.or_else(|| Some(self.candidate(self.complement(size, reduction, direction)?, reduction)))
+    }
+
+    fn candidate(&self, (kernel, bound): (Kernel, Bound), reduction: &Reduction) -> Candidate {
+        let (cost, share) = (cost(reduction, &kernel), self.share(bound));
+        Candidate { kernel, bound, cost, share }
     }
 
     fn single(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
@@ -148,9 +155,8 @@ impl Whole {
 }
 
 impl Candidate {
-    fn new((kernel, bound): (Kernel, Bound), reduction: &Reduction) -> Self {
-        let cost = cost(reduction, &kernel);
-        Self { kernel, bound, cost }
+    pub(super) fn rank(&self) -> [f64; 2] {
+        rank(self.share, self.cost)
     }
 }
 
