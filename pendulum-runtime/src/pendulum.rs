@@ -24,10 +24,11 @@ use core::marker::PhantomData;
 /// # Conditioning near the top
 /// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is
 /// (2/ω) ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in
-/// π − θ0 and of 7.5e-6 in the period, so after n periods the phase is off by n · 7.5e-6 periods. The same holds for a velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state
-/// beside the separatrix. Of a state in motion 1 − k² is a difference, carried to 2⁻¹⁰²·(1 − cos(θ/2)) at least: θ is then within the promise
-/// plus 2⁻⁴⁵ of what an ulp of the initial velocity would change, which counts next to the separatrix alone. What this
-/// type computes is the motion of the number it was given, not of the one that was meant; where that is a formula such
+/// π − θ0 and of 7.5e-6 in the period, so after n periods the phase is off by n · 7.5e-6 periods. The same holds for a
+/// velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state beside the separatrix. Of a state in
+/// motion 1 − k² is a difference, carried to 2⁻¹⁰² of the smaller of cos(θ/2) and 1 − cos(θ/2): θ is then within the
+/// promise plus 2⁻⁴⁵ of what an ulp of the initial velocity would change, which counts next to the separatrix alone. What
+/// this type computes is the motion of the number it was given, not of the one that was meant; where that is a formula such
 /// as π − 10⁻¹², the macro `pendulum!` takes it exactly.
 ///
 /// ```
@@ -189,7 +190,8 @@ impl<F: Scalar> Pendulum<F> {
     /// The small-angle approximation θ(0) cos ωt + (θ̇(0)/ω) sin ωt (Eq. 3, there from rest), θ being counted from the
     /// lowest point next to θ(0), with ωt reduced exactly.
     ///
-    /// Its period is short by a fraction θ0²/16, so its error grows with t: at 10° 0.9 % of θ0 within one period, 12 % within ten.
+    /// Its period is short by a fraction θ0²/16, so its error grows with t: at 10° 0.9 % of θ0 within one period, 12 %
+    /// within ten.
     pub fn small_angle(&self, t: F) -> F {
         F::narrow(self.motion.small_angle(t.widen()))
     }

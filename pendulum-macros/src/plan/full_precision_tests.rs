@@ -5,7 +5,7 @@
 //! PENDULA_SCENES=500 cargo test --release -p pendulum-macros full_precision_tests::many -- --ignored --nocapture
 //! ```
 
-use super::random_tests::{Probe, largest_error};
+use super::probe::{Probe, largest_error};
 use super::tests::scene;
 use super::*;
 use crate::fuzz::random::Random;

@@ -173,6 +173,8 @@ impl Plan {
 #[cfg(test)]
 mod full_precision_tests;
 #[cfg(test)]
+mod probe;
+#[cfg(test)]
 mod random_tests;
 #[cfg(test)]
 pub(crate) mod tests;

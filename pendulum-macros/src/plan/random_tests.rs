@@ -5,8 +5,8 @@
 //! PENDULA_SCENES=2000 cargo test --release -p pendulum-macros random_tests::many -- --ignored --nocapture
 //! ```
 
+use super::probe::{Probe, largest_error};
 use super::tests::scene;
-use super::truth::{State, distance};
 use super::*;
 use crate::fuzz::random::Random;
 use crate::parse::Float;
@@ -71,105 +71,6 @@ fn planned(text: &str) -> Option<(Scene, Plan)> {
         Err(Refusal::Broken { output }) => panic!("{text}: the planner sees its bound of {output:?} broken"),
         Err(_) => None,
     }
-}
-
-/// Where a plan is tried.
-pub(super) struct Probe<'a> {
-    scene: &'a Scene,
-    program: &'a Program,
-    output: Output,
-    /// Time between two turning points, or two passages over the top.
-    step: f64,
-    /// The time of the first anchor.
-    first: f64,
-    horizon: f64,
-    bound: f64,
-    pub(super) worst: (f64, f64),
-}
-
-impl<'a> Probe<'a> {
-    pub(super) fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
-        let (step, launch) = match &scene.motion.regime {
-            Regime::Swing(swing) => (swing.period.to_f64() / 2.0, swing.launch.to_f64()),
-            Regime::Rotation(rotation) => (rotation.period.to_f64(), rotation.launch.to_f64() + 0.5),
-            Regime::Separatrix(separatrix) => (5.0 / scene.motion.omega.to_f64(), separatrix.launch.to_f64() / 5.0),
-        };
-        let periods = if matches!(scene.motion.regime, Regime::Rotation(_)) { 53 } else { 54 };
-        let unlimited = 2f64.powi(periods) * step;
-        let horizon = scene.t_max.as_ref().map_or(unlimited, Real::to_f64).min(scene.float.largest());
-        let (program, output) = (&plan.functions[0].program, plan.parts[0].output);
-        Self {
-            scene,
-            program,
-            output,
-            step,
-            first: -launch * step,
-            horizon,
-            bound: plan.parts[0].bound.total() * (1.0 + 1e-9),
-            worst: (0.0, 0.0),
-        }
-    }
-
-    /// The error at the time of the scene's type nearest to `t` within the horizon.
-    pub(super) fn at(&mut self, t: f64) -> f64 {
-        let mut t = self.scene.float.round(t.clamp(-self.horizon, self.horizon));
-        if t.abs() > self.horizon {
-            let inner = if self.scene.float == Float::F32 { f64::from((t as f32).next_down()) } else { t };
-            t = if t > 0.0 { inner } else { -f64::from((-t as f32).next_down()) };
-        }
-        let exact = State::at(&self.scene.motion, t).output(self.output);
-        let values = self.program.run(t);
-        let mut error = distance(self.scene.motion.omega.context(), &values, &exact);
-        if self.output == Output::Wrapped {
-            // At the top π and −π are one angle.
-            assert!(values[0].abs() <= std::f64::consts::PI + self.bound, "{t}: {values:?}");
-            error = error.min((std::f64::consts::TAU - error).abs());
-        }
-        if error > self.worst.1 {
-            self.worst = (t, error);
-        }
-        error
-    }
-
-    /// At `count` phases of the anchor nearest to `t`, of which ½ and −½, and where the error was largest finer.
-    fn anchor(&mut self, t: f64, count: usize) {
-        let anchor = self.first + ((t - self.first) / self.step).round() * self.step;
-        let step = self.step;
-        let at = |index: f64| anchor + (index / count as f64 - 0.5) * step;
-        let errors: Vec<f64> = (0..=count).map(|index| self.at(at(index as f64))).collect();
-        let place = |index: usize| errors[index] * (1.0 - index as f64 * 1e-9);
-        let peak = (0..=count).max_by(|&a, &b| place(a).total_cmp(&place(b))).unwrap_or(0);
-        for fraction in [-0.6, -0.3, -0.1, 0.1, 0.3, 0.6] {
-            self.at(at(peak as f64 + fraction));
-        }
-    }
-
-    /// Everywhere that is known to be bad, and at random.
-    pub(super) fn everywhere(&mut self, random: &mut Random, density: usize) {
-        let (step, horizon) = (self.step, self.horizon);
-        for t in [0.0, self.first, horizon, -horizon, horizon * (2.0 * random.unit() - 1.0)] {
-            self.anchor(t, density);
-        }
-        for _ in 0..density {
-            self.at(horizon * (2.0 * random.unit() - 1.0));
-            self.at(step * (4.0 * random.unit() - 2.0));
-            // Where the phase is most wrong, and the motion fastest.
-            let end = random.choose(&[1.0, -1.0]) * horizon * (1.0 - 0.01 * random.unit());
-            let lowest = self.first + (((end - self.first) / step).floor() + 0.5) * step;
-            self.at(lowest + step * 0.02 * (random.unit() - 0.5));
-        }
-    }
-}
-
-/// The largest error found of a plan, which is within its bound.
-pub(super) fn largest_error(text: &str, scene: &Scene, plan: &Plan, random: &mut Random, density: usize) -> f64 {
-    let mut probe = Probe::new(scene, plan);
-    probe.everywhere(random, density);
-    let part = &plan.parts[0];
-    let (t, error) = probe.worst;
-    let bound = part.bound.total();
-    assert!(error <= bound, "{text}: {error:e} at t = {t:e}, bound {bound:e} ({:?}), {}", part.bound, part.description);
-    error
 }
 
 /// Bound over largest error found, of a plan with a tolerance well above rounding.

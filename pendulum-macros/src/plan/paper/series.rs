@@ -56,3 +56,6 @@ impl Sum<'_> {
         Part { bound, description, share: 0.0, ..part }
     }
 }
+
+#[cfg(test)]
+mod tests;
