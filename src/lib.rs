@@ -161,8 +161,8 @@ struct Readme;
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
 /// * NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞).
-/// * Released from rest, within the horizon: θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit, but for the sign of
-///   a result that is exactly 0.
+/// * Released from rest, for every finite t: θ(−t) = θ(t), and −θ0 gives the mirror image, to the bit, of the latter but
+///   for the sign of a result that is exactly 0.
 /// * Beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`). Beyond a `t_max` of less than a
 ///   quarter of a period all outputs may stay as they are at `t_max`.
 /// * Of θ̇ the bound alone is promised: where `METHOD` is `"passage"` it is not exactly 0 at the release.

@@ -26,6 +26,12 @@ macro_rules! mirrored {
             assert_eq!(Right::theta(-t).to_bits(), Right::theta(t).to_bits(), "{asked}: θ(−t) = θ(t) at {t:e}");
             assert_eq!(Left::theta(t).to_bits(), (-Right::theta(t)).to_bits(), "{asked}: θ0 → −θ0 at {t:e}");
         }
+        // Beyond the horizon, too, up to the last of all numbers.
+        for i in 0..4000 {
+            let t = $float::MAX.powf(0.1 + 0.225 * f64::from(i % 5) as $float * random.unit() as $float);
+            assert_eq!(Right::theta(-t).to_bits(), Right::theta(t).to_bits(), "{asked}: θ(−t) = θ(t) at {t:e}");
+            assert_eq!(Left::theta(t), -Right::theta(t), "{asked}: θ0 → −θ0 at {t:e}");
+        }
     })*};
 }
 
@@ -59,17 +65,36 @@ fn the_papers_function_mirrors_too() {
 
 #[test]
 fn velocity_is_odd_in_time_where_theta_is_even() {
-    pendulum! {
-        struct Motion;
-        theta0 = 7π/8, outputs = [theta, velocity, acceleration, position]
-    }
     let mut random = Random::new(8);
-    for _ in 0..2000 {
-        let t = 1e6 * random.signed();
-        assert_eq!(Motion::velocity(-t), -Motion::velocity(t));
-        assert_eq!(Motion::acceleration(-t), Motion::acceleration(t));
-        assert_eq!(Motion::position(-t), Motion::position(t));
-        assert_eq!(Motion::state(t), (Motion::theta(t), Motion::velocity(t)));
+    macro_rules! check {
+        ($($theta0:tt $float:ident: $($parameters:ident = $value:tt),*;)*) => {$({
+            pendulum! {
+                struct Motion;
+                theta0 = $theta0, float = $float, $($parameters = $value,)*
+                outputs = [theta, velocity, acceleration, position]
+            }
+            let asked = stringify!($theta0 $float $($parameters = $value),*);
+            for i in 0..6000 {
+                let power = random.unit();
+                let t = if i % 2 == 0 { (1e6 * random.signed()) as $float } else { $float::MAX.powf(power as $float) };
+                assert_eq!(Motion::velocity(-t), -Motion::velocity(t), "{asked} at {t:e}");
+                assert_eq!(Motion::acceleration(-t), Motion::acceleration(t), "{asked} at {t:e}");
+                assert_eq!(Motion::position(-t), Motion::position(t), "{asked} at {t:e}");
+                assert_eq!(Motion::state(t), (Motion::theta(t), Motion::velocity(t)), "{asked} at {t:e}");
+            }
+        })*};
+    }
+    check! {
+        (7π/8) f64:;
+        (7π/8) f32:;
+        2 f64: tol = 1e-9, t_max = 1000;
+        2 f32: tol = 1e-4, t_max = 100;
+        // In pieces, by its passages, from the lowest point, and by the paper's.
+        (0.99999π) f64: tol = 1e-12;
+        (3.14159265) f64:;
+        1e-9 f64:;
+        1 f64: tol = 1e-3, method = fourier;
+        1 f64: n = 3, t_max = 1000;
     }
 }
 

@@ -4,7 +4,7 @@ use super::harmonics::Harmonics;
 use super::passage::Passage;
 use super::pieces::{Complement, Halves, Pieces};
 use super::polynomial::Polynomial;
-use super::reduction::{Origin, Reduction};
+use super::reduction::{Mirror, Origin, Reduction};
 use super::turning::{Turning, modulo_turn, rounding_modulo, rounding_within, within_half_turn};
 use super::variables::Variables;
 use super::{Function, Part};
@@ -77,7 +77,17 @@ impl Kernel {
     fn is_odd_in_time(&self) -> bool {
         match self {
             Self::Passage(passage) => passage.output == Output::Velocity,
+            Self::Pieces(pieces) => pieces.parity == Parity::Odd,
             _ => self.is_odd(),
+        }
+    }
+
+    /// Whether it has a phase of its own, to the nearest piece.
+    fn is_in_pieces(&self) -> bool {
+        match self {
+            Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) => true,
+            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_in_pieces(),
+            Self::Polynomial(_) | Self::Circle(_) | Self::Harmonics(_) | Self::Passage(_) => false,
         }
     }
 
@@ -223,6 +233,9 @@ fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
     const NAMES: [&str; 2] = ["first_result", "second_result"];
     let mut b = Builder::new(reduction.float);
     let t = b.input();
+    let odd_in_time = kernels.iter().any(|kernel| kernel.is_odd_in_time());
+    let in_pieces = kernels.iter().any(|kernel| kernel.is_in_pieces());
+    let reduction = &reduction.with_signs(odd_in_time && !in_pieces);
     let phase = reduction.lower(&mut b, t);
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
     let alone = kernels.len() == 1;
@@ -231,18 +244,10 @@ fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
     let mut results = Vec::new();
     for (kernel, name) in kernels.iter().zip(names) {
         let of_magnitude = kernel.lower(&mut b, &variables, name);
-        let turned = reduction.folded && kernel.is_odd_in_time();
-        results
-            .extend(of_magnitude.into_iter().map(|value| if turned { with_sign_of(&mut b, t, value) } else { value }));
+        let turned = reduction.mirror == Mirror::Magnitude && kernel.is_odd_in_time();
+        results.extend(of_magnitude.into_iter().map(|x| if turned { b.push(Op::Along { x, sign: t }) } else { x }));
     }
     b.finish(results)
-}
-
-/// `value`, or its negative where `t` is negative.
-fn with_sign_of(b: &mut Builder, t: Id, value: Id) -> Id {
-    let minus = b.constant(-1.0);
-    let opposite = b.mul(t, minus);
-    b.push(Op::Against { x: value, sign: opposite })
 }
 
 /// A function per output, and `state` for θ and velocity together.

@@ -65,7 +65,7 @@ fn weight(op: Op) -> f64 {
         Op::Input | Op::Constant { .. } | Op::Entry { .. } => 0.0,
         Op::Div(..) => QUOTIENT,
         Op::Root(_) => 36.0,
-        Op::Against { .. } | Op::Min { .. } | Op::Max { .. } => MINIMUM,
+        Op::CopySign { .. } | Op::Along { .. } | Op::Against { .. } | Op::Min { .. } | Op::Max { .. } => MINIMUM,
         Op::Select { .. } => 3.0,
         Op::Row { .. } => ROW,
         Op::Widen(_) | Op::Narrow(_) => 2.0,

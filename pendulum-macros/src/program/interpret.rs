@@ -53,6 +53,14 @@ impl Program {
                 let odd = self.integer_bits(magic, v) >> bit & 1 == 1;
                 if odd { -v[x] } else { v[x] }
             }
+            Op::CopySign { magnitude, sign } => v[magnitude].copysign(v[sign]),
+            Op::Along { x, sign } => {
+                if v[sign].is_sign_negative() {
+                    -v[x]
+                } else {
+                    v[x]
+                }
+            }
             Op::Against { x, sign } => {
                 if v[sign].is_sign_negative() {
                     v[x]

@@ -59,6 +59,16 @@ pub(crate) enum Op {
         magic: Id,
         bit: u32,
     },
+    /// A number's magnitude with the sign of another.
+    CopySign {
+        magnitude: Id,
+        sign: Id,
+    },
+    /// x with its sign flipped where `sign` is negative.
+    Along {
+        x: Id,
+        sign: Id,
+    },
     /// x with its sign flipped where `sign` is positive.
     Against {
         x: Id,
@@ -121,6 +131,8 @@ impl Op {
                 Self::Select { a: to(a), b: to(b), then: to(then), otherwise: to(otherwise) }
             }
             Self::Alternate { x, magic, bit } => Self::Alternate { x: to(x), magic: to(magic), bit },
+            Self::CopySign { magnitude, sign } => Self::CopySign { magnitude: to(magnitude), sign: to(sign) },
+            Self::Along { x, sign } => Self::Along { x: to(x), sign: to(sign) },
             Self::Against { x, sign } => Self::Against { x: to(x), sign: to(sign) },
             Self::PowerOfTwo { magic } => Self::PowerOfTwo { magic: to(magic) },
             Self::Row { magic } => Self::Row { magic: to(magic) },

@@ -43,6 +43,11 @@ fn operations_as_rust_has_them() {
     // NaN passes, and is below nothing.
     assert!(of_two(f64::NAN, 1.0, |x, limit| Op::Min { limit, x }).is_nan());
     assert!(of_two(f64::NAN, 1.0, |x, limit| Op::Max { limit, x }).is_nan());
+    for (sign, same) in [(2.0, 1.0), (-2.0, -1.0), (0.0, 1.0), (-0.0, -1.0)] {
+        assert_eq!(of_two(5.0, sign, |x, sign| Op::Along { x, sign }), 5.0 * same);
+        assert_eq!(of_two(-5.0, sign, |x, sign| Op::Along { x, sign }), -5.0 * same);
+        assert_eq!(of_two(-5.0, sign, |magnitude, sign| Op::CopySign { magnitude, sign }), 5.0 * same);
+    }
     assert_eq!(of_two(5.0, -1.0, |x, sign| Op::Against { x, sign }), 5.0);
     assert_eq!(of_two(5.0, 1.0, |x, sign| Op::Against { x, sign }), -5.0);
     assert_eq!(of_two(5.0, -0.0, |x, sign| Op::Against { x, sign }), 5.0);
@@ -183,6 +188,8 @@ fn operands() {
         Op::Max { limit: 1, x: 2 },
         Op::Select { a: 1, b: 2, then: 3, otherwise: 4 },
         Op::Alternate { x: 1, magic: 2, bit: 3 },
+        Op::CopySign { magnitude: 1, sign: 2 },
+        Op::Along { x: 1, sign: 2 },
         Op::Against { x: 1, sign: 2 },
         Op::PowerOfTwo { magic: 1 },
         Op::Row { magic: 1 },

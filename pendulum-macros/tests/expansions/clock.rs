@@ -15,14 +15,14 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase s: one product with the rate, wrong by at most 3.9e-12 half periods
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; error ≤ 6.219e-10 rad, proven: 5.8e-10 of truncation, 4.7e-11 of phase, 3.8e-14 of evaluation; 27 operations
-/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; error ≤ 4.308e-10 rad·ω, proven: 4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of evaluation; 23 operations
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; error ≤ 6.219e-10 rad, proven: 5.8e-10 of truncation, 4.7e-11 of phase, 3.8e-14 of evaluation; 28 operations
+/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; error ≤ 4.308e-10 rad·ω, proven: 4.1e-10 of truncation, 2.4e-11 of phase, 3.6e-15 of evaluation; 24 operations
 ///
 /// Not chosen:
 ///
 /// * a polynomial in s² over poles, by powers for `theta`: it costs about 1.0 additions more
 /// * a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs about 1.0 additions more
-/// * pieces, phase by one product with the rate: it costs as much as 81 additions
+/// * pieces, phase by one product with the rate: it costs as much as 83 additions
 /// * `harmonic`: it is wrong by about 3e-1 rad
 /// * `series`: it takes 12 harmonics at least, of three operations each, and a cosine
 /// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
@@ -66,16 +66,16 @@ impl Clock {
     /// Terms, or harmonics, of the first function.
     pub const TERMS: usize = 9;
     /// Operations of one call of the first function.
-    pub const OPERATIONS: usize = 27;
+    pub const OPERATIONS: usize = 28;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f64 = 6.219383162724061e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
     pub const MAX_VELOCITY_ERROR: f64 = 4.3075098582183034e-10;
-    /// θ(t), rad; NaN if t is not finite. 27 operations.
+    /// θ(t), rad; NaN if t is not finite. 28 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f64) -> f64 {
-        let x = t * 0.516665045200957;
+        let x = t.abs() * 0.516665045200957;
         let magic = x + 6755399441055744.0;
         let n = magic - 6755399441055744.0;
         let s = x - n;
@@ -94,13 +94,14 @@ impl Clock {
                 + ((-0.08779327473163231 - 0.7509368396381406 * y)
                     * (w - 0.08778952917722718) + (0.08812096226944938 + w2)) * w2)
     }
-    /// θ̇(t), rad per unit of t; NaN if t is not finite. 23 operations.
+    /// θ̇(t), rad per unit of t; NaN if t is not finite. 24 operations.
     #[inline(always)]
     #[must_use]
     pub const fn velocity(t: f64) -> f64 {
         let x = t * 0.516665045200957;
-        let magic = x + 6755399441055744.0;
-        let n = magic - 6755399441055744.0;
+        let rounder = 6755399441055744.0_f64.copysign(t);
+        let magic = x + rounder;
+        let n = magic - rounder;
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };
@@ -113,13 +114,14 @@ impl Clock {
                 * (w - 0.5192770203513656) - 2.3417714567483006)
                 * (w + 0.3238841028888346) + 2.5279980693211312)
     }
-    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 43 operations.
+    /// (θ(t), θ̇(t)), with one phase reduction for both; NaN if t is not finite. 44 operations.
     #[inline(always)]
     #[must_use]
     pub const fn state(t: f64) -> (f64, f64) {
         let x = t * 0.516665045200957;
-        let magic = x + 6755399441055744.0;
-        let n = magic - 6755399441055744.0;
+        let rounder = 6755399441055744.0_f64.copysign(t);
+        let magic = x + rounder;
+        let n = magic - rounder;
         let s = x - n;
         let v = s * s;
         let y = if 0.25_f64 < v { 0.25_f64 } else { v };

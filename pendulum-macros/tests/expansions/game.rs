@@ -12,14 +12,14 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
 /// * phase s: one product with the rate, wrong by at most 8.2e-6 half periods
-/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of evaluation; 15 operations
-/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of evaluation; 28 operations
+/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of evaluation; 16 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of evaluation; 29 operations
 ///
 /// Not chosen:
 ///
 /// * a polynomial in s² over poles, by powers for `theta`: it costs no less
 /// * a polynomial in s² over poles, by powers for `position`: it costs about 2.0 additions more
-/// * pieces, phase by one product with the rate in `f64`: it costs as much as 165 additions
+/// * pieces, phase by one product with the rate in `f64`: it costs as much as 170 additions
 /// * `harmonic`: it is wrong by about 9e-2 rad
 /// * `series`: it takes 4 harmonics at least, of three operations each, and a cosine
 /// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
@@ -63,16 +63,16 @@ impl Lamp {
     /// Terms, or harmonics, of the first function.
     pub const TERMS: usize = 3;
     /// Operations of one call of the first function.
-    pub const OPERATIONS: usize = 15;
+    pub const OPERATIONS: usize = 16;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
     pub const MAX_ERROR: f32 = 9.139537e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
     pub const MAX_POSITION_ERROR: f32 = 7.717634e-5;
-    /// θ(t), rad; NaN if t is not finite. 15 operations.
+    /// θ(t), rad; NaN if t is not finite. 16 operations.
     #[inline(always)]
     #[must_use]
     pub const fn theta(t: f32) -> f32 {
-        let x = t * 0.23952805;
+        let x = t.abs() * 0.23952805;
         let magic = x + 12582912.0;
         let n = magic - 12582912.0;
         let s = x - n;
@@ -85,11 +85,11 @@ impl Lamp {
         let d = -0.42334524 - v_2 * v_2;
         signed / d * ((p - 13.869426) * p + 3.404919)
     }
-    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 28 operations.
+    /// (sin θ, −cos θ) at t, in lengths: x to the right, y upwards from the pivot; NaN if t is not finite. 29 operations.
     #[inline(always)]
     #[must_use]
     pub const fn position(t: f32) -> (f32, f32) {
-        let x = t * 0.23952805;
+        let x = t.abs() * 0.23952805;
         let magic = x + 12582912.0;
         let n = magic - 12582912.0;
         let s = x - n;

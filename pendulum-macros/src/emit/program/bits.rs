@@ -32,6 +32,17 @@ impl Writer<'_> {
         quote!(#float::from_bits(#x.to_bits() ^ (#bits << #shift & #mask)))
     }
 
+    pub(super) fn copy_sign(&self, magnitude: Id, sign: Id) -> TokenStream {
+        let (magnitude, sign) = (self.atom(magnitude), self.value(sign));
+        quote!(#magnitude.copysign(#sign))
+    }
+
+    pub(super) fn along(&self, x: Id, sign: Id) -> TokenStream {
+        let float = self.program.nodes[x].float;
+        let (x, sign, mask) = (self.atom(x), self.atom(sign), sign_bit(float));
+        quote!(#float::from_bits(#x.to_bits() ^ (#sign.to_bits() & #mask)))
+    }
+
     pub(super) fn against(&self, x: Id, sign: Id) -> TokenStream {
         let float = self.program.nodes[x].float;
         let (x, sign, mask) = (self.atom(x), self.atom(sign), sign_bit(float));

@@ -140,6 +140,8 @@ impl Writer<'_> {
             Op::Select { a, b, then, otherwise } => (self.select([a, b], then, otherwise), Atom),
             Op::Head(x) => (self.head(x), Atom),
             Op::Alternate { x, magic, bit } => (self.alternate(x, magic, bit), Atom),
+            Op::CopySign { magnitude, sign } => (self.copy_sign(magnitude, sign), Atom),
+            Op::Along { x, sign } => (self.along(x, sign), Atom),
             Op::Against { x, sign } => (self.against(x, sign), Atom),
             Op::PowerOfTwo { magic } => (self.power_of_two(magic), Atom),
             Op::Row { magic } => (self.row(magic), Atom),

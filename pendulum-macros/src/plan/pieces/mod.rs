@@ -28,6 +28,8 @@ pub(crate) struct Pieces {
     reduction: Reduction,
     /// Powers of the remainder, a row for each piece, of which the first is about an anchor.
     rows: Vec<Vec<Double>>,
+    /// Of the curve, about an anchor.
+    pub(crate) parity: Parity,
     /// Set where the sign changes from anchor to anchor.
     alternates: bool,
 }
@@ -46,7 +48,7 @@ impl Pieces {
             Some(row) => row.clone(),
             None => half[pieces - piece].iter().enumerate().map(mirrored).collect(),
         };
-        Self { reduction, rows: (0..pieces).map(row).collect(), alternates }
+        Self { reduction, rows: (0..pieces).map(row).collect(), parity, alternates }
     }
 
     pub(crate) fn negate(&mut self) {

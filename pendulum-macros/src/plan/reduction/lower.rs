@@ -1,6 +1,6 @@
 //! A reduction as operations.
 
-use super::{Origin, Phase, Reduction, Scheme, is_half};
+use super::{Mirror, Origin, Phase, Reduction, Scheme, is_half};
 use crate::parse::Float;
 use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
@@ -8,7 +8,7 @@ use pendulum_runtime::double::Double;
 impl Reduction {
     /// Emits the reduction.
     pub(crate) fn lower(&self, b: &mut Builder, t: Id) -> Phase {
-        let t = if self.folded { b.push(Op::Abs(t)) } else { t };
+        let t = if self.mirror == Mirror::Magnitude { b.push(Op::Abs(t)) } else { t };
         let t = self.capped(b, t);
         let phase = match &self.scheme {
             Scheme::OneWord { rate } => self.direct(b, t, *rate),
@@ -65,14 +65,24 @@ impl Reduction {
     }
 
     /// The magic sum of x + offset, and the nearest integer.
-    fn round(&self, b: &mut Builder, x: Id) -> (Id, Id) {
+    fn round(&self, b: &mut Builder, t: Id, x: Id) -> (Id, Id) {
         let x = b.offset(x, self.offset() * self.scale);
         let constant = b.float().magic() * self.scale / self.pieces;
-        let constant = b.constant(constant);
+        let constant = self.mirrored(b, t, constant);
         let magic = b.add(x, constant);
         b.name(magic, "magic");
         let n = b.sub(magic, constant);
         (magic, b.name(n, "n"))
+    }
+
+    /// A constant that rounds, with the sign of the time where that mirrors.
+    fn mirrored(&self, b: &mut Builder, t: Id, constant: f64) -> Id {
+        let magnitude = b.constant(constant);
+        if self.mirror != Mirror::Sign {
+            return magnitude;
+        }
+        let constant = b.push(Op::CopySign { magnitude, sign: t });
+        b.name(constant, "rounder")
     }
 
     /// The phase, origins counted from the one numbered 0.
@@ -90,7 +100,7 @@ impl Reduction {
         let rate = b.constant(rate * self.scale);
         let x = b.mul(t, rate);
         b.name(x, "x");
-        let (magic, n) = self.round(b, x);
+        let (magic, n) = self.round(b, t, x);
         let remainder = self.less(b, &[x], n);
         self.numbered(b, remainder, magic, n)
     }
@@ -99,7 +109,7 @@ impl Reduction {
         let factors = [rate * self.scale, scaled * self.scale, anchor];
         let [rate, scaled, anchor] = factors.map(|factor| b.constant(factor));
         let x = b.mul(t, rate);
-        let (magic, count) = self.round(b, x);
+        let (magic, count) = self.round(b, t, x);
         let (distance, whole) = (b.mul(t, scaled), b.mul(count, anchor));
         let remainder = b.sub(distance, whole);
         self.numbered(b, remainder, magic, count)
@@ -108,7 +118,7 @@ impl Reduction {
     fn cody_waite(&self, b: &mut Builder, t: Id, rate: f64, words: &[f64]) -> Phase {
         let rate = b.constant(rate);
         let x = b.mul(t, rate);
-        let (magic, count) = self.round(b, x);
+        let (magic, count) = self.round(b, t, x);
         let mut n = count;
         // Of the offset, halves are added to n without rounding.
         let halves = (-2.0 * self.offset().hi).round_ties_even() * 0.5;
@@ -135,10 +145,10 @@ impl Reduction {
             b.mul(t, word)
         };
         let mut parts: Vec<Id> = words.iter().map(product).collect();
-        let (first, eights) = self.modulo_eight(b, parts[0]);
+        let (first, eights) = self.modulo_eight(b, t, parts[0]);
         parts[0] = first;
         let sum = sum_from_last(b, &parts);
-        let (magic, n) = self.round(b, sum);
+        let (magic, n) = self.round(b, t, sum);
         let remainder = self.less(b, &parts, n);
         let count = b.add(eights, n);
         self.numbered(b, remainder, magic, count)
@@ -160,7 +170,7 @@ impl Reduction {
         let tail = b.sub(t, head);
         b.name(tail, "tail");
         let first = b.mul(head, words[0]);
-        let (first, eights) = self.modulo_eight(b, first);
+        let (first, eights) = self.modulo_eight(b, t, first);
         let mut parts = vec![b.name(first, NAMES[0])];
         for index in 1..words.len() {
             let with = if index + 1 < words.len() { head } else { t };
@@ -169,7 +179,7 @@ impl Reduction {
         }
         let (leading, last) = parts.split_at(parts.len().min(3));
         let sum = sum_from_last(b, leading);
-        let (magic, n) = self.round(b, sum);
+        let (magic, n) = self.round(b, t, sum);
         let count = b.add(eights, n);
         let remainder = match last {
             // Fewer than four parts are wrong by more than their sums.
@@ -229,8 +239,8 @@ impl Reduction {
     }
 
     /// x less the nearest multiple of 8, exactly, for |x| ≤ 2⁵⁴, and that multiple: adding 1.5·2⁵⁵ rounds to one.
-    fn modulo_eight(&self, b: &mut Builder, x: Id) -> (Id, Id) {
-        let constant = b.constant(8.0 * Float::F64.magic() * self.scale);
+    fn modulo_eight(&self, b: &mut Builder, t: Id, x: Id) -> (Id, Id) {
+        let constant = self.mirrored(b, t, 8.0 * Float::F64.magic() * self.scale);
         let sum = b.add(x, constant);
         let eights = b.sub(sum, constant);
         (b.sub(x, eights), eights)

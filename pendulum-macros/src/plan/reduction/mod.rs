@@ -50,8 +50,19 @@ pub(crate) struct Reduction {
     pub(crate) pieces: f64,
     /// Times beyond ±this are replaced by it.
     pub(crate) cap: Option<f64>,
-    /// Whether it is of |t|.
-    pub(crate) folded: bool,
+    pub(crate) mirror: Mirror,
+}
+
+/// How a time and its negative are reduced alike, to the bit, however large they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Mirror {
+    /// They are not: nothing depends on it.
+    Neither,
+    /// The phase is that of |t|, and what is odd in time takes the sign of t.
+    Magnitude,
+    /// The constants that round take the sign of t, so that the phase of −t is the negative. Of a phase beyond 2⁵¹ (2²²)
+    /// anchors one constant for both signs makes a sum on one side and a difference on the other, which is rounded less.
+    Sign,
 }
 
 /// The zero of the reduced phase.
@@ -147,19 +158,25 @@ impl Reduction {
             scale: 1.0,
             pieces: 1.0,
             cap: None,
-            folded: false,
+            mirror: Mirror::Neither,
         }
     }
 
-    /// For a release from rest, which is even about t = 0: θ(−t) = θ(t) to the bit. From an anchor a phase and its
-    /// negative are reduced alike; from a lowest point, half an anchor away, sums just inside of ½ and just outside of
-    /// it are not rounded alike, and the magnitude of the time is reduced instead.
+    /// For a release from rest, which is even about t = 0: θ(−t) = θ(t) to the bit. From a lowest point, half an anchor
+    /// away, sums just inside of ½ and just outside of it are not rounded alike whatever their constants.
     pub(crate) fn released(self) -> Self {
-        Self { folded: self.origin == Origin::Lowest, ..self }
+        let mirror = if self.origin == Origin::Lowest { Mirror::Magnitude } else { Mirror::Sign };
+        Self { mirror, ..self }
+    }
+
+    /// The same with signs where they are needed: without, the magnitude of the time is an operation less.
+    pub(crate) fn with_signs(&self, needed: bool) -> Self {
+        let magnitude = self.mirror == Mirror::Sign && !needed;
+        Self { mirror: if magnitude { Mirror::Magnitude } else { self.mirror }, ..self.clone() }
     }
 
     /// The same with the remainder from the nearest of so many pieces of an anchor, whose number is in the low bits of
-    /// the magic sum; `None` where products with n would no longer be exact, or where there are so many anchors that
+    /// the magic sum, of |t| where that mirrors: the bits of a negative sum would count backwards; `None` where products with n would no longer be exact, or where there are so many anchors that
     /// their pieces can't be told. What rounds remainders is relative to them, by up to twice as much just above a power
     /// of two as just below it.
     pub(crate) fn in_pieces(&self, pieces: f64) -> Option<Self> {
@@ -172,7 +189,7 @@ impl Reduction {
             seldom,
             overshoot,
             pieces,
-            ..self.clone()
+            ..self.with_signs(false)
         })
     }
 

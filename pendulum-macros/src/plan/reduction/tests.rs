@@ -240,6 +240,48 @@ fn every_finite_time_has_a_phase() {
     }
 }
 
+/// Of releases from rest at any time: what is rounded by constants of the sign of the time is odd, and the bits that
+/// count anchors are the same.
+#[test]
+fn negative_times_mirror() {
+    let context = Context::for_digits(60);
+    let mut random = Random::new(17);
+    let mut count = 0;
+    for (float, largest) in [(Float::F64, 1023.99), (Float::F32, 127.99)] {
+        for (rate, horizon) in [("0.3", 100.0), ("1.7", f64::INFINITY), ("1e20", f64::INFINITY)] {
+            let rate = context.decimal(rate).unwrap();
+            let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: horizon / rate.to_f64(), float };
+            let released = clock.reductions().into_iter().map(Reduction::released);
+            for reduction in released.filter(|reduction| reduction.mirror == Mirror::Sign) {
+                count += 1;
+                assert_eq!(
+                    reduction.in_pieces(4.0).map_or(Mirror::Magnitude, |pieces| pieces.mirror),
+                    Mirror::Magnitude
+                );
+                let trial = Trial { reduction, rate: rate.clone(), launch: rate.clone(), horizon, worst: 0.0 };
+                let [program, of_magnitude] = [true, false].map(|signs| {
+                    Trial {
+                        reduction: trial.reduction.with_signs(signs),
+                        rate: rate.clone(),
+                        launch: rate.clone(),
+                        ..trial
+                    }
+                    .program()
+                });
+                for _ in 0..5000 {
+                    let t = float.round(2f64.powf(-60.0 + (largest + 60.0) * random.unit().powi(2)));
+                    let (after, before) = (program.run(t), program.run(-t));
+                    let about = || format!("{:?} at {t:e}", trial.reduction);
+                    // But for the sign of nought.
+                    assert_eq!(before.iter().map(|x| -x).collect::<Vec<_>>(), after, "{}", about());
+                    assert_eq!(of_magnitude.run(-t), after, "{}", about());
+                }
+            }
+        }
+    }
+    assert!(count > 20, "{count}");
+}
+
 /// The remainder as a program of the time.
 fn remainder(reduction: &Reduction) -> Program {
     let mut b = Builder::new(reduction.float);

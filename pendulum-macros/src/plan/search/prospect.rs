@@ -108,6 +108,7 @@ fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
     let odd = aims.iter().flat_map(|aim| &aim.curves).any(|curve| curve.parity() == Parity::Odd);
     let mut b = Builder::new(reduction.float);
     let t = b.input();
+    let reduction = &reduction.with_signs(odd);
     let phase = reduction.lower(&mut b, t);
     let variables = Variables::lower(&mut b, phase, reduction, odd);
     let distance = (odd && !reduction.leaps()).then_some(variables.distance);

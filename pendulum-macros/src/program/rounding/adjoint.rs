@@ -72,7 +72,7 @@ impl Program {
 /// there is none.
 fn pass_back(id: Id, op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]) -> bool {
     // Whichever sign a number takes, everything before it changes by it alike, unless something goes past it.
-    let is_sign = matches!(op, Op::Alternate { .. } | Op::Against { .. });
+    let is_sign = matches!(op, Op::Alternate { .. } | Op::Along { .. } | Op::Against { .. });
     if is_sign && slopes[..id].iter().any(|slope| slope.magnitude() > 0.0) {
         return false;
     }
@@ -116,8 +116,14 @@ fn pass_back(id: Id, op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]
             add(x, slope.times(0.0, 1.0));
             add(limit, slope.times(0.0, 1.0));
         }
-        Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Against { x, .. } => add(x, slope),
-        Op::PowerOfTwo { .. } | Op::Head(_) | Op::Row { .. } | Op::Entry { .. } | Op::Select { .. } => return false,
+        Op::Widen(x) | Op::Narrow(x) => add(x, slope),
+        Op::Alternate { x, .. } | Op::Along { x, .. } | Op::Against { x, .. } => add(x, slope),
+        Op::CopySign { .. }
+        | Op::PowerOfTwo { .. }
+        | Op::Head(_)
+        | Op::Row { .. }
+        | Op::Entry { .. }
+        | Op::Select { .. } => return false,
     }
     true
 }

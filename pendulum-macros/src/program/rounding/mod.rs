@@ -168,7 +168,7 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
         }
         Op::Min { limit, x } => extreme(known[limit], known[x], f64::min),
         Op::Max { limit, x } => extreme(known[limit], known[x], f64::max),
-        Op::Alternate { x, .. } | Op::Against { x, .. } => {
+        Op::CopySign { magnitude: x, .. } | Op::Alternate { x, .. } | Op::Along { x, .. } | Op::Against { x, .. } => {
             let magnitude = known[x].magnitude();
             Known::result((-magnitude, magnitude), known[x].error, 0.0)
         }

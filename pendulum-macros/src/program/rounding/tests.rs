@@ -208,7 +208,12 @@ fn what_only_passes_values_on() {
     expect(after(Op::Abs(0), Float::F64, &[Known::within(0.0, 2.0, 1e-9)]), (0.0, 2.0), 1e-9, 0.0);
     expect(after(Op::Min { limit: 1, x: 0 }, Float::F64, &[x, limit]), (-3.0, 1.0), 1e-8, 0.0);
     expect(after(Op::Max { limit: 1, x: 0 }, Float::F64, &[x, limit]), (1.0, 2.0), 1e-8, 0.0);
-    for op in [Op::Alternate { x: 0, magic: 0, bit: 0 }, Op::Against { x: 0, sign: 0 }] {
+    for op in [
+        Op::Alternate { x: 0, magic: 0, bit: 0 },
+        Op::CopySign { magnitude: 0, sign: 0 },
+        Op::Along { x: 0, sign: 0 },
+        Op::Against { x: 0, sign: 0 },
+    ] {
         expect(after(op, Float::F64, &[x]), (-3.0, 3.0), 1e-9, 0.0);
     }
     expect(after(Op::Widen(0), Float::F64, &[x]), (-3.0, 2.0), 1e-9, 0.0);

@@ -18,7 +18,8 @@ fn passed(op: Op, slope: (f64, f64), known: &[Known]) -> Option<Vec<(f64, f64)>>
 fn signs_that_are_passed_by() {
     let known = [Known::within(1.0, 2.0, 0.0), Known::within(-1.0, 1.0, 0.0)];
     let slope = Slope { low: 1.0, high: 1.0 };
-    for op in [Op::Alternate { x: 0, magic: 1, bit: 0 }, Op::Against { x: 0, sign: 1 }] {
+    let sign = 1;
+    for op in [Op::Alternate { x: 0, magic: 1, bit: 0 }, Op::Along { x: 0, sign }, Op::Against { x: 0, sign }] {
         for (before, passes) in [(0.0, true), (-1.0, false)] {
             let mut slopes = vec![Slope { low: before, high: before }, Slope::ZERO];
             assert_eq!(pass_back(2, op, slope, &known, &mut slopes), passes, "{op:?}");
@@ -45,6 +46,7 @@ fn derivatives_of_operations() {
         (Op::Widen(0), [(-1.0, 2.0), (0.0, 0.0)]),
         (Op::Narrow(0), [(-1.0, 2.0), (0.0, 0.0)]),
         (Op::Alternate { x: 0, magic: 1, bit: 5 }, [(-1.0, 2.0), (0.0, 0.0)]),
+        (Op::Along { x: 0, sign: 1 }, [(-1.0, 2.0), (0.0, 0.0)]),
         (Op::Against { x: 0, sign: 1 }, [(-1.0, 2.0), (0.0, 0.0)]),
         (Op::Input, [(0.0, 0.0); 2]),
     ] {
