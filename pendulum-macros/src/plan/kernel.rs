@@ -233,9 +233,7 @@ fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
     const NAMES: [&str; 2] = ["first_result", "second_result"];
     let mut b = Builder::new(reduction.float);
     let t = b.input();
-    let odd_in_time = kernels.iter().any(|kernel| kernel.is_odd_in_time());
-    let in_pieces = kernels.iter().any(|kernel| kernel.is_in_pieces());
-    let reduction = &reduction.with_signs(odd_in_time && !in_pieces);
+    let reduction = &mirroring(reduction, kernels);
     let phase = reduction.lower(&mut b, t);
     let odd = kernels.iter().any(|kernel| kernel.is_odd());
     let alone = kernels.len() == 1;
@@ -248,6 +246,14 @@ fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
         results.extend(of_magnitude.into_iter().map(|x| if turned { b.push(Op::Along { x, sign: t }) } else { x }));
     }
     b.finish(results)
+}
+
+/// With the signs of phases if any result needs them. Pieces are those of magnitudes, and share their phase with the
+/// others.
+fn mirroring(reduction: &Reduction, kernels: &[&Kernel]) -> Reduction {
+    let odd_in_time = kernels.iter().any(|kernel| kernel.is_odd_in_time());
+    let in_pieces = kernels.iter().any(|kernel| kernel.is_in_pieces());
+    reduction.with_signs(odd_in_time && !in_pieces)
 }
 
 /// A function per output, and `state` for θ and velocity together.

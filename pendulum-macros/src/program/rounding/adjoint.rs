@@ -116,8 +116,9 @@ fn pass_back(id: Id, op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]
             add(x, slope.times(0.0, 1.0));
             add(limit, slope.times(0.0, 1.0));
         }
-        Op::Widen(x) | Op::Narrow(x) => add(x, slope),
-        Op::Alternate { x, .. } | Op::Along { x, .. } | Op::Against { x, .. } => add(x, slope),
+        Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Along { x, .. } | Op::Against { x, .. } => {
+            add(x, slope)
+        }
         Op::CopySign { .. }
         | Op::PowerOfTwo { .. }
         | Op::Head(_)
