@@ -117,7 +117,7 @@ fn pass_back(id: Id, op: Op, slope: Slope, known: &[Known], slopes: &mut [Slope]
             add(limit, slope.times(0.0, 1.0));
         }
         Op::Widen(x) | Op::Narrow(x) | Op::Alternate { x, .. } | Op::Along { x, .. } | Op::Against { x, .. } => {
-            add(x, slope)
+            add(x, slope);
         }
         Op::CopySign { .. }
         | Op::PowerOfTwo { .. }
