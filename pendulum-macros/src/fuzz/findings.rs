@@ -221,3 +221,13 @@ fn what_a_finer_promise_keeps_is_not_refused() {
         planned(&format!("velocity0 = -(2 - 1e-60), tol = {tol}, method = polynomial"));
     }
 }
+
+/// Beyond a moment the acceleration of an approximation was compared with the largest of the exact motion.
+#[test]
+fn accelerations_of_approximations_beyond_their_horizon() {
+    planned("struct A; velocity0 = 0.7279, n = 1, t_max = 1e-219, outputs = [acceleration, theta]");
+    planned(
+        "struct A; theta0 = 24.95deg, velocity0 = 1.0428, omega = 2.5248, method = small_angle, t_max = 1e-22, \
+         outputs = [theta, acceleration]",
+    );
+}
