@@ -97,6 +97,12 @@ fn doubles(inputs: &Block<f64>) -> Vec<Kind<'_>> {
         kind("sign against (`Against`)", (1.0, 1.0), inputs, |v, y, i| {
             f64::from_bits(v.to_bits() ^ (!(y - constant(i)).to_bits() & 0x8000_0000_0000_0000))
         }),
+        kind("sign along (`Along`)", (1.0, 1.0), inputs, |v, y, i| {
+            f64::from_bits(v.to_bits() ^ ((y - constant(i)).to_bits() & 0x8000_0000_0000_0000))
+        }),
+        kind("constant with a sign (`CopySign`)", (1.0, 2.0), inputs, |v, y, i| {
+            v + constant(i).copysign(y - constant(i + 1))
+        }),
         kind("absolute value", (1.0, 1.0), inputs, |v, y, _| (v - y).abs()),
         kind("minimum, maximum", (1.0, 1.0), inputs, |v, y, i| {
             let v = v * y;
@@ -127,6 +133,12 @@ fn singles(inputs: &Block<f32>) -> Vec<Kind<'_>> {
         }),
         kind("sign against (`Against`)", (1.0, 1.0), inputs, |v, y, i| {
             f32::from_bits(v.to_bits() ^ (!(y - constant(i) as f32).to_bits() & 0x8000_0000))
+        }),
+        kind("sign along (`Along`)", (1.0, 1.0), inputs, |v, y, i| {
+            f32::from_bits(v.to_bits() ^ ((y - constant(i) as f32).to_bits() & 0x8000_0000))
+        }),
+        kind("constant with a sign (`CopySign`)", (1.0, 2.0), inputs, |v, y, i| {
+            v + (constant(i) as f32).copysign(y - constant(i + 1) as f32)
         }),
         kind("absolute value", (1.0, 1.0), inputs, |v, y, _| (v - y).abs()),
         kind("minimum, maximum", (1.0, 1.0), inputs, |v, y, i| {
