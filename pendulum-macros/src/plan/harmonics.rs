@@ -8,7 +8,7 @@ mod recurrence;
 
 use super::arcsine::Arcsine;
 use super::cosines::{Cosines, Local};
-use super::kernel::{CELLS, Kernel, RESULT, over_phases};
+use super::kernel::{CELLS, Core, RESULT, over_phases};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
@@ -236,7 +236,7 @@ impl Harmonics {
     /// The errors of the cosine, or of the sum of cosines that is computed in its place, and of the sine.
     fn errors(&self, reduction: &Reduction) -> [f64; 2] {
         let error = |polynomial: &Polynomial| {
-            Kernel::Polynomial(polynomial.clone()).rounding(reduction, f64::INFINITY) + polynomial.truncation
+            Core::Polynomial(Box::new(polynomial.clone())).rounding(reduction, f64::INFINITY) + polynomial.truncation
         };
         let cosine = self.folded().unwrap_or(&self.cosine);
         [error(cosine), self.sine.as_ref().map_or(0.0, error)]

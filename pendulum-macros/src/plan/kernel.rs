@@ -5,7 +5,7 @@ use super::passage::Passage;
 use super::pieces::{Complement, Halves, Pieces};
 use super::polynomial::Polynomial;
 use super::reduction::{Mirror, Origin, Reduction};
-use super::turning::{Turning, modulo_turn, rounding_modulo, rounding_within, within_half_turn};
+use super::turning::Finish;
 use super::variables::Variables;
 use super::{Function, Part};
 use crate::parse::Output;
@@ -16,9 +16,16 @@ use crate::supremum::Halving;
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Kernel {
+pub(crate) struct Kernel {
+    pub(crate) core: Core,
+    pub(crate) finish: Finish,
+}
+
+/// What is computed of the phase.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Core {
     /// The output itself, as a polynomial or a quotient.
-    Polynomial(Polynomial),
+    Polynomial(Box<Polynomial>),
     /// sin θ and −cos θ from sin(θ/2) and cos(θ/2): the square of a point of the unit circle.
     Circle(Box<[Polynomial; 2]>),
     /// A polynomial for each part of the period.
@@ -31,17 +38,33 @@ pub(crate) enum Kernel {
     Harmonics(Box<Harmonics>),
     /// The passage through the lowest point of a motion that comes near the top.
     Passage(Box<Passage>),
-    /// The angle of a rotation.
-    Turning(Turning),
-    /// An angle kept within [−π, π), near the top.
-    Within(Box<Self>),
-    /// One that may be up to a turn beyond that, wrapped.
-    Wrapped(Box<Self>),
+}
+
+impl From<Core> for Kernel {
+    fn from(core: Core) -> Self {
+        Self { core, finish: Finish::Nothing }
+    }
 }
 
 impl Kernel {
-    /// Emits the kernel; a position has two results.
-    pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
+    /// The norm of the rounding of its results over the whole range of the phase, taken as exact, without that of turns;
+    /// some number above `cap` as soon as it is known to be.
+    pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
+        self.core.rounding(reduction, cap) + self.finish.rounding(reduction.float)
+    }
+
+    /// Of what isn't an angle that takes a finish.
+    pub(super) fn polynomial(&self) -> Option<&Polynomial> {
+        match self {
+            Self { core: Core::Polynomial(polynomial), finish: Finish::Nothing } => Some(polynomial),
+            _ => None,
+        }
+    }
+}
+
+impl Core {
+    /// Emits it; a position has two results.
+    fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
         match self {
             Self::Polynomial(polynomial) => vec![polynomial.lower(b, variables, name)],
             Self::Circle(factors) => circle(b, variables, factors),
@@ -50,15 +73,6 @@ impl Kernel {
             Self::Complement(complement) => vec![complement.lower(b, name)],
             Self::Harmonics(harmonics) => harmonics.lower(b, variables, name),
             Self::Passage(passage) => passage.lower(b, variables, name),
-            Self::Turning(turning) => vec![turning.lower(b, variables, name)],
-            Self::Within(angle) => {
-                let value = angle.lower(b, variables, name)[0];
-                vec![within_half_turn(b, value)]
-            }
-            Self::Wrapped(angle) => {
-                let value = angle.lower(b, variables, name)[0];
-                vec![modulo_turn(b, value)]
-            }
         }
     }
 
@@ -69,7 +83,6 @@ impl Kernel {
             Self::Circle(factors) => factors.iter().any(|factor| factor.parity == Parity::Odd),
             Self::Harmonics(harmonics) => harmonics.is_odd(),
             Self::Passage(_) | Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) => false,
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_odd(),
         }
     }
 
@@ -84,11 +97,7 @@ impl Kernel {
 
     /// Whether it has a phase of its own, to the nearest piece.
     fn is_in_pieces(&self) -> bool {
-        match self {
-            Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) => true,
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.is_in_pieces(),
-            Self::Polynomial(_) | Self::Circle(_) | Self::Harmonics(_) | Self::Passage(_) => false,
-        }
+        matches!(self, Self::Pieces(_) | Self::Halves(_) | Self::Complement(_))
     }
 
     /// The method, in a word.
@@ -98,7 +107,6 @@ impl Kernel {
             Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) => "pieces",
             Self::Harmonics(_) => "harmonics",
             Self::Passage(_) => "passage",
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.word(),
         }
     }
 
@@ -115,7 +123,6 @@ impl Kernel {
             Self::Complement(complement) => complement.describe(),
             Self::Harmonics(harmonics) => harmonics.describe(),
             Self::Passage(passage) => passage.describe(),
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.describe(),
         }
     }
 
@@ -129,7 +136,6 @@ impl Kernel {
             Self::Complement(complement) => complement.terms(),
             Self::Harmonics(harmonics) => harmonics.terms(),
             Self::Passage(passage) => passage.terms(),
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms(),
         }
     }
 
@@ -138,36 +144,21 @@ impl Kernel {
         match self {
             Self::Polynomial(polynomial) => vec![polynomial.terms()],
             Self::Circle(factors) => factors.iter().map(Polynomial::terms).collect(),
-            Self::Turning(Turning { angle, .. }) | Self::Within(angle) | Self::Wrapped(angle) => angle.terms_of_each(),
-            Self::Pieces(_) | Self::Halves(_) | Self::Complement(_) | Self::Harmonics(_) | Self::Passage(_) => {
-                Vec::new()
-            }
+            _ => Vec::new(),
         }
     }
 
-    /// What [`Self::rounding`] leaves out: the turns of a rotation's angle.
-    pub(crate) fn rounding_of_turns(&self, reduction: &Reduction) -> f64 {
-        if let Self::Turning(turning) = self { turning.own_rounding(reduction) } else { 0.0 }
-    }
-
-    /// The norm of the rounding of its results over the whole range of the phase, taken as exact; some number above
-    /// `cap` as soon as it is known to be.
-    pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
-        let of = |angle: &Self| angle.rounding(reduction, cap);
-        let whole = || function(reduction, &[self]);
+    /// As [`Kernel::rounding`].
+    pub(super) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
+        let whole = |signs| program(reduction, &[(self, &Finish::Nothing)], signs);
         match self {
-            Self::Turning(Turning { angle, .. }) => of(angle),
-            Self::Within(angle) => of(angle) + rounding_within(reduction.float),
-            Self::Wrapped(angle) => of(angle) + rounding_modulo(reduction.float),
             Self::Pieces(pieces) => pieces.rounding(),
             Self::Halves(halves) => halves.rounding(),
             Self::Complement(complement) => complement.rounding(),
-            Self::Passage(passage) => passage.rounding(&whole(), cap),
-            Self::Harmonics(harmonics) => harmonics.rounding(&whole(), reduction, cap),
+            Self::Passage(passage) => passage.rounding(&whole(true), cap),
+            Self::Harmonics(harmonics) => harmonics.rounding(&whole(true), reduction, cap),
             // Of either sign it is the same, and bounded better where the sign is known.
-            Self::Polynomial(_) | Self::Circle(_) => {
-                rounding_of_polynomials(&program(reduction, &[self], false), reduction, cap)
-            }
+            Self::Polynomial(_) | Self::Circle(_) => rounding_of_polynomials(&whole(false), reduction, cap),
         }
     }
 }
@@ -225,34 +216,36 @@ pub(super) const RESULT: &str = "result";
 
 /// One function of the time, the kernels' results its own.
 pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
-    program(reduction, kernels, true)
+    let kernels: Vec<_> = kernels.iter().map(|Kernel { core, finish }| (core, finish)).collect();
+    program(reduction, &kernels, true)
 }
 
 /// The same with or without the signs that anchors and sides give.
-fn program(reduction: &Reduction, kernels: &[&Kernel], signs: bool) -> Program {
+fn program(reduction: &Reduction, kernels: &[(&Core, &Finish)], signs: bool) -> Program {
     const NAMES: [&str; 2] = ["first_result", "second_result"];
     let mut b = Builder::new(reduction.float);
     let t = b.input();
     let reduction = &mirroring(reduction, kernels);
     let phase = reduction.lower(&mut b, t);
-    let odd = kernels.iter().any(|kernel| kernel.is_odd());
+    let odd = kernels.iter().any(|(core, _)| core.is_odd());
     let alone = kernels.len() == 1;
     let variables = Variables { alone, signs, ..Variables::lower(&mut b, phase, reduction, odd) };
     let names = if alone { [RESULT; 2] } else { NAMES };
     let mut results = Vec::new();
-    for (kernel, name) in kernels.iter().zip(names) {
-        let of_magnitude = kernel.lower(&mut b, &variables, name);
-        let turned = reduction.mirror == Mirror::Magnitude && kernel.is_odd_in_time();
-        results.extend(of_magnitude.into_iter().map(|x| if turned { b.push(Op::Along { x, sign: t }) } else { x }));
+    for (&(core, finish), name) in kernels.iter().zip(names) {
+        let values = core.lower(&mut b, &variables, name);
+        let finished = finish.lower(&mut b, &variables, values);
+        let turned = reduction.mirror == Mirror::Magnitude && core.is_odd_in_time();
+        results.extend(finished.into_iter().map(|x| if turned { b.push(Op::Along { x, sign: t }) } else { x }));
     }
     b.finish(results)
 }
 
 /// With the signs of phases if any result needs them. Pieces are those of magnitudes, and share their phase with the
 /// others.
-fn mirroring(reduction: &Reduction, kernels: &[&Kernel]) -> Reduction {
-    let odd_in_time = kernels.iter().any(|kernel| kernel.is_odd_in_time());
-    let in_pieces = kernels.iter().any(|kernel| kernel.is_in_pieces());
+fn mirroring(reduction: &Reduction, kernels: &[(&Core, &Finish)]) -> Reduction {
+    let odd_in_time = kernels.iter().any(|(core, _)| core.is_odd_in_time());
+    let in_pieces = kernels.iter().any(|(core, _)| core.is_in_pieces());
     reduction.with_signs(odd_in_time && !in_pieces)
 }
 

@@ -1,6 +1,5 @@
-//! The angle of a rotation: wrapped to [−π, π), or with its turns.
+//! What becomes of an angle: that of a rotation is wrapped to [−π, π), or gets its turns.
 
-use super::kernel::Kernel;
 use super::reduction::Reduction;
 use super::variables::Variables;
 use crate::parse::Float;
@@ -9,12 +8,49 @@ use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
 use std::f64::consts::{PI, TAU};
 
+/// What becomes of what is computed of the phase.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Finish {
+    Nothing,
+    /// The angle of a rotation is completed.
+    Turning(Turning),
+    /// An angle near the top is kept within [−π, π).
+    Within,
+    /// One that may be up to a turn beyond that is wrapped.
+    Wrapped,
+}
+
+impl Finish {
+    /// Emits it.
+    pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, values: Vec<Id>) -> Vec<Id> {
+        match self {
+            Self::Nothing => values,
+            Self::Turning(turning) => vec![turning.lower(b, variables, values[0])],
+            Self::Within => vec![within_half_turn(b, values[0])],
+            Self::Wrapped => vec![modulo_turn(b, values[0])],
+        }
+    }
+
+    /// What it rounds by, without turns.
+    pub(super) fn rounding(&self, float: Float) -> f64 {
+        match self {
+            Self::Nothing | Self::Turning(_) => 0.0,
+            Self::Within => rounding_within(float),
+            Self::Wrapped => rounding_modulo(float),
+        }
+    }
+
+    /// What the turns of a rotation's angle, and the mean that completes it, are rounded by.
+    pub(crate) fn rounding_of_turns(&self, reduction: &Reduction) -> f64 {
+        if let Self::Turning(turning) = self { turning.own_rounding(reduction) } else { 0.0 }
+    }
+}
+
 /// What is added to the angle of the latest passage.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turning {
-    /// The angle from the lowest point; or the periodic part of that from the top (`from_top`), which 2π·phase
-    /// completes.
-    pub(crate) angle: Box<Kernel>,
+    /// Whether the angle is the periodic part of that from the top, which 2π·phase completes, not that from the lowest
+    /// point.
     pub(crate) from_top: bool,
     /// Anchors per unit of the reduced phase.
     pub(crate) unit: Double,
@@ -30,8 +66,7 @@ pub(crate) struct Turning {
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 
 impl Turning {
-    pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Id {
-        let angle = self.angle.lower(b, variables, name)[0];
+    fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         let angle = match (self.from_top, variables.side) {
             (false, _) => angle,
             (true, Some(side)) => {
@@ -90,7 +125,7 @@ impl Turning {
     }
 
     /// The rounding of the sums: half an ulp of the largest values.
-    pub(super) fn own_rounding(&self, reduction: &Reduction) -> f64 {
+    fn own_rounding(&self, reduction: &Reduction) -> f64 {
         let float = reduction.float;
         if self.wrapped {
             // The mean and its constant, two sums, a turn, and the distance from π of the largest number below it.
@@ -109,7 +144,7 @@ impl Turning {
 
 /// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
 /// or after.
-pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
+fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let (half, minus) = (b.constant(PI), b.constant(-PI));
     let turn = Double::PI * 2.0;
     let turn = b.exact(turn);
@@ -126,18 +161,18 @@ pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
 
 /// What [`modulo_turn`] rounds by: the sum with a turn, the turn's own rounding, and the distance from π of the largest
 /// number below it.
-pub(super) fn rounding_modulo(float: Float) -> f64 {
+fn rounding_modulo(float: Float) -> f64 {
     3.0 * half_ulp(TAU, float)
 }
 
 /// What [`within_half_turn`] changes: from the largest number that it may be to π itself it is 0.63 units of π in `f32`,
 /// 1.27 in `f64`; less than this and the rounding of the angle's own last sum, half a unit.
-pub(super) fn rounding_within(float: Float) -> f64 {
+fn rounding_within(float: Float) -> f64 {
     2.0 * half_ulp(PI, float)
 }
 
 /// The nearest number from above −π to below π: of mirror images the same.
-pub(super) fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
+fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
     let most = below_half_turn(b.float());
     between(b, angle, -most, most)
 }
@@ -167,7 +202,7 @@ mod tests {
 
     fn rotation(text: &str) -> (Turning, Plan) {
         let plan = plan(&scene(&format!("struct Motion; velocity0 = 3, {text}"))).unwrap();
-        let Kernel::Turning(turning) = &plan.parts[0].kernel else { panic!("{text}: no turning angle") };
+        let Finish::Turning(turning) = &plan.parts[0].kernel.finish else { panic!("{text}: no turning angle") };
         (turning.clone(), plan)
     }
 

@@ -3,7 +3,7 @@
 use super::*;
 use crate::fuzz::random::Random;
 use crate::parse::Float;
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::plan;
 use crate::plan::tests::scene;
 use std::f64::consts::PI;
@@ -31,7 +31,7 @@ fn the_recurrence() {
 
 fn harmonics(text: &str) -> (Harmonics, Reduction) {
     let plan = plan(&scene(&format!("struct Motion; {text}"))).unwrap();
-    let Kernel::Harmonics(harmonics) = &plan.parts.last().unwrap().kernel else { panic!("{text}: no harmonics") };
+    let Core::Harmonics(harmonics) = &plan.parts.last().unwrap().kernel.core else { panic!("{text}: no harmonics") };
     (harmonics.as_ref().clone(), plan.reduction.clone())
 }
 
@@ -115,7 +115,7 @@ fn rounding_of_kernels() {
         ["theta0 = 2, method = series, tol = 1e-6", "theta0 = 2, method = series, tol = 1e-6, outputs = [velocity]"]
     {
         let (harmonics, reduction) = harmonics(text);
-        let kernel = Kernel::Harmonics(Box::new(harmonics.clone()));
+        let kernel = Kernel::from(Core::Harmonics(Box::new(harmonics.clone())));
         let bound = kernel.rounding(&reduction, f64::INFINITY);
         let velocity = harmonics.is_odd();
         let program = crate::plan::kernel::function(&reduction, &[&kernel]);

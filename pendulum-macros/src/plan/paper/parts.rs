@@ -9,7 +9,7 @@ use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::form::Form;
 use crate::plan::harmonics::{Formula, Harmonics, Made, harmonics};
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
 use crate::plan::reduction::Reduction;
 use crate::plan::{Bound, Part};
@@ -73,7 +73,7 @@ impl Sum<'_> {
     /// An output by the recurrence or, where it is kept and ranks before that, one function for the whole of θ̂.
     pub(super) fn part(&self, wanted: &Wanted, reduction: &Reduction) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
-        let summed = Kernel::Harmonics(Box::new(self.harmonics(*output, reduction)));
+        let summed = Kernel::from(Core::Harmonics(Box::new(self.harmonics(*output, reduction))));
         let cost = cost(reduction, &summed);
         let mut candidate = whole.as_ref().and_then(|whole| whole.cheapest(&curve.size, reduction, self.direction()));
         // What the recurrence is rounded by takes long to know, and is at best within what is allowed.
@@ -85,14 +85,14 @@ impl Sum<'_> {
         if let Some(better) = candidate.filter(|candidate| candidate.rank() < rank(share, cost)) {
             return self.whole(wanted, better);
         }
-        let (description, bound) = (summed.describe(), Bound { truncation: *bias, phase, evaluation });
+        let (description, bound) = (summed.core.describe(), Bound { truncation: *bias, phase, evaluation });
         Part { share, ..wanted.part(summed, description, bound) }
     }
 
     /// θ̂ by that kernel.
     fn whole(&self, wanted: &Wanted, Candidate { kernel, bound, share, .. }: Candidate) -> Part {
-        let (harmonics, word) = (harmonics(self.weights.len()), kernel.describe());
-        let one = if let Kernel::Polynomial(_) = kernel { "one " } else { "" };
+        let (harmonics, word) = (harmonics(self.weights.len()), kernel.core.describe());
+        let one = if let Core::Polynomial(_) = kernel.core { "one " } else { "" };
         let description = format!("{harmonics}, twice the arcsine of their sum as {one}{word}");
         let bound = Bound { truncation: wanted.bias + bound.truncation, ..bound };
         Part { share, ..wanted.part(kernel, description, bound) }
@@ -149,7 +149,7 @@ impl Sum<'_> {
             let most = if let Form::Adapted { .. } = form { 6.0 } else { 12.0 };
             let cap = most * size * unit;
             let polynomial = approximation.truncated(terms, reduction, true).polynomial(form, Numerator::One, cap)?;
-            (Kernel::Polynomial(polynomial.clone()).rounding(reduction, cap) <= cap).then_some(polynomial)
+            (Core::Polynomial(Box::new(polynomial.clone())).rounding(reduction, cap) <= cap).then_some(polynomial)
         })
     }
 

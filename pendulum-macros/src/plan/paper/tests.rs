@@ -4,7 +4,7 @@ use super::*;
 use crate::fuzz::random::Random;
 use crate::motion::Regime;
 use crate::parse::Float;
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::Core;
 use crate::plan::plan;
 use crate::plan::probe::{Probe, largest_error};
 use crate::plan::tests::scene;
@@ -152,7 +152,7 @@ fn the_whole_arcsine_is_off_by_two_errors() {
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
         let (k, complement) = (&swing.elliptic.modulus, &swing.elliptic.complementary);
         let bias = FourierAnalysis::new(k.to_double(), complement.to_double()).certified_bound(plan.terms, 1e-3);
-        let Kernel::Polynomial(polynomial) = &plan.parts[0].kernel else { panic!("{text}: another kernel") };
+        let Core::Polynomial(polynomial) = &plan.parts[0].kernel.core else { panic!("{text}: another kernel") };
         let expected = bias + polynomial.truncation;
         assert!(polynomial.truncation > 0.0 && (truncation(&plan) / expected - 1.0).abs() < 1e-12, "{text}");
     }
@@ -223,7 +223,7 @@ fn the_paper_and_its_derivative() {
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
         let k = swing.elliptic.modulus.to_f64();
         let weights: Vec<f64> = plan.coefficients.iter().map(|b| k * b.to_f64()).collect();
-        assert_eq!((weights.len(), plan.terms, plan.parts[1].kernel.terms()), (n, n, n));
+        assert_eq!((weights.len(), plan.terms, plan.parts[1].kernel.core.terms()), (n, n, n));
         let rate = 2.0 / swing.period.to_f64();
         let side = direction(swing.mirrored);
         let mut worst = [0.0_f64; 2];

@@ -9,10 +9,10 @@ mod polynomials;
 
 use super::aim::Aim;
 use super::curve::Curve;
-use super::kernel::Kernel;
+use super::kernel::{Core, Kernel};
 use super::reduction::Reduction;
 use super::task::Task;
-use super::turning::Turning;
+use super::turning::{Finish, Turning};
 use super::{Bound, Part};
 use crate::parse::{Float, Output};
 use crate::scene::Goal;
@@ -67,7 +67,7 @@ impl Aim {
             let Draft { kernel, truncation, .. } = &*draft;
             let evaluation = draft.rounding(reduction, room - phase - truncation);
             let bound = Bound { truncation: *truncation, phase, evaluation };
-            let turns = if self.grows() { 0.0 } else { kernel.rounding_of_turns(reduction) };
+            let turns = if self.grows() { 0.0 } else { kernel.finish.rounding_of_turns(reduction) };
             rounding = bound.evaluation + turns;
             match self.accept(kernel, bound, reduction) {
                 Ok(part) if part.share <= most => return Ok(part),
@@ -81,7 +81,7 @@ impl Aim {
     /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns
     /// of an angle that grows without bound cost what they cost: the promise is about the rest.
     pub(super) fn accept(&self, kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
-        let turns = kernel.rounding_of_turns(reduction);
+        let turns = kernel.finish.rounding_of_turns(reduction);
         let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
         let judged = if self.grows() { bound } else { whole };
         if judged.total().is_nan() || judged.total() > self.limit {
@@ -90,7 +90,15 @@ impl Aim {
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
         let doubt = if self.is_mostly_rounding(&judged, reduction) { self.limit } else { 0.0 };
         let share = (judged.total() + self.beyond_bound(reduction, bound.phase) + doubt) / self.limit;
-        Ok(Part { output, description: kernel.describe(), kernel: kernel.clone(), bound: whole, unit, largest, share })
+        Ok(Part {
+            output,
+            description: kernel.core.describe(),
+            kernel: kernel.clone(),
+            bound: whole,
+            unit,
+            largest,
+            share,
+        })
     }
 
     /// Whether rounding takes much of a tolerance and more of the bound than the rest does, as with coefficients that are
@@ -122,20 +130,18 @@ impl Aim {
 
     /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
     /// as it is.
-    fn turned(&self, task: &Task, kernel: Kernel, from_top: Option<&Reduction>) -> Kernel {
+    fn finished(&self, task: &Task, core: Core, from_top: Option<&Reduction>) -> Kernel {
         let wrapped = self.output == Output::Wrapped;
-        if !task.turning || !self.output.is_angle() {
-            let near = wrapped && self.largest_angle(task) + self.limit >= PI.next_down();
-            if !near {
-                return kernel;
-            }
-            let kernel = Box::new(kernel);
-            return if self.passes_top() { Kernel::Wrapped(kernel) } else { Kernel::Within(kernel) };
-        }
-        let (direction, turns) = (task.direction, task.turns);
-        let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
-        let (angle, from_top) = (Box::new(kernel), from_top.is_some());
-        Kernel::Turning(Turning { angle, from_top, unit, wrapped, direction, turns })
+        let finish = if task.turning && self.output.is_angle() {
+            let (direction, turns) = (task.direction, task.turns);
+            let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
+            Finish::Turning(Turning { from_top: from_top.is_some(), unit, wrapped, direction, turns })
+        } else if wrapped && self.largest_angle(task) + self.limit >= PI.next_down() {
+            if self.passes_top() { Finish::Wrapped } else { Finish::Within }
+        } else {
+            Finish::Nothing
+        };
+        Kernel { core, finish }
     }
 
     /// The largest that is met: of a rotation's arc that at one of its ends.

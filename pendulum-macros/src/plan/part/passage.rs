@@ -3,7 +3,7 @@
 use super::draft::{Brief, Draft, Drafts};
 use crate::plan::Part;
 use crate::plan::aim::Aim;
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::Core;
 use crate::plan::passage::Passage;
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
@@ -41,7 +41,7 @@ impl Aim {
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
                 let kernel = Passage::new(self.output, orbit.clone(), distances, left);
                 let truncation = kernel.truncation * factor;
-                let kernel = self.turned(task, Kernel::Passage(Box::new(kernel)), None);
+                let kernel = self.finished(task, Core::Passage(Box::new(kernel)), None);
                 Ok(Rc::new(Draft::new(kernel, truncation)))
             })
         })

@@ -5,7 +5,7 @@ use super::polynomials::SQUARING;
 use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::curve::Curve;
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::Core;
 use crate::plan::pieces::{Halves, Pieces, Piecewise};
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
@@ -61,8 +61,8 @@ impl Aim {
             let both = pieces.iter_mut().zip(&self.curves);
             both.filter(|(_, curve)| mirrored(curve)).for_each(|(pieces, _)| pieces.negate());
             let kernel = match <[Pieces; 2]>::try_from(pieces) {
-                Ok([sine, cosine]) => Kernel::Halves(Box::new(Halves { sine, cosine })),
-                Err(mut single) => self.turned(task, Kernel::Pieces(Box::new(single.swap_remove(0))), None),
+                Ok([sine, cosine]) => Core::Halves(Box::new(Halves { sine, cosine })).into(),
+                Err(mut single) => self.finished(task, Core::Pieces(Box::new(single.swap_remove(0))), None),
             };
             Ok(Rc::new(Draft::new(kernel, self.error(norm(truncations.into_iter())))))
         })

@@ -6,7 +6,7 @@ use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::curve::Curve;
 use crate::plan::form::{Division, Form, Poles, Variant};
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::memo::Memo;
 use crate::plan::polynomial::{Approximation, Leeway, Numerator, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
@@ -128,7 +128,7 @@ impl Approximations {
     /// What a part costs that was made of a variant: rounding may have left less for truncation than was estimated.
     pub(in crate::plan) fn cost_of(&self, part: &Part, reduction: &Reduction, variant: Variant) -> f64 {
         let approximations = self.choose(variant.poles, reduction);
-        self.cost(&part.kernel.terms_of_each(), &approximations, reduction, variant)
+        self.cost(&part.kernel.core.terms_of_each(), &approximations, reduction, variant)
     }
 
     /// The fewest terms that keep the promise, taking at most a part of the limit of it, or what was reached.
@@ -259,8 +259,8 @@ impl Aim {
             both.filter(|(_, curve)| self.mirrors(curve, task)).for_each(|(polynomial, _)| polynomial.negate());
         }
         match <[Polynomial; 2]>::try_from(polynomials) {
-            Ok(factors) => Kernel::Circle(Box::new(factors)),
-            Err(mut single) => self.turned(task, Kernel::Polynomial(single.swap_remove(0)), Some(reduction)),
+            Ok(factors) => Core::Circle(Box::new(factors)).into(),
+            Err(mut single) => self.finished(task, Core::Polynomial(Box::new(single.swap_remove(0))), Some(reduction)),
         }
     }
 }

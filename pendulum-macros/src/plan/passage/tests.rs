@@ -4,7 +4,7 @@ use super::quotient::linear;
 use super::*;
 use crate::motion::Regime;
 use crate::plan::curve::{Curve, Curves, RotationCurves, SwingCurves};
-use crate::plan::kernel::{Kernel, function};
+use crate::plan::kernel::{Core, Kernel, function};
 use crate::plan::part::Drafts;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
@@ -71,7 +71,7 @@ impl Trial {
             _ => Double::ONE,
         };
         let passage = Passage::new(output, self.orbit.clone(), [0.0, 0.5], limit);
-        let kernel = Kernel::Passage(Box::new(passage.clone()));
+        let kernel = Kernel::from(Core::Passage(Box::new(passage.clone())));
         let program = function(&self.reduction, &[&kernel]);
         let bound = (passage.truncation * factor.hi + passage.rounding(&program, f64::INFINITY)) / factor.hi;
         let phase = program.named("z").unwrap();
@@ -139,7 +139,7 @@ fn velocities_at_the_lowest_point() {
         let fastest = trial.scene.motion.fastest().to_double();
         for limit in limits {
             let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), [0.0, 0.5], limit);
-            let program = function(&trial.reduction, &[&Kernel::Passage(Box::new(kernel))]);
+            let program = function(&trial.reduction, &[&Core::Passage(Box::new(kernel)).into()]);
             let mut given = program.clone();
             given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
             let error = given.run(0.0)[0].abs() / fastest.hi - 1.0;
@@ -254,7 +254,7 @@ fn passages_in_other_units() {
     let mut units = 0;
     for reduction in &lowest {
         let part = task.aims[0].passage_part(&task, &Drafts::default(), reduction, f64::INFINITY).unwrap();
-        let Kernel::Passage(kernel) = part.kernel else { panic!("another kernel") };
+        let Core::Passage(kernel) = part.kernel.core else { panic!("another kernel") };
         let (rate, half) = (kernel.orbit.rate, kernel.distances[1]);
         assert!((rate / (orbit.rate * reduction.unit) - Double::ONE).hi.abs() < 1e-30, "{reduction:?}");
         let length = rate.hi * half / (orbit.rate.hi * (0.5 + reduction.overshoot));

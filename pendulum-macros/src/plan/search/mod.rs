@@ -158,7 +158,7 @@ fn candidates<'a>(scene: &Scene, prospects: &'a [Prospect]) -> Vec<Candidate<'a>
 
 /// Named by how the first output is computed.
 fn joined(reduction: &Reduction, parts: Vec<Part>) -> Plan {
-    let (method, terms) = parts.first().map_or(("", 0), |part| (part.kernel.word(), part.kernel.terms()));
+    let (method, terms) = parts.first().map_or(("", 0), |part| (part.kernel.core.word(), part.kernel.core.terms()));
     Plan::new(method, terms, reduction, parts)
 }
 

@@ -156,7 +156,7 @@ fn what_is_taken_of_limits() {
         let Prospect { task, reductions, .. } = prospects.last().unwrap();
         let (part, reduction) = (plan(&scene).unwrap().parts.remove(0), &reductions[0]);
         let limit = task.aims[0].limit;
-        let turns = part.kernel.rounding_of_turns(reduction);
+        let turns = part.kernel.finish.rounding_of_turns(reduction);
         assert_eq!(turns > 0.0, text.starts_with('v'), "{text}");
         let bound = Bound { truncation: 0.125 * limit, phase: 0.25 * limit, evaluation: 0.125 * limit };
         let accepted = task.aims[0].accept(&part.kernel, bound, reduction).unwrap();
@@ -193,7 +193,7 @@ fn outputs_by_different_ways() {
         ("theta0 = π - 1e-5, outputs = [velocity, position], tol = 5e-15", ["polynomial", "passage"]),
     ] {
         let (scene, prospects) = prospects(text);
-        let words = |plan: &Plan| -> Vec<&str> { plan.parts.iter().map(|part| part.kernel.word()).collect() };
+        let words = |plan: &Plan| -> Vec<&str> { plan.parts.iter().map(|part| part.kernel.core.word()).collect() };
         assert_eq!(words(&plan(&scene).unwrap()), ways, "{text}");
         // Of the same output alone there is but one way to each candidate.
         let single = Scene { outputs: scene.outputs[..1].to_vec(), ..scene.clone() };
@@ -255,7 +255,7 @@ fn velocities_beside_theta() {
         assert_eq!(told, velocity.kernel != alone.parts[0].kernel, "{text}: {:?}", both.rejected);
         if told {
             others += 1;
-            let form = |part: &Part| together::polynomial(part).map(|found| found.form);
+            let form = |part: &Part| part.kernel.polynomial().map(|found| found.form);
             let state = |velocity: &Part| {
                 let functions = kernel::functions(&both.reduction, &[theta.clone(), velocity.clone()]);
                 functions.last().map_or(f64::NAN, |function| function.program.cost())

@@ -7,7 +7,6 @@ use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::form::Variant;
 use crate::plan::kernel::{self, Kernel};
-use crate::plan::polynomial::Polynomial;
 use crate::scene::Scene;
 
 /// Operations at most that a velocity may cost more by itself for what it shares with θ.
@@ -22,7 +21,7 @@ impl Candidate<'_> {
     pub(super) fn together(&self, scene: &Scene, mut parts: Vec<Part>, rejected: &mut Vec<String>) -> Vec<Part> {
         let place = |output| parts.iter().position(|part| part.output == output);
         let (Some(theta), Some(velocity)) = (place(Output::Theta), place(Output::Velocity)) else { return parts };
-        let Some(found) = polynomial(&parts[velocity]) else { return parts };
+        let Some(found) = parts[velocity].kernel.polynomial() else { return parts };
         let (parity, first) = (found.parity, found.variant());
         let cost = |part: &Part| self.cost_beside(&parts[theta], part);
         let Some(before) = cost(&parts[velocity]) else { return parts };
@@ -39,8 +38,8 @@ impl Candidate<'_> {
 
     /// What both cost in one function, and the velocity in one of its own, if both are polynomials.
     fn cost_beside(&self, theta: &Part, velocity: &Part) -> Option<f64> {
-        polynomial(theta)?;
-        let waiting = polynomial(velocity)?.waiting();
+        theta.kernel.polynomial()?;
+        let waiting = velocity.kernel.polynomial()?.waiting();
         let cost = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost() + waiting;
         Some(cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel]))
     }
@@ -55,8 +54,4 @@ impl Candidate<'_> {
         let most = Limits::of(scene.goal, self.reduction).comfortable;
         near.filter_map(move |(variant, _)| Some((variant, all.part(task, self.reduction, variant, most).ok()?)))
     }
-}
-
-pub(super) fn polynomial(part: &Part) -> Option<&Polynomial> {
-    if let Kernel::Polynomial(polynomial) = &part.kernel { Some(polynomial) } else { None }
 }

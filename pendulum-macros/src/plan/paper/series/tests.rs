@@ -38,7 +38,7 @@ fn the_series_takes_no_term_too_many() {
     for (left_out, &(_, a)) in
         SwingCurves::new(swing, &scene.motion.omega).angle().terms().iter().enumerate().skip(1).take(3)
     {
-        assert_eq!(planned(&text(1.5 * a.hi.abs())).unwrap().parts[0].kernel.terms(), left_out);
+        assert_eq!(planned(&text(1.5 * a.hi.abs())).unwrap().parts[0].kernel.core.terms(), left_out);
     }
 }
 

@@ -5,7 +5,7 @@ use super::Limits;
 use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::Curve;
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::pieces::{Complement, Piecewise};
 use crate::plan::reduction::Reduction;
 use crate::supremum::by_halves;
@@ -73,7 +73,7 @@ impl Sines {
             let bound = Bound { truncation: 0.0, phase: limits.phase, evaluation: complement.rounding() };
             let best = least.as_ref().is_none_or(|(_, least)| bound.total() < least.total());
             if best {
-                least = Some((Kernel::Complement(Box::new(complement)), bound));
+                least = Some((Core::Complement(Box::new(complement)).into(), bound));
             }
             if bound.evaluation <= limits.rest {
                 break;

@@ -13,7 +13,7 @@ use super::Limits;
 use super::residual::{Point, of_residual, residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::pieces::{Piecewise, half, phase};
 use crate::plan::reduction::Reduction;
 use crate::series::Wave;
@@ -72,7 +72,7 @@ pub(super) fn kernel(
     if direction < 0.0 {
         pieces.negate();
     }
-    Some((Kernel::Pieces(Box::new(pieces)), bound))
+    Some((Core::Pieces(Box::new(pieces)).into(), bound))
 }
 
 /// One of so many pieces, and the sum y, of which θ̂ is twice the arcsine.

@@ -15,7 +15,7 @@ use super::residual::{Point, of_residual, residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
 use crate::plan::form::{Division, Form};
-use crate::plan::kernel::Kernel;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::moebius::Moebius;
 use crate::plan::polynomial::{Approximation, Numerator};
 use crate::plan::reduction::Reduction;
@@ -73,7 +73,7 @@ pub(super) fn kernel(
         if direction < 0.0 {
             polynomial.negate();
         }
-        let kernel = Kernel::Polynomial(polynomial);
+        let kernel = Kernel::from(Core::Polynomial(Box::new(polynomial)));
         let rounding = kernel.rounding(reduction, limits.rest - truncation);
         Some((kernel, limits.kept(truncation, rounding)?))
     })
