@@ -315,6 +315,36 @@ fn all_times_stay_within_the_range() {
     assert!(checked > 30, "{checked}");
 }
 
+/// Released from rest, at any finite time: θ(−t) = θ(t), to the bit, as all else but the velocity, which is odd.
+#[test]
+fn negative_times_mirror() {
+    let mut checked = 0;
+    for index in 0..400 {
+        let mut random = Random::new(0x8000 + index);
+        let text = format!("struct Motion; {}", random_scene(&mut random));
+        if text.contains("velocity0") {
+            continue;
+        }
+        let Some((scene, plan)) = planned(&text) else { continue };
+        checked += 1;
+        let (bits, largest) = if scene.float == Float::F64 { (53.0, 1023.9) } else { (24.0, 127.9) };
+        for _ in 0..200 {
+            let exponent = random.choose(&[10.0, bits + 30.0, largest]) * random.unit();
+            let t = scene.float.round(2f64.powf(exponent));
+            for function in &plan.functions {
+                let (after, before) = (function.program.run(t), function.program.run(-t));
+                if function.output == Some(Output::Velocity) {
+                    assert_eq!(before, [-after[0]], "{text} at {t:e}");
+                } else {
+                    let [after, before] = [after, before].map(|values| values.into_iter().map(f64::to_bits));
+                    assert!(after.eq(before), "{text} at {t:e}");
+                }
+            }
+        }
+    }
+    assert!(checked > 100, "{checked}");
+}
+
 /// The same, densely, and how tight the bounds are.
 #[test]
 #[ignore = "minutes: PENDULA_SCENES scenes from PENDULA_FUZZ_SEED"]
