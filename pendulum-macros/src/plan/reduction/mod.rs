@@ -56,7 +56,7 @@ pub(crate) struct Reduction {
 /// How a time and its negative are reduced alike, to the bit, however large they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Mirror {
-    /// They are not: nothing depends on it.
+    /// They are not, or need nothing for it: the motion wasn't released from rest, or the time isn't reduced.
     Neither,
     /// The phase is that of |t|, and what is odd in time takes the sign of t.
     Magnitude,
@@ -176,9 +176,9 @@ impl Reduction {
     }
 
     /// The same with the remainder from the nearest of so many pieces of an anchor, whose number is in the low bits of
-    /// the magic sum, of |t| where that mirrors: the bits of a negative sum would count backwards; `None` where products with n would no longer be exact, or where there are so many anchors that
-    /// their pieces can't be told. What rounds remainders is relative to them, by up to twice as much just above a power
-    /// of two as just below it.
+    /// the magic sum: where that mirrors of |t|, since those of a negative sum would count backwards. `None` where
+    /// products with n would no longer be exact, or where there are so many anchors that their pieces can't be told. What
+    /// rounds remainders is relative to them, by up to twice as much just above a power of two as just below it.
     pub(crate) fn in_pieces(&self, pieces: f64) -> Option<Self> {
         let error = self.error - self.rounding * (1.0 - 2.0 / pieces);
         let seldom = self.seldom / pieces;
