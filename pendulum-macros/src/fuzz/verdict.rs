@@ -2,7 +2,7 @@
 
 use crate::motion::Regime;
 use crate::parse::{Float, Output};
-use crate::plan::{Plan, Refusal, plan};
+use crate::plan::{Plan, Refusal, of_paper, plan};
 use crate::report::Report;
 use crate::scene::{Goal, Scene};
 use crate::{check, expand, parse};
@@ -288,9 +288,8 @@ fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
             if values.iter().any(|value| value.is_nan() || (value.is_infinite() && fits)) {
                 return Err(format!("`{}` of {t:e} is {values:?}", function.name()));
             }
-            // Eqs. 3, 17 and 22 promise it of their angle only: their derivatives may exceed those of the motion.
-            let papers = scene.method.is_some() || matches!(scene.goal, Goal::Terms(_));
-            let limited = |output| matches!(output, Output::Theta | Output::Wrapped) || !papers;
+            // The paper's methods promise it of their angle only: their derivatives may exceed those of the motion.
+            let limited = |output: Output| output.is_angle() || of_paper(scene).is_none();
             let part = plan.parts.iter().find(|part| Some(part.output) == function.output && limited(part.output));
             let swings = matches!(scene.motion.regime, Regime::Swing(_));
             if let (Some(part), true, [value]) = (part, swings, values.as_slice())

@@ -138,7 +138,7 @@ pub(crate) fn cheapest(scene: &Scene) -> Result<Plan, Refusal> {
 }
 
 /// A swing to be planned by a method of the paper's, or the series of θ, and that.
-fn of_paper(scene: &Scene) -> Option<(&Swing, Method)> {
+pub(crate) fn of_paper(scene: &Scene) -> Option<(&Swing, Method)> {
     let Regime::Swing(swing) = &scene.motion.regime else { return None };
     match scene.method {
         Some(Method::Polynomial) => None,
