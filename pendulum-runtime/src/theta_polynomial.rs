@@ -38,7 +38,8 @@ pub(crate) fn polynomial<const N: usize>(harmonics: Harmonics, weight: impl Fn(i
     }
     sum[0] = weight(0);
     for j in 1..N {
-        let w = Some(weight(j as i32)).filter(|w| w.abs() >= NOTHING).unwrap_or(0.0);
+        let w = weight(j as i32);
+        let w = if w.abs() < NOTHING { 0.0 } else { w };
         for i in 0..=j {
             sum[i] += w * current[i];
         }

@@ -292,6 +292,13 @@ fn moments_of_the_paper() {
     assert!(ratios.len() > 20 && ratios[0].0 <= 4.0, "{} scenes, {:?}", ratios.len(), &ratios[..3]);
 }
 
+/// From 1 to the largest number, and as often where the phase comes to be lost.
+fn any_time(float: Float, random: &mut Random) -> f64 {
+    let (bits, largest) = if float == Float::F64 { (53.0, 1023.9) } else { (24.0, 127.9) };
+    let exponent = random.choose(&[bits + 30.0, largest]) * random.unit();
+    float.round(2f64.powf(exponent))
+}
+
 /// Of any finite time, however far beyond the horizon, the result is within the range of the motion, but for an angle
 /// that counts turns.
 #[test]
@@ -305,11 +312,7 @@ fn all_times_stay_within_the_range() {
             continue;
         }
         checked += 1;
-        let (bits, largest) = if scene.float == Float::F64 { (53.0, 1023.9) } else { (24.0, 127.9) };
-        let time = |_| {
-            let exponent = random.choose(&[bits + 30.0, largest]) * random.unit();
-            scene.float.round(2f64.powf(exponent) * random.choose(&[1.0, -1.0]))
-        };
+        let time = |_| any_time(scene.float, &mut random) * random.choose(&[1.0, -1.0]);
         stays_within_its_range(&text, &plan, (0..2000).map(time));
     }
     assert!(checked > 30, "{checked}");
@@ -327,10 +330,9 @@ fn negative_times_mirror() {
         }
         let Some((scene, plan)) = planned(&text) else { continue };
         checked += 1;
-        let (bits, largest) = if scene.float == Float::F64 { (53.0, 1023.9) } else { (24.0, 127.9) };
-        for _ in 0..200 {
-            let exponent = random.choose(&[10.0, bits + 30.0, largest]) * random.unit();
-            let t = scene.float.round(2f64.powf(exponent));
+        let early = (0..70).map(|_| scene.float.round(2f64.powf(10.0 * random.unit()))).collect::<Vec<_>>();
+        let times = (0..130).map(|_| any_time(scene.float, &mut random));
+        for t in times.chain(early) {
             for function in &plan.functions {
                 let (after, before) = (function.program.run(t), function.program.run(-t));
                 if function.output == Some(Output::Velocity) {

@@ -38,15 +38,20 @@ impl Writer<'_> {
     }
 
     pub(super) fn along(&self, x: Id, sign: Id) -> TokenStream {
-        let float = self.program.nodes[x].float;
-        let (x, sign, mask) = (self.atom(x), self.atom(sign), sign_bit(float));
-        quote!(#float::from_bits(#x.to_bits() ^ (#sign.to_bits() & #mask)))
+        let sign = self.atom(sign);
+        self.flipped(x, &quote!(#sign.to_bits()))
     }
 
     pub(super) fn against(&self, x: Id, sign: Id) -> TokenStream {
+        let sign = self.atom(sign);
+        self.flipped(x, &quote!(!#sign.to_bits()))
+    }
+
+    /// x with its sign flipped where the first of these bits is set.
+    fn flipped(&self, x: Id, bits: &TokenStream) -> TokenStream {
         let float = self.program.nodes[x].float;
-        let (x, sign, mask) = (self.atom(x), self.atom(sign), sign_bit(float));
-        quote!(#float::from_bits(#x.to_bits() ^ (!#sign.to_bits() & #mask)))
+        let (x, mask) = (self.atom(x), sign_bit(float));
+        quote!(#float::from_bits(#x.to_bits() ^ (#bits & #mask)))
     }
 
     pub(super) fn power_of_two(&self, magic: Id) -> TokenStream {

@@ -93,11 +93,11 @@ impl Series {
 
     /// The poles, from these on, over which so many terms serve.
     fn polished(&self, pole: Pole, terms: usize, limit: f64) -> Option<Pole> {
-        if self.serves(pole, terms, limit) {
-            return Some(pole);
-        }
         if !self.can_be_polished(terms, limit) {
             return None;
+        }
+        if self.serves(pole, terms, limit) {
+            return Some(pole);
         }
         let polished = polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref());
         polished.filter(|&pole| self.serves(pole, terms, limit))

@@ -19,10 +19,7 @@ struct Trial {
 
 impl Trial {
     fn program(&self) -> Program {
-        let mut b = Builder::new(self.reduction.float);
-        let t = b.input();
-        let phase = self.reduction.lower(&mut b, t);
-        b.finish(vec![phase.remainder, phase.magic, phase.count])
+        phase(&self.reduction)
     }
 
     /// Compares at `t` rounded to the type of times.
@@ -87,6 +84,14 @@ impl Trial {
             }
         }
     }
+}
+
+/// The remainder, the sum whose parity counts, and the number of origins passed, as a program of the time.
+fn phase(reduction: &Reduction) -> Program {
+    let mut b = Builder::new(reduction.float);
+    let t = b.input();
+    let Phase { remainder, magic, count } = reduction.lower(&mut b, t);
+    b.finish(vec![remainder, magic, count])
 }
 
 trait ToReal {
@@ -229,7 +234,7 @@ fn every_finite_time_has_a_phase() {
                 let rate = context.decimal(rate).unwrap();
                 let clock = Clock { rate: &rate, launch: Double::new(launch), horizon: 10.0 / rate.to_f64(), float };
                 for reduction in clock.reductions() {
-                    let program = remainder(&reduction);
+                    let program = phase(&reduction);
                     for sign in [1.0, -1.0] {
                         assert!(!program.run(sign * most)[0].is_nan(), "{:e}: {reduction:?}", rate.to_f64());
                         assert!(program.run(sign * f64::INFINITY)[0].is_nan(), "{:e}: {reduction:?}", rate.to_f64());
@@ -258,20 +263,11 @@ fn negative_times_mirror() {
                     reduction.in_pieces(4.0).map_or(Mirror::Magnitude, |pieces| pieces.mirror),
                     Mirror::Magnitude
                 );
-                let trial = Trial { reduction, rate: rate.clone(), launch: rate.clone(), horizon, worst: 0.0 };
-                let [program, of_magnitude] = [true, false].map(|signs| {
-                    Trial {
-                        reduction: trial.reduction.with_signs(signs),
-                        rate: rate.clone(),
-                        launch: rate.clone(),
-                        ..trial
-                    }
-                    .program()
-                });
+                let [program, of_magnitude] = [true, false].map(|signs| phase(&reduction.with_signs(signs)));
                 for _ in 0..5000 {
                     let t = float.round(2f64.powf(-60.0 + (largest + 60.0) * random.unit().powi(2)));
                     let (after, before) = (program.run(t), program.run(-t));
-                    let about = || format!("{:?} at {t:e}", trial.reduction);
+                    let about = || format!("{reduction:?} at {t:e}");
                     // But for the sign of nought.
                     assert_eq!(before.iter().map(|x| -x).collect::<Vec<_>>(), after, "{}", about());
                     assert_eq!(of_magnitude.run(-t), after, "{}", about());
@@ -280,14 +276,6 @@ fn negative_times_mirror() {
         }
     }
     assert!(count > 20, "{count}");
-}
-
-/// The remainder as a program of the time.
-fn remainder(reduction: &Reduction) -> Program {
-    let mut b = Builder::new(reduction.float);
-    let t = b.input();
-    let phase = reduction.lower(&mut b, t).remainder;
-    b.finish(vec![phase])
 }
 
 /// What is divided by poles as it comes relies on it.
@@ -302,7 +290,7 @@ fn remainders_that_leap() {
             let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 100.0 / rate.to_f64(), float };
             for reduction in clock.reductions().into_iter().filter(Reduction::leaps) {
                 count += 1;
-                let program = remainder(&reduction);
+                let program = phase(&reduction);
                 let wide = matches!(reduction.scheme, Scheme::Wide { .. });
                 let least = f64::from(if wide { Float::F64 } else { float }.bits()) - 4.0;
                 let mut beyond = 0;
