@@ -116,7 +116,8 @@ impl<F: Scalar> Pendulum<F> {
         (F::narrow(x), F::narrow(y))
     }
 
-    /// θ(t) less its whole turns, in [−π, π): keeps its digits however far a rotation has gone.
+    /// θ(t) less its whole turns, in [−π, π): keeps its digits however far a rotation has gone. `f64`'s `PI` is less
+    /// than π and may be a result; `f32`'s, which is more, is none.
     #[inline]
     pub fn wrapped(&self, t: F) -> F {
         F::narrow_angle(self.motion.wrapped(&self.motion.at(t.widen())))

@@ -30,7 +30,7 @@ pub fn run(session: &Session, count: u64) -> Vec<Row> {
 
 /// The run-time pendulum at `count` amplitudes.
 pub fn runtime(session: &Session, count: u64) -> Vec<Row> {
-    session.share("run time", count, sweep).found.rows()
+    session.share("run time", count, sweep).rows()
 }
 
 /// Ranges of amplitudes; accuracy is promised in the middle.
@@ -152,17 +152,10 @@ pub fn compiled(session: &Session, times: u64) -> Vec<Row> {
             .collect();
         let asked = if scene.2.is_empty() { "full precision" } else { scene.2.trim_end_matches(',') };
         let subject = format!("{} compiled plans, {}, {asked}", same.len(), scene.0);
-        let outcome = session.share(&subject, same.len() as u64, |i, found: &mut Finding| {
+        let found = session.share(&subject, same.len() as u64, |i, found: &mut Finding| {
             examine(same[i as usize], times, found);
         });
-        rows.push(Row {
-            subject,
-            output: scene.1.name().into(),
-            promise: 1.0,
-            proven: None,
-            observable: 1.0,
-            found: outcome.found,
-        });
+        rows.push(Row { subject, output: scene.1.name().into(), promise: 1.0, proven: None, observable: 1.0, found });
         if session.stopped() {
             break;
         }

@@ -47,7 +47,7 @@ impl Merge for All {
 
 /// The run-time crate at `count` random amplitudes.
 pub fn runtime(session: &Session, count: u64) -> Vec<Row> {
-    let outcome = session.share("run time", count, |number, all: &mut All| {
+    let all = session.share("run time", count, |number, all: &mut All| {
         let mut random = Random::new(number);
         // Evenly by angle, near the bottom and near the top.
         let theta0 = match number % 3 {
@@ -58,7 +58,7 @@ pub fn runtime(session: &Session, count: u64) -> Vec<Row> {
         elliptic_functions((0.5 * theta0).sin(), &mut all.0[..6]);
         pendulum(theta0, &mut all.0[6..]);
     });
-    let rows = RUNTIME.into_iter().zip(outcome.found.0);
+    let rows = RUNTIME.into_iter().zip(all.0);
     rows.map(|((name, promise), found)| Row {
         subject: "run time".into(),
         output: name.into(),
@@ -130,7 +130,7 @@ fn pendulum(theta0: f64, found: &mut [Finding]) {
 /// The constants of compiled plans, which are the correctly rounded ones of the exact angle.
 pub fn compiled(session: &Session) -> Row {
     let plans = generated();
-    let outcome = session.share("compiled", plans.len() as u64, |i, found: &mut Finding| {
+    let found = session.share("compiled", plans.len() as u64, |i, found: &mut Finding| {
         let plan = &plans[i as usize];
         if let Regime::Swing(series) = plan.motion().regime {
             compare(plan, &series, found);
@@ -142,7 +142,7 @@ pub fn compiled(session: &Session) -> Row {
         promise: 0.5,
         proven: None,
         observable: 0.5,
-        found: outcome.found,
+        found,
     }
 }
 

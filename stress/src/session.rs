@@ -12,15 +12,6 @@ pub trait Merge: Default + Send {
     fn merge(&mut self, other: Self);
 }
 
-/// How much work was done, and what was found.
-#[derive(Debug, Default)]
-pub struct Outcome<T> {
-    /// Pieces of work that were finished.
-    pub done: u64,
-    /// Everything found in them.
-    pub found: T,
-}
-
 /// Threads, progress and a request to stop.
 #[derive(Clone, Debug)]
 pub struct Session {
@@ -58,38 +49,35 @@ impl Session {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// Does `pieces` pieces of work, each by its number, in any order, on all threads.
+    /// Does `pieces` pieces of work, each by its number, in any order, on all threads, and puts together what was found.
     ///
     /// # Panics
     /// If `work` does.
-    pub fn share<T: Merge>(&self, title: &str, pieces: u64, work: impl Fn(u64, &mut T) + Sync) -> Outcome<T> {
+    pub fn share<T: Merge>(&self, title: &str, pieces: u64, work: impl Fn(u64, &mut T) + Sync) -> T {
         let bar = self.bar(title, pieces);
         let next = AtomicU64::new(0);
         let labour = || {
-            let mut mine = Outcome::<T>::default();
+            let mut mine = T::default();
             while !self.stopped() {
                 let piece = next.fetch_add(1, Ordering::Relaxed);
                 if piece >= pieces {
                     break;
                 }
-                work(piece, &mut mine.found);
-                mine.done += 1;
+                work(piece, &mut mine);
                 bar.inc(1);
             }
             mine
         };
-        let outcome = thread::scope(|scope| {
+        let found = thread::scope(|scope| {
             let workers: Vec<_> = (0..self.threads.max(1)).map(|_| scope.spawn(labour)).collect();
-            let mut all = Outcome::<T>::default();
+            let mut all = T::default();
             for worker in workers {
-                let part = worker.join().expect("the work doesn't panic");
-                all.done += part.done;
-                all.found.merge(part.found);
+                all.merge(worker.join().expect("the work doesn't panic"));
             }
             all
         });
         bar.finish_and_clear();
-        outcome
+        found
     }
 
     fn bar(&self, title: &str, pieces: u64) -> ProgressBar {
@@ -105,7 +93,7 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::{Merge, Session};
-    use std::sync::atomic::Ordering;
+    use std::sync::atomic::{AtomicU64, Ordering};
 
     #[derive(Default)]
     struct Sum(u64);
@@ -118,18 +106,20 @@ mod tests {
 
     #[test]
     fn every_piece_is_done_once() {
-        let outcome = Session::quiet().share("", 1000, |piece, sum: &mut Sum| sum.0 += piece);
-        assert_eq!((outcome.done, outcome.found.0), (1000, 499_500));
+        let sum = Session::quiet().share("", 1000, |piece, sum: &mut Sum| sum.0 += piece);
+        assert_eq!(sum.0, 499_500);
     }
 
     #[test]
     fn what_was_done_before_a_stop_is_kept() {
         let session = Session::quiet();
-        let outcome = session.share("", u64::MAX, |_, sum: &mut Sum| {
+        let done = AtomicU64::new(0);
+        let sum = session.share("", u64::MAX, |_, sum: &mut Sum| {
             sum.0 += 1;
+            done.fetch_add(1, Ordering::Relaxed);
             session.stop.store(true, Ordering::Relaxed);
         });
-        assert!(outcome.done >= 1);
-        assert_eq!(outcome.done, outcome.found.0);
+        assert!(sum.0 >= 1);
+        assert_eq!(sum.0, done.into_inner());
     }
 }

@@ -28,7 +28,7 @@ struct Motion {
     theta0: f64,
     /// k = sin(θ0/2)
     modulus: f64,
-    /// k′ = cos(θ0/2), from π − θ0 where a peer's interface allows it.
+    /// k′ = cos(θ0/2)
     complement: f64,
     /// T
     period: f64,

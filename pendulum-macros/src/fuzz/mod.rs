@@ -165,18 +165,3 @@ fn long() {
     });
     assert_eq!(failures, 0);
 }
-
-/// Times one invocation, `PENDULA_TEXT`.
-#[test]
-#[ignore = "a tool"]
-fn one() {
-    let text = std::env::var("PENDULA_TEXT").unwrap_or_default();
-    for text in text.split('|') {
-        println!("{text}\n   {:?}", judge(text));
-        verdict::debug(text);
-        text.parse().map_or_else(
-            |e| println!("{e}"),
-            |tokens| verdict::mistakes(tokens).iter().for_each(|e| println!("   {e}")),
-        );
-    }
-}

@@ -2,7 +2,7 @@
 
 use crate::motion::Regime;
 use crate::parse::{Float, Output};
-use crate::plan::{Plan, Refusal, of_paper, plan};
+use crate::plan::{Plan, Refusal, is_wrapped, of_paper, plan};
 use crate::report::Report;
 use crate::scene::{Goal, Scene};
 use crate::{check, expand, parse};
@@ -288,6 +288,9 @@ fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
             if values.iter().any(|value| value.is_nan() || (value.is_infinite() && fits)) {
                 return Err(format!("`{}` of {t:e} is {values:?}", function.name()));
             }
+            if function.output == Some(Output::Wrapped) && !is_wrapped(values[0]) {
+                return Err(format!("`wrapped` of {t:e} is {:e}", values[0]));
+            }
             // The paper's methods promise it of their angle only: their derivatives may exceed those of the motion.
             let limited = |output: Output| output.is_angle() || of_paper(scene).is_none();
             let part = plan.parts.iter().find(|part| Some(part.output) == function.output && limited(part.output));
@@ -306,25 +309,4 @@ fn behaves_at_the_edges(scene: &Scene, plan: &Plan) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-pub(crate) fn debug(text: &str) {
-    let (scene, _) = scene(text.parse().unwrap());
-    let Some(scene) = scene else { return };
-    println!(
-        "   {:?}",
-        crate::plan::cheapest(&scene).map(|p| (
-            p.method,
-            p.reduction,
-            p.parts.iter().map(|p| (p.description.clone(), p.bound)).collect::<Vec<_>>()
-        ))
-    );
-    let full = Scene { goal: Goal::Full, ..scene.clone() };
-    println!(
-        "   full {:?}",
-        crate::plan::cheapest(&full).map(|p| (
-            p.worst(),
-            p.parts.iter().map(|p| (p.description.clone(), p.bound, p.unit, p.largest)).collect::<Vec<_>>()
-        ))
-    );
 }

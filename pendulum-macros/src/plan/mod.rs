@@ -40,9 +40,11 @@ use crate::supremum::worst;
 use kernel::Kernel;
 use reduction::Reduction;
 pub(crate) use refusal::Refusal;
+#[cfg(test)]
+pub(crate) use turning::is_wrapped;
 
 /// What is emitted, and what it promises.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Plan {
     /// The name of the way it is computed.
     pub(crate) method: &'static str,
@@ -58,7 +60,7 @@ pub(crate) struct Plan {
 }
 
 /// One output's kernel and its error.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Part {
     pub(crate) output: Output,
     pub(crate) kernel: Kernel,
@@ -99,7 +101,7 @@ impl Bound {
 }
 
 /// One emitted function.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Function {
     /// What it computes; `None` is θ and velocity together.
     pub(crate) output: Option<Output>,

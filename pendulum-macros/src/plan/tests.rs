@@ -72,6 +72,20 @@ fn each_scene_gets_its_way() {
 }
 
 /// Less than a quarter of a period either way, than half a turn, is computed of the time itself.
+/// What is the same motion is the same plan, whatever it was written as; another in the sixteenth digit is another.
+#[test]
+fn plans_are_of_motions() {
+    for (text, other) in [
+        ("theta0 = 7π/8, tol = 1e-6", "tol = 0.000001, theta0 = 157.5deg"),
+        ("theta0 = 1, omega = 3, t_max = 1e3", "theta0 = 1, g = 36, length = 4, t_max = 1_000.0"),
+        ("velocity0 = -5/2, outputs = [theta, velocity]", "theta0 = 0, velocity0 = -2.5, outputs = [theta, velocity]"),
+        ("theta0 = π - 1e-9", "theta0 = 180deg - 1e-9rad, omega = 1"),
+    ] {
+        assert_eq!(planned(text), planned(other), "{text}, {other}");
+    }
+    assert_ne!(planned("theta0 = 1"), planned("theta0 = 1.0000000000000001"));
+}
+
 #[test]
 fn short_horizons_need_no_reduction() {
     use super::reduction::Scheme;

@@ -33,7 +33,7 @@ fn expression() -> impl Copy {
     )]
     #[inline(always)]
     const fn theta(t: f64) -> f64 {
-        /// A row for each of 32 parts of the way from one turning point (top) to the next, the first part about it: coefficients of powers of the phase from the part's middle.
+        /// A row for each of 32 parts of the way from one turning point (top) to the next, the first part about it: coefficients of powers of the phase from the part's middle, and what else depends on the part.
         const TABLE: &[[f64; 12]; 32] = &[
             [
                 2.7379291667973695,

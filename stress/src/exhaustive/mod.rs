@@ -21,9 +21,8 @@ const BLOCK: usize = 1024;
 pub fn run(session: &Session, stride: u32) -> Vec<Row> {
     let judge = |plan: &Plan| {
         let pieces = u64::from(u32::MAX / PIECE) + 1;
-        let outcome =
-            session.share(plan.name, pieces, |piece, found| plan.examine(piece as u32 * PIECE, stride, found));
-        plan.row(outcome.found)
+        let found = session.share(plan.name, pieces, |piece, found| plan.examine(piece as u32 * PIECE, stride, found));
+        plan.row(found)
     };
     plans().iter().take_while(|_| !session.stopped()).map(judge).collect()
 }
@@ -63,9 +62,11 @@ impl Plan {
             largest = if value.abs() > largest { value.abs() } else { largest };
             nans += u32::from(value.is_nan());
         }
-        if nans > 0 || f64::from(largest) > self.ceiling + self.proven {
+        // A wrapped angle is within ±π whatever its error.
+        let most = if self.wrapped { self.ceiling } else { self.ceiling + self.proven };
+        if nans > 0 || f64::from(largest) > most {
             for (&t, &value) in block.t.iter().zip(&block.given) {
-                if value.is_nan() || f64::from(value.abs()) > self.ceiling + self.proven {
+                if value.is_nan() || f64::from(value.abs()) > most {
                     found.fault(|| format!("{}: {value:e} at t = {t:e}", self.name));
                 }
             }

@@ -145,12 +145,16 @@ impl Motion {
         }
     }
 
-    /// The phase at `t`, with its whole turns taken off.
-    pub fn phase(&self, t: f64) -> Big {
+    /// The phase at `t`: whole periods, and what is left, in [−½, ½); on the separatrix none, and ωt.
+    pub fn phase(&self, t: f64) -> [Big; 2] {
         let elapsed = &Big::from(t) / &self.period();
         match &self.regime {
-            Regime::Swing(series) | Regime::Rotation(series) => (&elapsed + &series.launch).less_turns(),
-            Regime::Separatrix => elapsed,
+            Regime::Swing(series) | Regime::Rotation(series) => {
+                let phase = &elapsed + &series.launch;
+                let rest = phase.less_turns();
+                [&phase - &rest, rest]
+            }
+            Regime::Separatrix => [Big::from(0.0), elapsed],
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::motion::{Motion, Regime, Series};
 use crate::random::Random;
 use crate::report::Row;
 use crate::session::{Merge, Session};
-use crate::truth::Truth;
+use crate::truth::{Output, Truth};
 use moments::{BATCH, Moments};
 
 /// One batch in so many is followed by one of times beyond the horizon.
@@ -30,8 +30,8 @@ pub fn run(session: &Session, inputs: u64, only: Option<&str>) -> Vec<Row> {
     let judge = |class: &Class| {
         let looker = Looker::new(class, true);
         let batches = inputs.div_ceil(BATCH as u64);
-        let outcome = session.share(&looker.class.name, batches, |number, found| looker.examine(number, found));
-        looker.class.row(outcome.found)
+        let found = session.share(&looker.class.name, batches, |number, found| looker.examine(number, found));
+        looker.class.row(found)
     };
     classes().iter().filter(|class| chosen(class)).take_while(|_| !session.stopped()).map(judge).collect()
 }
@@ -39,7 +39,7 @@ pub fn run(session: &Session, inputs: u64, only: Option<&str>) -> Vec<Row> {
 /// A sample for tests: every class at `each` times of every kind among `kinds`, against multiple precision.
 pub fn sample(session: &Session, each: usize, kinds: RangeInclusive<u64>) -> Vec<Row> {
     let classes = classes();
-    let outcome = session.share("sample", classes.len() as u64, |i, found: &mut Sample| {
+    let found = session.share("sample", classes.len() as u64, |i, found: &mut Sample| {
         let looker = Looker::new(&classes[i as usize], false);
         let mut one = Finding::default();
         for kind in kinds.clone() {
@@ -48,7 +48,7 @@ pub fn sample(session: &Session, each: usize, kinds: RangeInclusive<u64>) -> Vec
         looker.examine_beyond(0, &mut one);
         found.0.push(looker.class.row(one));
     });
-    outcome.found.0
+    found.0
 }
 
 /// Rows in the order in which they were finished.
@@ -136,9 +136,20 @@ impl<'a> Looker<'a> {
     }
 
     fn judge(&self, t: f64, value: [f64; 2], error: f64, found: &mut Finding) {
+        if !self.is_within_range(value) {
+            found.fault(|| format!("{} at {t:e}: {value:?}", self.class.name));
+        }
         found.require(error, self.class.limit(), t, || {
             format!("{} at {t:e}: {value:?}, off by {error:e}", self.class.name)
         });
+    }
+
+    /// Whether it is no more than the motion's largest and the error that it may have; a wrapped angle is within ±π
+    /// whatever its error.
+    fn is_within_range(&self, value: [f64; 2]) -> bool {
+        let excess = if self.class.output == Output::Wrapped { 0.0 } else { self.class.limit() };
+        let most = (self.class.ceiling + excess) * self.unit();
+        value.iter().all(|value| value.abs() <= most)
     }
 
     /// What one power of ω is in the output.
@@ -168,9 +179,8 @@ impl<'a> Looker<'a> {
         times[0] = f64::MAX;
         let mut values = vec![[0.0; 2]; BATCH];
         (self.class.evaluate)(&times, &mut values);
-        let most = (self.class.ceiling + self.class.limit()) * self.unit();
-        for (&t, value) in times.iter().zip(&values) {
-            if value.iter().any(|value| value.abs() > most || value.is_nan()) {
+        for (&t, &value) in times.iter().zip(&values) {
+            if !self.is_within_range(value) {
                 found.fault(|| format!("{} at {t:e}, beyond the horizon: {value:?}", self.class.name));
             }
         }
@@ -187,7 +197,8 @@ impl<'a> Looker<'a> {
         for &t in times {
             let mut values = [[0.0; 2]];
             (self.class.evaluate)(&[t], &mut values);
-            let Some(exact) = series.paper(coefficients, &self.truth.motion().phase(t)) else { continue };
+            let [_, phase] = self.truth.motion().phase(t);
+            let Some(exact) = series.paper(coefficients, &phase) else { continue };
             found.tried += 1;
             found.observe((&values[0][0].into() - &exact).to_f64().abs(), t);
         }

@@ -148,15 +148,19 @@ impl Truth {
 
     /// The same in multiple precision from the beginning, without tables or integer clock.
     pub fn direct(&self, t: f64, given: [f64; 2]) -> f64 {
-        let phase = self.motion.phase(t);
+        let [periods, phase] = self.motion.phase(t);
         let [exact, second] = values(&self.motion, self.output, &self.motion.at_phase(&phase));
         let distance = |given: f64, exact: &Big| (&Big::from(given) - exact).to_f64();
+        let turn = &Big::pi() * &2.0.into();
         let error = match self.output {
             Output::Position => distance(given[0], &exact).hypot(distance(given[1], &second)),
-            Output::Theta | Output::Wrapped => {
-                // Whole turns are compared by the fast path, which has to agree with this.
-                let turns = &(&Big::from(given[0]) - &exact) / &(&Big::pi() * &2.0.into());
-                (&turns.less_turns() * &(&Big::pi() * &2.0.into())).to_f64().abs()
+            Output::Theta if matches!(self.motion.regime, Regime::Rotation(_)) => {
+                let turned = &(&periods * &self.motion.sign.into()) * &turn;
+                distance(given[0], &(&exact + &turned)).abs()
+            }
+            Output::Wrapped => {
+                let turns = &(&Big::from(given[0]) - &exact) / &turn;
+                (&turns.less_turns() * &turn).to_f64().abs()
             }
             _ => distance(given[0], &exact).abs(),
         };

@@ -34,7 +34,7 @@ fn table(program: &Program) -> Option<TokenStream> {
     };
     let table = program.table.iter().map(row);
     let doc = format!(
-        " A row for each of {rows} parts of the way from one turning point (top) to the next, the first part about it: coefficients of powers of the phase from the part's middle."
+        " A row for each of {rows} parts of the way from one turning point (top) to the next, the first part about it: coefficients of powers of the phase from the part's middle, and what else depends on the part."
     );
     Some(quote!(#[doc = #doc] const TABLE: &[[#float; #columns]; #rows] = &[#(#table),*];))
 }

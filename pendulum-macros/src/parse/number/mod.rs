@@ -282,7 +282,6 @@ mod tests {
         assert_eq!(value(text), 1e-79);
     }
 
-    /// The point is no digit.
     /// In a sum as many as the exponents of its terms are apart, also where these are products.
     #[test]
     fn digits_of_sums() {
@@ -293,6 +292,7 @@ mod tests {
         }
     }
 
+    /// The point is no digit.
     #[test]
     fn literals_have_500_digits_at_most() {
         let literal = |digits: usize| format!("0.{}", "3".repeat(digits - 1));

@@ -6,9 +6,9 @@ use crate::scene::Goal;
 
 /// The part of 2⁻⁴⁹ (2⁻²⁰), half of which is promised to be the most that is observed, that had better be the most that
 /// is expected to be: who asks for full precision wants that promise kept, rather than the last twentieth of the cost.
-const COMFORTABLE: f64 = 0.475;
+pub(super) const COMFORTABLE: f64 = 0.475;
 /// The part that still keeps it, where more room costs more than that twentieth.
-const TOLERABLE: f64 = 0.49;
+pub(super) const TOLERABLE: f64 = 0.49;
 /// What is observed of what is proven where the phase is the time itself, whose error is no part of the bound: of 700
 /// swings in `f32` (`full_precision_tests::margins`).
 const OBSERVED_FOR_A_MOMENT: f64 = 0.94;

@@ -1,7 +1,7 @@
 //! In which order ways are tried, and which is taken.
 
 use super::candidate::Way;
-use super::choice::DEARER;
+use super::choice::{COMFORTABLE, DEARER, TOLERABLE};
 use super::*;
 use crate::plan::part::observed;
 use crate::plan::reduction::Origin;
@@ -10,7 +10,7 @@ use crate::plan::{Bound, kernel};
 
 /// The parts of 2⁻⁴⁹ and 2⁻²⁰ that are comfortable and tolerable.
 fn limits(scene: &Scene) -> [f64; 2] {
-    [0.475, 0.49].map(|expected| expected / observed(scene.float))
+    [COMFORTABLE, TOLERABLE].map(|expected| expected / observed(scene.float))
 }
 
 fn prospects(text: &str) -> (Scene, Vec<Prospect>) {
