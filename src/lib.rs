@@ -80,7 +80,8 @@ struct Readme;
 /// ```
 ///
 /// An **item**: a unit struct whose associated constants and functions are the motion. Attributes, doc comments and
-/// visibility are kept; the plan is written into its documentation.
+/// visibility are kept; the plan is written into its documentation. If the compiler says of a call among items that
+/// "macro expansion ignores `{`", the call lacks its `struct Name;` and is an expression.
 ///
 /// ```
 /// pendula::pendulum! {

@@ -233,7 +233,8 @@ fn is_extreme(scene: &Scene) -> bool {
 
 /// The tolerance that a message names can be had.
 fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
-    let offer = message.split("the best is ").nth(1).and_then(|rest| rest.split(';').next()?.parse().ok());
+    let offer =
+        message.split("here: ").nth(1).and_then(|rest| rest.split(';').next()?.rsplit(' ').next()?.parse().ok());
     let Some(offer) = offer else { return Err(format!("offers nothing: {message}")) };
     let kept = plan(&Scene { goal: Goal::Tolerance(offer), ..scene.clone() }).is_ok();
     if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }

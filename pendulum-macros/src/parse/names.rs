@@ -8,15 +8,15 @@ pub(super) const PARAMETERS: [&str; 11] =
 
 /// What parameters are called elsewhere, in lower case.
 const SYNONYMS: [(&str, &[&str]); 9] = [
-    ("theta0", &["θ", "θ_0", "angle", "amplitude"]),
+    ("theta0", &["θ", "θ_0", "angle", "angle0", "amplitude"]),
     ("velocity0", &["v", "v0", "vel", "speed"]),
-    ("omega", &["w", "ω0", "ω_0", "frequency", "period"]),
+    ("omega", &["w", "ω", "ω0", "ω_0", "frequency", "period"]),
     ("g", &["gravity"]),
     ("length", &["l", "ℓ", "ell", "len"]),
     ("n", &["terms"]),
     ("tol", &["tolerance", "eps", "epsilon", "error"]),
-    ("t_max", &["t", "duration", "horizon"]),
-    ("float", &["type"]),
+    ("t_max", &["t", "t_end", "time", "duration", "horizon"]),
+    ("float", &["type", "precision"]),
 ];
 
 /// The parameter's name in ASCII.
@@ -67,6 +67,8 @@ mod tests {
             ("ω_0", "omega"),
             ("velocity", "velocity0"),
             ("Omega", "omega"),
+            ("Ω", "omega"),
+            ("t_end", "t_max"),
             ("L", "length"),
             ("l", "length"),
             ("ell", "length"),

@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 /// `theta0 = 7π/8, n = 4`
 pub(crate) fn of(request: &Request) -> String {
     let parameters: Vec<String> =
-        request.written.iter().map(|(name, tokens)| format!("{name} = {}", value(tokens))).collect();
+        request.written.iter().map(|written| format!("{} = {}", written.name, value(&written.value))).collect();
     parameters.join(", ")
 }
 

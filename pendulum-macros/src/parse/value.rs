@@ -2,9 +2,9 @@
 
 use super::number::Number;
 use super::words::{Keyword, Output, list, one_word};
-use super::{source, split_at_commas};
+use super::{parameter, source};
 use crate::report::Report;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 use std::fmt::{self, Display, Formatter};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
@@ -78,10 +78,13 @@ pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Out
     let entries = list_of.parse2(tokens.clone()).map_err(|_| no_list(&tokens))?;
     let mut value = Vec::new();
     let mut report = Report::default();
-    for (entry, comma) in split_at_commas(entries) {
-        if let Some(output) = report.take(output(&entry, comma, &value)) {
-            value.push(output);
+    for (entry, end) in parameter::split(entries, "outputs") {
+        if !entry.is_empty() {
+            value.extend(report.take(output(&entry, &value)));
+        } else if let Ok(comma) = &end {
+            report.at(*comma, "expected an output before this comma: remove it");
         }
+        report.take(end);
     }
     report.finish()?;
     if value.is_empty() {
@@ -92,22 +95,31 @@ pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Out
 }
 
 fn no_list(tokens: &TokenStream) -> Error {
-    let one = quoted(tokens).unwrap_or_else(|| tokens.to_string());
-    let example = Output::from_word(&one).map_or("theta, velocity", Output::word);
+    let words = quoted(tokens).unwrap_or_else(|| source::value(tokens));
+    let known = words.split(", ").all(|word| Output::from_word(word).is_some());
+    let example = if known { &words } else { "theta, velocity" };
     Error::new_spanned(tokens, format!("`outputs` is a list, in brackets: write `outputs = [{example}]`"))
 }
 
-/// One entry of the list, and the comma that ends it.
-fn output(entry: &TokenStream, comma: Span, before: &[Output]) -> Result<Output> {
-    if entry.is_empty() {
-        return Err(Error::new(comma, "expected an output before this comma: remove it"));
-    }
-    let ident = Ident::parse_any.parse2(entry.clone()).map_err(|_| no_word(entry))?;
-    let output = one_word(&ident)?;
-    if before.contains(&output) {
-        return Err(Error::new(ident.span(), format!("output `{ident}` is listed twice: keep one")));
-    }
-    Ok(output)
+/// One entry of the list.
+fn output(entry: &TokenStream, before: &[Output]) -> Result<Output> {
+    let read = |input: ParseStream| {
+        let ident = input.call(Ident::parse_any).map_err(|_| no_word(entry))?;
+        if ident == "state" {
+            let message = "output `state` is the function that comes with two outputs: list `theta` and `velocity`";
+            return Err(Error::new(ident.span(), message));
+        }
+        let output = one_word(&ident)?;
+        let next = input.parse::<TokenStream>()?.into_iter().next();
+        match next {
+            Some(next) => Err(Error::new(next.span(), format!("expected `,` or `]` before `{next}`"))),
+            None if before.contains(&output) => {
+                Err(Error::new(ident.span(), format!("output `{ident}` is listed twice: keep one")))
+            }
+            None => Ok(output),
+        }
+    };
+    read.parse2(entry.clone())
 }
 
 fn no_word(entry: &TokenStream) -> Error {

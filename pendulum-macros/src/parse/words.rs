@@ -9,14 +9,16 @@ pub(crate) trait Keyword: Sized + 'static {
     const KIND: &'static str;
     const ALL: &'static [Self];
     const WORDS: &'static [&'static str];
+    /// What they are called elsewhere, and their words here.
+    const SYNONYMS: &'static [(&'static str, &'static str)];
 
     fn from_word(word: &str) -> Option<Self>;
 }
 
-/// Declares an enum whose variants have names in the macro's input.
+/// Declares an enum whose variants have names in the macro's input, and others elsewhere.
 macro_rules! keywords {
     ($(#[$doc:meta])* $name:ident = $kind:literal {
-        $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)?
+        $($(#[$variant_doc:meta])* $variant:ident = $word:literal $(| $synonym:literal)*),* $(,)?
     }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +34,7 @@ macro_rules! keywords {
             const KIND: &'static str = $kind;
             const ALL: &'static [Self] = &[$(Self::$variant),*];
             const WORDS: &'static [&'static str] = &[$($word),*];
+            const SYNONYMS: &'static [(&'static str, &'static str)] = &[$($(($synonym, $word),)*)*];
 
             fn from_word(word: &str) -> Option<Self> {
                 match word { $($word => Some(Self::$variant),)* _ => None }
@@ -58,14 +61,14 @@ keywords! {
 
 keywords! {
     /// The type of t and of the results.
-    Float = "float" { F64 = "f64", F32 = "f32" }
+    Float = "float" { F64 = "f64" | "double", F32 = "f32" | "single" | "float" }
 }
 
 keywords! {
     /// A quantity to be computed.
     Output = "output" {
-        Theta = "theta",
-        Velocity = "velocity",
+        Theta = "theta" | "θ" | "angle",
+        Velocity = "velocity" | "vel" | "speed" | "theta_dot" | "omega",
         Acceleration = "acceleration",
         Position = "position",
         Wrapped = "wrapped",
@@ -82,7 +85,8 @@ impl Output {
 pub(super) fn one_word<T: Keyword>(ident: &Ident) -> Result<T> {
     let (kind, text) = (T::KIND, ident.to_string());
     T::from_word(&text).ok_or_else(|| {
-        let message = nearest(&text, T::WORDS).map_or_else(
+        let synonym = T::SYNONYMS.iter().find(|(synonym, _)| *synonym == text).map(|&(_, word)| word);
+        let message = synonym.or_else(|| nearest(&text, T::WORDS)).map_or_else(
             || format!("unknown {kind} `{text}`: it is one of {}", list(T::WORDS)),
             |known| format!("unknown {kind} `{text}`: did you mean `{known}`?"),
         );

@@ -4,6 +4,13 @@ use super::{Refusal, cheapest, of_paper, search};
 use crate::parse::Method;
 use crate::scene::{Goal, Scene};
 
+/// Whether what is offered is the least that is found: of several outputs, and of the series and Eq. 22, whose plans
+/// take long, somewhat less may be had.
+pub(super) fn is_finest(scene: &Scene) -> bool {
+    let without_terms = matches!(scene.method, Some(Method::SmallAngle | Method::Harmonic));
+    scene.outputs.len() == 1 && (is_quick(scene) || without_terms)
+}
+
 /// The best that can be asked for, infinite if that isn't known, where the goal is refused with what was reached.
 pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let least = if of_paper(scene).is_some() { f64::INFINITY } else { search::least_error(scene) };

@@ -1,5 +1,6 @@
 //! Why a scene can't be planned, and what its author is told.
 
+use super::offer;
 use crate::motion::Regime;
 use crate::parse::{Float, Output, source};
 use crate::scene::{Goal, Scene};
@@ -55,7 +56,8 @@ fn unreachable(best: f64, scene: &Scene) -> String {
     if best.is_infinite() {
         format!("{asked} is finer than {promise} here: {remedy}")
     } else {
-        format!("{asked} is finer than {promise} here: the best is {best:.2e}; {offer}, or {remedy}")
+        let reach = if offer::is_finest(scene) { "the best is" } else { "within reach is" };
+        format!("{asked} is finer than {promise} here: {reach} {best:.2e}; {offer}, or {remedy}")
     }
 }
 

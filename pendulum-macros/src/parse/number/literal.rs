@@ -3,7 +3,7 @@
 use super::tree::{Tree, Unit};
 use crate::parse::names::ascii;
 use crate::parse::source;
-use proc_macro2::{Literal, TokenStream, TokenTree};
+use proc_macro2::{Literal, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Error, Ident, Lit, Result};
 
@@ -29,21 +29,24 @@ fn meaning(parameter: &str) -> (&'static [&'static str], &'static str) {
 /// Refuses literals that have no meaning in the parameter `name`: before anything else is said of the expression, since
 /// the `m` of `9.81m/s` is the mistake, not the `s`.
 pub(super) fn check(name: &Ident, tokens: &TokenStream) -> Result<()> {
-    in_any_depth(tokens).try_for_each(|literal| {
+    in_any_depth(tokens).try_for_each(|(literal, next)| {
         let span = literal.span();
         let mistake = match Lit::new(literal) {
             Lit::Int(int) => suffix(name, tokens, int.suffix()).or_else(|| length(name, int.base10_digits())),
             Lit::Float(float) => suffix(name, tokens, float.suffix()).or_else(|| length(name, float.base10_digits())),
-            _ => None,
+            _ => return Ok(()),
         };
-        mistake.map_or(Ok(()), |message| Err(Error::new(span, message)))
+        let mistake = mistake.map(|message| (span, message));
+        mistake.or_else(|| unit(name, tokens, next?)).map_or(Ok(()), |(span, message)| Err(Error::new(span, message)))
     })
 }
 
-fn in_any_depth(tokens: &TokenStream) -> Box<dyn Iterator<Item = Literal>> {
-    Box::new(tokens.clone().into_iter().flat_map(|tree| match tree {
+/// Literals, and what follows each.
+fn in_any_depth(tokens: &TokenStream) -> Box<dyn Iterator<Item = (Literal, Option<TokenTree>)>> {
+    let following = tokens.clone().into_iter().skip(1).map(Some).chain([None]);
+    Box::new(tokens.clone().into_iter().zip(following).flat_map(|(tree, next)| match tree {
         TokenTree::Group(group) => in_any_depth(&group.stream()),
-        TokenTree::Literal(literal) => Box::new(std::iter::once(literal)),
+        TokenTree::Literal(literal) => Box::new(std::iter::once((literal, next))),
         _ => Box::new(std::iter::empty()),
     }))
 }
@@ -62,11 +65,23 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
     (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: {remedy}"))
 }
 
+/// The mistake of a unit after the number, as in `99.4 cm`, where it is none that is a suffix with a space before it.
+fn unit(name: &Ident, value: &TokenStream, next: TokenTree) -> Option<(Span, String)> {
+    let TokenTree::Ident(word) = next else { return None };
+    let (units, what) = meaning(&name.to_string());
+    let text = word.to_string();
+    let known = matches!(text.as_str(), "π" | "PI" | "pi" | "sqrt" | "as") || units.contains(&text.as_str());
+    let message = || format!("`{name} = {}` has `{text}` in it: `{name}` is {what}", source::value(value));
+    (!known).then(|| (word.span(), message()))
+}
+
 fn length(name: &Ident, digits: &str) -> Option<String> {
     let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
     let exponent = exponent.trim_start_matches(['+', '-']).parse::<u64>().unwrap_or(u64::MAX);
     if mantissa.bytes().filter(u8::is_ascii_digit).count() > MOST_DIGITS {
-        return Some(format!("`{name}` has a literal of more than {MOST_DIGITS} digits: no float needs so many"));
+        return Some(format!(
+            "`{name}` has a literal of more than {MOST_DIGITS} digits: no float needs so many, write fewer"
+        ));
     }
     (exponent > LARGEST_EXPONENT)
         .then(|| format!("`{name}` has `{digits}` in it, beyond every float: exponents may go to ±{LARGEST_EXPONENT}"))

@@ -5,7 +5,7 @@ mod tree;
 
 use crate::exact::{Context, Real};
 use crate::parse::source;
-use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use syn::buffer::Cursor;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
@@ -186,12 +186,11 @@ const NO_POWERS: &str =
 /// The mistake of what follows a number and isn't an operator; `end` could have followed, too.
 fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
     match input.cursor().token_stream().into_iter().next() {
-        Some(TokenTree::Ident(word)) => no_operator_but_word(&word.to_string(), before(start, input), input, end),
+        Some(TokenTree::Ident(word)) => no_operator_but_word(&word.to_string(), &read(start, input), input, end),
         Some(TokenTree::Punct(punct)) => match punct.as_char() {
             '^' => input.error(NO_POWERS),
             '.' => input.error("nothing can be called here: write the value itself, such as `30deg` or `sqrt(2)`"),
             ',' => input.error("parentheses hold one number: remove this comma and what follows it"),
-            ';' => input.error("parameters are separated by commas: write `,`"),
             _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
         },
         Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
@@ -201,23 +200,28 @@ fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
     }
 }
 
-fn no_operator_but_word(word: &str, before: Option<TokenTree>, input: ParseStream, end: &str) -> Error {
+/// The same of a word; `read` stands before it.
+fn no_operator_but_word(word: &str, read: &[TokenTree], input: ParseStream, end: &str) -> Error {
     // One that has a suffix takes no other.
-    let plain = |literal: &TokenTree| literal.to_string().ends_with(|last: char| last.is_ascii_digit() || last == '.');
-    let literal = before.filter(|tree| matches!(tree, TokenTree::Literal(_)) && plain(tree));
-    match (word, literal) {
-        ("deg" | "rad" | "π", Some(literal)) => input
-            .error(format!("`{word}` belongs to the number before it: leave out the space, as in `{literal}{word}`")),
-        ("deg" | "rad", None) => input.error(format!("`{word}` ends literals only: write `*1{word}`")),
+    let plain = |literal: &Literal| literal.to_string().ends_with(|last: char| last.is_ascii_digit() || last == '.');
+    let divides = |trees: &[TokenTree]| matches!(trees.last(), Some(TokenTree::Punct(sign)) if sign.as_char() == '/');
+    match (word, read) {
+        // In `7/8 π` it would be below the line.
+        ("deg" | "rad" | "π", [before @ .., TokenTree::Literal(literal)]) if plain(literal) && !divides(before) => {
+            input.error(format!(
+                "`{word}` belongs to the number before it: leave out the space, as in `{literal}{word}`"
+            ))
+        }
+        ("deg" | "rad", _) => input.error(format!("`{word}` ends literals only: write `*1{word}`")),
         ("π" | "PI" | "pi" | "sqrt", _) => input.error(format!("a product needs its sign: write `*` before `{word}`")),
         ("as", _) => input.error("numbers have no type here, all their digits count: leave out the `as` and its type"),
         _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
     }
 }
 
-/// The last token that has been read since `start`.
-fn before(start: &Cursor, input: ParseStream) -> Option<TokenTree> {
-    start.token_stream().into_iter().take(tokens_between(start, &input.cursor())).last()
+/// The tokens that have been read since `start`.
+fn read(start: &Cursor, input: ParseStream) -> Vec<TokenTree> {
+    start.token_stream().into_iter().take(tokens_between(start, &input.cursor())).collect()
 }
 
 fn name(input: ParseStream) -> Result<Tree> {
@@ -308,6 +312,9 @@ mod tests {
         assert!(error("THETA").contains("a macro sees names, not values"));
         assert!(error("3f64").contains("`theta0 = 3f64` has the suffix `f64`"));
         assert!(error("3 deg").contains("leave out the space, as in `3deg`"));
+        assert!(error("7/8 π").contains("write `*` before `π`"));
+        assert!(error("30/2 deg").contains("write `*1deg`"));
+        assert!(error("30 degrees").contains("has `degrees` in it: `theta0` is an angle"));
         assert!(error("2*(3/4)deg").contains("write `*1deg`"));
         assert!(error("1π π").contains("write `*` before `π`"));
         assert!(error("sqrt(3)π").contains("write `*` before `π`"));

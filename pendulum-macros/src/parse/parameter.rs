@@ -1,0 +1,146 @@
+//! The parameters one by one, `name = value`: a mistake in one doesn't hide those in the next.
+
+use super::names::{PARAMETERS, canonical, unknown_parameter};
+use super::words::{Float, Keyword, Method, Output};
+use proc_macro2::{Delimiter, Literal, Span, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser};
+use syn::{Error, Ident, Result, Token};
+
+/// The tokens up to a comma, and its span, or the mistake that stands in its place.
+pub(super) type Piece = (TokenStream, Result<Span>);
+
+/// What is between commas, `what` in messages. Where another `name = ` follows without one, or a semicolon, that is a
+/// mistake of its own.
+pub(super) fn split(tokens: TokenStream, what: &str) -> Vec<Piece> {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let (mut pieces, mut piece) = (Vec::new(), Vec::new());
+    for (tree, rest) in trees.iter().zip((1..).map(|next| &trees[next..])) {
+        let separator = match tree {
+            TokenTree::Punct(punct) if punct.as_char() == ',' && !lists(&piece, rest) => Ok(punct.span()),
+            // Of a header where none belongs enough is said.
+            TokenTree::Punct(punct) if punct.as_char() == ';' && is_header(&piece) => Ok(punct.span()),
+            TokenTree::Punct(punct) if punct.as_char() == ';' => {
+                let remedy = if rest.is_empty() { "remove this `;`" } else { "write `,`" };
+                Err(Error::new(punct.span(), format!("{what} are separated by commas: {remedy}")))
+            }
+            TokenTree::Ident(name) if has_value(&piece) && is(rest.first(), '=') => {
+                let message = format!("{what} are separated by commas: write one before `{name}`");
+                pieces.push((piece.drain(..).collect(), Err(Error::new(name.span(), message))));
+                piece.push(tree.clone());
+                continue;
+            }
+            _ => {
+                piece.push(tree.clone());
+                continue;
+            }
+        };
+        pieces.push((piece.drain(..).collect(), separator));
+    }
+    if !piece.is_empty() {
+        pieces.push((piece.into_iter().collect(), Ok(Span::call_site())));
+    }
+    pieces
+}
+
+/// Whether this begins `pub struct Name`.
+fn is_header(piece: &[TokenTree]) -> bool {
+    piece.first().is_some_and(|word| is_of_header(&word.to_string()))
+}
+
+fn is_of_header(word: &str) -> bool {
+    matches!(word, "pub" | "struct")
+}
+
+fn is(tree: Option<&TokenTree>, sign: char) -> bool {
+    matches!(tree, Some(TokenTree::Punct(punct)) if punct.as_char() == sign)
+}
+
+/// Whether there is something behind an equals sign.
+fn has_value(piece: &[TokenTree]) -> bool {
+    piece.iter().any(|tree| is(Some(tree), '=')) && !is(piece.last(), '=')
+}
+
+/// Whether this is `outputs = theta` without brackets, and what follows another output: one mistake, and to be told of
+/// as one.
+fn lists(piece: &[TokenTree], rest: &[TokenTree]) -> bool {
+    let output = |tree: &TokenTree| Output::from_word(&tree.to_string()).is_some();
+    let begins = matches!(piece, [name, _, value, ..] if canonical(&name.to_string()) == "outputs" && output(value));
+    begins
+        && rest.first().is_some_and(output)
+        && matches!(rest.get(1), None | Some(TokenTree::Punct(_)))
+        && !is(rest.get(1), '=')
+}
+
+/// `name = value`, the value's tokens untouched.
+pub(super) fn named_value(tokens: &TokenStream) -> Result<(Ident, TokenStream)> {
+    let parse = |input: ParseStream| {
+        let name = input.call(Ident::parse_any).map_err(|_| no_name(input))?;
+        let one_sign = format!("a value is given by one `=`: write `{name} = …`");
+        let sign = input.span();
+        if input.parse::<Option<Token![=]>>()?.is_none() {
+            return Err(no_value(&name, input, one_sign));
+        }
+        if input.peek(Token![=]) || input.peek(Token![>]) {
+            return Err(Error::new(sign, one_sign));
+        }
+        let value: TokenStream = input.parse()?;
+        if value.is_empty() {
+            return Err(Error::new(name.span(), format!("`{name} =` lacks its value")));
+        }
+        Ok((name, without_capture(value)))
+    };
+    parse.parse2(tokens.clone())
+}
+
+/// A value that a user's own macro captured comes in an invisible group, whose span is that of the macro's `$x`: mistakes
+/// are shown at what was captured.
+fn without_capture(value: TokenStream) -> TokenStream {
+    let mut trees = value.clone().into_iter();
+    match (trees.next(), trees.next()) {
+        (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::None => {
+            without_capture(group.stream())
+        }
+        _ => value,
+    }
+}
+
+/// The mistake of what has no name before it, as what follows the comma in `t_max = 86,400`.
+fn no_name(input: ParseStream) -> Error {
+    let is_number = |literal: &Literal| literal.to_string().starts_with(|first: char| first.is_ascii_digit());
+    let alone = matches!(input.cursor().literal(), Some((literal, rest)) if rest.eof() && is_number(&literal));
+    let number = if alone { "; of a number the point is a `.`, and `_` may group the digits" } else { "" };
+    input.error(format!("expected `name = value`, such as `theta0 = 7π/8`{number}"))
+}
+
+/// The mistake of a word that no `=` follows; `one_sign` is said of another sign.
+fn no_value(name: &Ident, input: ParseStream, one_sign: String) -> Error {
+    let word = name.to_string();
+    let is_parameter = PARAMETERS.contains(&canonical(&word));
+    match input.cursor().token_stream().into_iter().next() {
+        Some(TokenTree::Ident(_)) if is_of_header(&word) => {
+            Error::new(name.span(), "one call makes one struct, and `struct Name;` comes before its parameters")
+        }
+        Some(TokenTree::Ident(next)) if !is_parameter => {
+            Error::new(name.span(), format!("`{word}` has no place before `{next}`: parameters are `name = value`"))
+        }
+        Some(next) => Error::new(next.span(), one_sign),
+        None => Error::new(name.span(), lone(&word, is_parameter)),
+    }
+}
+
+/// What is said of a word alone.
+fn lone(word: &str, is_parameter: bool) -> String {
+    let value_of = |parameter: &str| format!("`{word}` is a value of `{parameter}`: write `{parameter} = {word}`");
+    if Output::from_word(word).is_some() {
+        format!("`{word}` is one of the `outputs`: write `outputs = [{word}]`")
+    } else if Float::from_word(word).is_some() {
+        value_of("float")
+    } else if Method::from_word(word).is_some() {
+        value_of("method")
+    } else if is_parameter {
+        format!("expected a value: `{word} = …`")
+    } else {
+        unknown_parameter(word)
+    }
+}

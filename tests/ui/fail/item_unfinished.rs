@@ -1,0 +1,7 @@
+use pendula::pendulum;
+
+fn main() {
+    pendulum! { pub struct Clock }
+    pendulum! { pub struct }
+    pendulum! { pub }
+}
