@@ -157,6 +157,35 @@ fn next_to_an_overshoot_it_is_the_papers_function_too() {
     }
 }
 
+/// The same in `f32` over a hundredth of a unit of time: how short the horizon is makes no difference to that.
+#[test]
+fn next_to_an_overshoot_it_is_the_papers_function_for_a_moment() {
+    macro_rules! hats {
+        ($($theta0:tt $n:literal)*) => {
+            [$({
+                pendulum! {
+                    struct Hat;
+                    theta0 = $theta0, n = $n, float = f32, t_max = 0.01
+                }
+                (stringify!($theta0), $n, Hat::THETA0, Hat::theta as fn(f32) -> f32)
+            }),*]
+        };
+    }
+    for (theta0, n, amplitude, theta) in hats! { (0.73075π) 1 (0.91385π) 3 (0.9619π) 5 (0.9803π) 7 } {
+        let motion = Motion::new(Start::written(theta0.trim_matches(['(', ')']), "0", "1").expect("an angle"));
+        let Regime::Swing(series) = &motion.regime else { panic!("{theta0} swings") };
+        let coefficients = series.paper_coefficients(n);
+        let ulp = f64::from(amplitude.next_up() - amplitude);
+        for i in -50_i16..=50 {
+            let t = f32::from(i) * 2e-4;
+            let [_, phase] = motion.phase(t.into());
+            let exact = series.paper(&coefficients, &phase).expect("no overshoot");
+            let error = (&Big::from(f64::from(theta(t))) - &exact).to_f64().abs() / ulp;
+            assert!(error <= 8.0, "{theta0}, N = {n} at {t:e}: {error} ulp");
+        }
+    }
+}
+
 /// The overshoot's neighbourhood: there the error is largest in mid-swing, not at the release.
 #[test]
 fn max_error_is_the_distance_to_the_exact_motion() {

@@ -2,8 +2,7 @@
 
 use super::arc::Arc;
 use crate::exact::Real;
-use crate::parse::Float;
-use crate::scene::Scene;
+use crate::scene::{Goal, Scene};
 use pendulum_runtime::double::Double;
 
 /// The first and the last phase within the horizon, where that is less than from one anchor to the next.
@@ -35,14 +34,16 @@ impl Met {
 
     /// The same of phases so near to those that a reduction over so short a horizon may give them instead: wrong by a few
     /// units of rounding of an anchor, or, where an anchor is passed at t = 0, of themselves.
-    pub(super) fn distances_as_reduced(self, launch: &Real, float: Float) -> [f64; 2] {
-        let ([least, farthest], wrong) = (self.distances(), self.wrong(launch, float));
+    pub(super) fn distances_as_reduced(self, launch: &Real, scene: &Scene) -> [f64; 2] {
+        let ([least, farthest], wrong) = (self.distances(), self.wrong(launch, scene));
         [(least - wrong).max(0.0), (farthest + wrong).min(0.5)]
     }
 
-    /// What those may be wrong by; of the shortest horizons, as they underflow.
-    pub(super) fn wrong(self, launch: &Real, float: Float) -> f64 {
-        16.0 * float.unit() * if launch.is_zero() { self.farthest().max(1e-30) } else { 1.0 }
+    /// What those may be wrong by; of the shortest horizons, as they underflow. To reproduce the paper's θ̂ may take
+    /// pieces, and in `f32` these a phase that is rounded once from `f64`, however short the horizon.
+    pub(super) fn wrong(self, launch: &Real, scene: &Scene) -> f64 {
+        let least = if let Goal::Terms(_) = scene.goal { 1.0 / 32.0 } else { 1e-30 };
+        16.0 * scene.float.unit() * if launch.is_zero() { self.farthest().max(least) } else { 1.0 }
     }
 
     /// How far polynomials have to reach, `None` if as far as ever.

@@ -160,7 +160,7 @@ impl<'a> Approximate<'a> {
     fn met(&self) -> Option<[f64; 2]> {
         let Sum { scene, swing, .. } = self.sum;
         let met = Met::within(scene, &swing.rate(), &swing.launch);
-        met.map(|met| met.distances_as_reduced(&swing.launch, scene.float))
+        met.map(|met| met.distances_as_reduced(&swing.launch, scene))
     }
 
     fn sines(&self) -> Sines {

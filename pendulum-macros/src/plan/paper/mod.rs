@@ -233,7 +233,7 @@ impl Sum<'_> {
     fn reductions(&self) -> Vec<Reduction> {
         let &Self { scene, swing, .. } = self;
         let met = self.met();
-        let most = met.map_or(f64::INFINITY, |met| met.wrong(&swing.launch, scene.float));
+        let most = met.map_or(f64::INFINITY, |met| met.wrong(&swing.launch, scene));
         let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing).into_iter();
         let fine = reductions.filter(|reduction| reduction.error + 0.5 * reduction.relative_error <= most);
         let mut reductions: Vec<Reduction> =
