@@ -5,10 +5,11 @@
 //! PENDULA_SCENES=500 cargo test --release -p pendulum-macros full_precision_tests::many -- --ignored --nocapture
 //! ```
 
-use super::probe::{Probe, largest_error};
+use super::probe::{Probe, assert_tight, evenly, largest_error};
 use super::tests::scene;
 use super::*;
 use crate::fuzz::random::Random;
+use crate::fuzz::setting;
 use crate::parse::Float;
 use crate::plan::curve::{Curves as _, SwingCurves};
 use pendulum_runtime::double::Double;
@@ -119,7 +120,6 @@ fn positions_in_pieces() {
 #[test]
 #[ignore = "minutes"]
 fn many() {
-    let setting = |name: &str, default| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
     let worst = run(setting("PENDULA_SCENES", 150), setting("PENDULA_FUZZ_SEED", 2), 6);
     for (part, text) in worst.iter().flatten() {
         println!("{part:.3} {text}");
@@ -188,7 +188,6 @@ fn margin(scene: &Scene, plan: &Plan, random: &mut Random, times: usize) -> f64 
 #[test]
 #[ignore = "minutes"]
 fn margins() {
-    let setting = |name: &str, default| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
     let mut random = Random::new(setting("PENDULA_FUZZ_SEED", 2));
     for index in 0..setting("PENDULA_SCENES", 600) {
         let start = match index % 4 {
@@ -319,17 +318,10 @@ fn moments_at_the_top_are_wrapped() {
         "theta0 = 1, velocity0 = 9, t_max = 0.34",
     ] {
         for goal in ["", ", tol = 1e-3", ", tol = 1e-10", ", float = f32"] {
-            let scene = scene(&format!("struct Motion; {start}{goal}, outputs = [wrapped]"));
-            let plan = plan(&scene).unwrap();
-            assert!(!goal.contains("tol = 1e-3") || plan.reduction.is_time(), "{start}{goal}");
-            let mut probe = Probe::new(&scene, &plan);
-            let t_max = scene.t_max.as_ref().unwrap().to_f64();
-            (-60..=60).for_each(|i| {
-                probe.at(t_max * f64::from(i) / 60.0);
-            });
-            let ((t, error), bound) = (probe.worst, plan.parts[0].bound.total());
-            assert!(error <= bound, "{start}{goal}: {error:e} at {t:e}, bound {bound:e}");
-            assert!(!goal.contains("tol = 1e-3") || bound < 4.0 * error, "{start}{goal}: {error:e}, bound {bound:e}");
+            let text = format!("struct Motion; {start}{goal}, outputs = [wrapped]");
+            let coarse = goal.contains("tol = 1e-3");
+            assert!(!coarse || plan(&scene(&text)).unwrap().reduction.is_time(), "{text}");
+            assert_tight(&text, if coarse { 4.0 } else { f64::INFINITY }, evenly(60));
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Where an interpreted plan is tried against the exact motion in multiple precision, for tests.
 
+use super::tests::scene;
 use super::truth::{State, distance};
 use super::turning::is_wrapped;
 use super::*;
 use crate::fuzz::random::Random;
-use crate::parse::Float;
 
 /// Where a plan is tried.
 pub(super) struct Probe<'a> {
@@ -45,11 +45,8 @@ impl<'a> Probe<'a> {
 
     /// The error at the time of the scene's type nearest to `t` within the horizon.
     pub(super) fn at(&mut self, t: f64) -> f64 {
-        let mut t = self.scene.float.round(t.clamp(-self.horizon, self.horizon));
-        if t.abs() > self.horizon {
-            let inner = if self.scene.float == Float::F32 { f64::from((t as f32).next_down()) } else { t };
-            t = if t > 0.0 { inner } else { -f64::from((-t as f32).next_down()) };
-        }
+        let most = self.scene.float.round_down(self.horizon);
+        let t = self.scene.float.round(t).clamp(-most, most);
         let exact = State::at(&self.scene.motion, t).output(self.output);
         let values = self.program.run(t);
         let mut error = distance(self.scene.motion.omega.context(), &values, &exact);
@@ -103,4 +100,23 @@ pub(super) fn largest_error(text: &str, scene: &Scene, plan: &Plan, random: &mut
     let bound = part.bound.total();
     assert!(error <= bound, "{text}: {error:e} at t = {t:e}, bound {bound:e} ({:?}), {}", part.bound, part.description);
     error
+}
+
+/// So many parts of a horizon to either side, its ends among them.
+pub(super) fn evenly(count: i32) -> impl Iterator<Item = f64> {
+    (-count..=count).map(move |i| f64::from(i) / f64::from(count))
+}
+
+/// At these parts of the horizon the error is within its bound, which is at most `most` times the largest.
+pub(super) fn assert_tight(text: &str, most: f64, parts: impl Iterator<Item = f64>) {
+    let scene = scene(text);
+    let plan = plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+    let mut probe = Probe::new(&scene, &plan);
+    for part in parts {
+        probe.at(probe.horizon * part);
+    }
+    let ((t, seen), part) = (probe.worst, &plan.parts[0]);
+    let bound = part.bound.total();
+    let tight = seen <= bound && bound <= most * seen;
+    assert!(tight, "{text}: {seen:e} of {bound:e} at t = {t:e}, {}", part.description);
 }

@@ -9,6 +9,7 @@ use super::probe::{Probe, largest_error};
 use super::tests::scene;
 use super::*;
 use crate::fuzz::random::Random;
+use crate::fuzz::setting;
 use crate::parse::Float;
 use crate::program::Op;
 use crate::supremum::norm;
@@ -351,7 +352,6 @@ fn negative_times_mirror() {
 #[test]
 #[ignore = "minutes: PENDULA_SCENES scenes from PENDULA_FUZZ_SEED"]
 fn many() {
-    let setting = |name: &str, default| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
     let found = run(setting("PENDULA_SCENES", 500), setting("PENDULA_FUZZ_SEED", 1), 150);
     let at = |fraction: f64| found[((found.len() - 1) as f64 * fraction) as usize].0;
     println!("{} bounds of tolerances: median {:.2}, 90 % {:.2}, worst:", found.len(), at(0.5), at(0.9));

@@ -6,7 +6,7 @@ use crate::motion::Regime;
 use crate::parse::Float;
 use crate::plan::kernel::Core;
 use crate::plan::plan;
-use crate::plan::probe::{Probe, largest_error};
+use crate::plan::probe::{assert_tight, evenly, largest_error};
 use crate::plan::tests::scene;
 use crate::plan::truth::{State, distance};
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
@@ -341,15 +341,7 @@ fn positions_of_a_moment() {
         ("velocity0 = 1.4, tol = 2e-4, t_max = 0.02, float = f32", 1.3),
         ("velocity0 = 1.99843, tol = 8.049e-8, t_max = 9.9233e-2", 1.3),
     ] {
-        let text = format!("struct A; {start}, method = fourier, outputs = [position]");
-        let (scene, plan) = (scene(&text), planned(&text).unwrap());
-        let mut probe = Probe::new(&scene, &plan);
-        let t_max = scene.t_max.as_ref().unwrap().to_f64();
-        (-100..=100).for_each(|i| {
-            probe.at(t_max * f64::from(i) / 100.0);
-        });
-        let ((t, seen), bound) = (probe.worst, plan.parts[0].bound.total());
-        assert!(seen <= bound && bound <= most * seen, "{text}: {bound:e} for {seen:e} at {t}");
+        assert_tight(&format!("struct A; {start}, method = fourier, outputs = [position]"), most, evenly(100));
     }
 }
 
@@ -376,15 +368,8 @@ fn waves_of_a_moment() {
         ("theta0 = 0.0009765625, t_max = 0.01, method = small_angle, tol = 1", 2.5),
         ("theta0 = -1.5, omega = 2, t_max = 0.0049, method = series", 6.0),
     ] {
-        let text = format!("struct A; {text}, float = f32, outputs = [velocity]");
-        let (scene, plan) = (scene(&text), planned(&text).unwrap());
-        let t_max = scene.t_max.as_ref().unwrap().to_f64();
-        let mut probe = Probe::new(&scene, &plan);
-        (0..4000).for_each(|i| {
-            probe.at(t_max * (1.0 - f64::from(i) / 8000.0));
-        });
-        let ((t, seen), bound) = (probe.worst, plan.parts[0].bound.total());
-        assert!(seen <= bound && bound <= most * seen, "{text}: {seen:e} of {bound:e} at {t}");
+        let later_half = (0..4000).map(|i| 1.0 - f64::from(i) / 8000.0);
+        assert_tight(&format!("struct A; {text}, float = f32, outputs = [velocity]"), most, later_half);
     }
 }
 
@@ -438,18 +423,7 @@ fn within_a_moment_only_what_is_met_counts() {
         ("theta0 = 0.5, method = small_angle, tol = 0.1, t_max = 1.5", 1.8),
         ("theta0 = 0.5, velocity0 = 0.1, float = f32, method = harmonic, tol = 0.1, t_max = 0.0639", 1.3),
     ] {
-        let (scene, plan) = (scene(&format!("struct A; {text}")), planned(&format!("struct A; {text}")).unwrap());
-        let mut probe = Probe::new(&scene, &plan);
-        let t_max = scene.t_max.as_ref().unwrap().to_f64();
-        (-100..=100).for_each(|i| {
-            probe.at(t_max * f64::from(i) / 100.0);
-        });
-        let ((t, seen), bound) = (probe.worst, plan.parts[0].bound.total());
-        assert!(
-            seen <= bound && bound <= most * seen,
-            "{text}: {bound:e} for {seen:e} at {t}, {}",
-            plan.parts[0].description
-        );
+        assert_tight(&format!("struct A; {text}"), most, evenly(100));
     }
 }
 
