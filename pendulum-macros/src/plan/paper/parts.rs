@@ -64,7 +64,7 @@ impl Sum<'_> {
                 Output::Position => (theta.clone().into_position(), approximate.at_most()),
                 Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
             };
-            let whole = if output == Output::Theta { Whole::new(self, bias) } else { None };
+            let whole = if output == Output::Theta { Whole::new(self, theta.size, bias) } else { None };
             Wanted { output, curve, bias, whole }
         };
         self.scene.outputs.iter().map(one).collect()
@@ -75,7 +75,7 @@ impl Sum<'_> {
         let Wanted { output, curve, bias, whole } = wanted;
         let summed = Kernel::from(Core::Harmonics(Box::new(self.harmonics(*output, reduction))));
         let cost = cost(reduction, &summed);
-        let mut candidate = whole.as_ref().and_then(|whole| whole.cheapest(&curve.size, reduction, self.direction()));
+        let mut candidate = whole.as_ref().and_then(|whole| whole.cheapest(reduction));
         // What the recurrence is rounded by takes long to know, and is at best within what is allowed.
         if let Some(better) = candidate.take_if(|candidate| candidate.rank() < rank(0.0, cost)) {
             return self.whole(wanted, better);

@@ -12,6 +12,7 @@ use super::leeway::Leeway;
 use super::nearest::Corrections;
 use super::pole::Pole;
 use super::tail;
+use super::weight::Weight;
 use crate::chebyshev::{CosineTable, Interpolation, lebesgue, scale, shift, to_powers};
 use crate::plan::blocks::Choices;
 use crate::plan::curve::Curve;
@@ -188,11 +189,16 @@ impl Approximation {
         let whole: f64 = left().map(|(c, j)| c.abs() * at_most_cosh(j * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
         let Shortened { left: coefficients, first, suprema, .. } = &*shortened;
-        let supremum = || tail::supremum(coefficients, *first, self.pole, self.parity, reach, self.leeway.as_ref());
+        let supremum = || tail::supremum(coefficients, *first, self.weights(), reach);
         let within = suprema.get(reach, supremum);
         let weight = self.weight(overshoot);
         // At the end the curve is steepest, and nothing is spared.
         (whole * weight).min(within * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
+    }
+
+    /// What an error counts within an anchor.
+    fn weights(&self) -> Weight<'_> {
+        Weight { pole: self.pole, parity: self.parity, leeway: self.leeway.as_ref() }
     }
 
     /// The series of so many terms. Where it is met as a whole, they make up for the others as well as they can; without
@@ -211,7 +217,7 @@ impl Approximation {
         if !makes_up || dropped.is_empty() {
             return Shortened::new(kept.to_vec(), dropped, terms);
         }
-        let corrections = Corrections::new(&dropped, terms, self.pole, self.parity, self.leeway.as_ref()).of_terms;
+        let corrections = Corrections::new(&dropped, terms, self.weights()).of_terms;
         // What the sums are rounded by counts with the conversion to powers.
         let series = kept.iter().zip(&corrections).map(|(c, correction)| *c + Double::new(*correction)).collect();
         let left = corrections.iter().map(|correction| -correction).chain(dropped).collect();

@@ -12,6 +12,7 @@ pub(crate) mod pade;
 mod pole;
 mod tail;
 mod truncated;
+mod weight;
 
 pub(crate) use approximation::Approximation;
 pub(crate) use leeway::Leeway;

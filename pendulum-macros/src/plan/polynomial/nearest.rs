@@ -7,9 +7,9 @@
 //! 5): it halves the error of a velocity, and near the top makes a third of it. It needn't be exact, since whatever it
 //! gives is bounded as any other series is.
 
-use super::leeway::Leeway;
 use super::pole::Pole;
-use super::tail::{p, phase, sum};
+use super::tail::{p, sum};
+use super::weight::Weight;
 use crate::series::Parity;
 use std::f64::consts::PI;
 
@@ -28,18 +28,9 @@ pub(super) struct Corrections {
 }
 
 impl Corrections {
-    /// Of the first `terms` coefficients of a Chebyshev series of which the others, `dropped`, are left out, over `pole`
-    /// and times the phase of an odd curve.
-    pub(super) fn new(
-        dropped: &[f64],
-        terms: usize,
-        pole: Option<Pole>,
-        parity: Parity,
-        leeway: Option<&Leeway>,
-    ) -> Self {
-        let points = Points::new(terms + 1, |u| {
-            weight(u, parity, leeway) / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)))
-        });
+    /// Of the first `terms` coefficients of a Chebyshev series of which the others, `dropped`, are left out.
+    pub(super) fn new(dropped: &[f64], terms: usize, weight: Weight) -> Self {
+        let points = Points::new(terms + 1, |u| weight.at(u));
         let left: Vec<f64> = points.cosines.iter().map(|&u| sum(dropped, terms, u)).collect();
         let levelled = |reference: &[usize]| {
             let row = |(index, &point): (usize, &usize)| {
@@ -54,7 +45,7 @@ impl Corrections {
         };
         let none = (vec![0.0; terms], points.largest(&left));
         let (of_terms, left) =
-            points.exchange(terms + 1, parity, levelled).filter(|best| best.1 < none.1).unwrap_or(none);
+            points.exchange(terms + 1, weight.parity, levelled).filter(|best| best.1 < none.1).unwrap_or(none);
         Self { of_terms, left }
     }
 }
@@ -62,15 +53,9 @@ impl Corrections {
 /// The poles over which so many terms come nearest to a curve, given by its series, or by that of an odd one over its
 /// phase; looked for from `pole` on. Of a single pair the equations are linear but for the product of the error, which
 /// is small, with its coefficients.
-pub(super) fn polished(
-    pole: Pole,
-    series: &[f64],
-    terms: usize,
-    parity: Parity,
-    leeway: Option<&Leeway>,
-) -> Option<Pole> {
+pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, weight: Weight) -> Option<Pole> {
     let count = terms + 3;
-    let points = Points::new(count, |u| weight(u, parity, leeway));
+    let points = Points::new(count, |u| weight.at(u));
     let values: Vec<f64> = points.cosines.iter().map(|&u| sum(series, 0, u)).collect();
     let mut divisor = pole.coefficients();
     let levelled = |reference: &[usize]| {
@@ -88,12 +73,7 @@ pub(super) fn polished(
         let errors = values.iter().zip(&points.cosines).map(error).collect();
         Some((found, errors))
     };
-    points.exchange(count, parity, levelled).map(|(pole, _)| pole)
-}
-
-/// What an error counts at u.
-fn weight(u: f64, parity: Parity, leeway: Option<&Leeway>) -> f64 {
-    phase(parity, p(u)) / leeway.map_or(1.0, |leeway| leeway.at(u))
+    points.exchange(count, weight.parity, levelled).map(|(pole, _)| pole)
 }
 
 fn sign(index: usize) -> f64 {
@@ -249,6 +229,10 @@ mod tests {
         extrema.iter().filter(|error| error.abs() > 0.95 * largest).count()
     }
 
+    fn plain(parity: Parity) -> Weight<'static> {
+        Weight { pole: None, parity, leeway: None }
+    }
+
     fn at(i: u32) -> f64 {
         (PI * f64::from(i) / 5000.0).cos()
     }
@@ -259,8 +243,9 @@ mod tests {
         let dropped = [1.0, -0.2, 0.05];
         let (even, odd) = (Parity::Even, Parity::Odd);
         for (pole, parity, gain) in [(None, even, 1.1), (pole, even, 1.3), (None, odd, 1.7), (pole, odd, 1.9)] {
-            let found = Corrections::new(&dropped, 5, pole, parity, None);
-            let weight = |u: f64| phase(parity, p(u)) / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)));
+            let found = Corrections::new(&dropped, 5, Weight { pole, ..plain(parity) });
+            let phase = |u: f64| if parity == Parity::Odd { p(u).sqrt() } else { 1.0 };
+            let weight = |u: f64| phase(u) / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)));
             let weighted = |of_terms: &[f64]| {
                 extrema((0..=5000).map(|i| (sum(&dropped, 5, at(i)) - sum(of_terms, 0, at(i))) * weight(at(i))))
             };
@@ -281,17 +266,17 @@ mod tests {
         };
         let near = Pole::of([0.12, -0.58], Float::F64).unwrap();
         let found =
-            polished(near, &points(&|p| (1.0 + p) / ((p - 0.3).powi(2) + 0.02)), 3, Parity::Even, None).unwrap();
+            polished(near, &points(&|p| (1.0 + p) / ((p - 0.3).powi(2) + 0.02)), 3, plain(Parity::Even)).unwrap();
         let [constant, linear] = found.coefficients();
         assert!((constant - 0.11).abs() < 1e-6 && (linear + 0.6).abs() < 1e-6, "{found:?}");
         for parity in [Parity::Even, Parity::Odd] {
             let series = points(&|p| ((p - 0.27).powi(2) + 0.03).ln());
-            let pole = polished(near, &series, 4, parity, None).unwrap();
+            let pole = polished(near, &series, 4, plain(parity)).unwrap();
             let [constant, linear] = pole.coefficients();
             let divided = points(&|p| ((p - 0.27).powi(2) + 0.03).ln() * (constant + p * (linear + p)));
-            let found = Corrections::new(&divided[4..], 4, Some(pole), parity, None);
+            let found = Corrections::new(&divided[4..], 4, Weight { pole: Some(pole), ..plain(parity) });
             let error = |i: u32| {
-                let (u, weight) = (at(i), phase(parity, p(at(i))));
+                let (u, weight) = (at(i), plain(parity).at(at(i)));
                 (sum(&divided[4..], 4, u) - sum(&found.of_terms, 0, u)) * weight / (constant + p(u) * (linear + p(u)))
             };
             let errors = extrema((0..=5000).map(error));

@@ -16,6 +16,7 @@ use super::Approximation;
 use super::leeway::Leeway;
 use super::nearest::{Corrections, polished, solved};
 use super::pole::Pole;
+use super::weight::Weight;
 use crate::parse::Float;
 use crate::series::Parity;
 
@@ -23,7 +24,7 @@ use crate::series::Parity;
 /// `nearest`, unless others save some. `None` where no number of terms is enough.
 pub(crate) fn best(curves: &[Approximation], nearest: Pole, limit: f64) -> Option<(Pole, usize)> {
     let series: Vec<Series> = curves.iter().map(Series::new).collect();
-    let total = |pole: Pole| series.iter().map(|series| series.terms(pole, limit)).sum::<Option<usize>>();
+    let total = |pole: Pole| terms_of_all(&series, pole, limit);
     let mut best = (nearest, total(nearest)?);
     for terms in 2..best.1 {
         let found = vanishing(&series, terms, nearest.float()).and_then(|pole| Some((pole, total(pole)?)));
@@ -34,6 +35,11 @@ pub(crate) fn best(curves: &[Approximation], nearest: Pole, limit: f64) -> Optio
     std::iter::successors(Some(best), fewer).last()
 }
 
+/// How many terms the curves take together for an error of `limit` each.
+fn terms_of_all(all: &[Series], pole: Pole, limit: f64) -> Option<usize> {
+    all.iter().map(|series| series.terms(pole, limit)).sum()
+}
+
 /// Terms that a second pair had better save, each of which takes an operation and a half.
 const WORTH: usize = 2;
 
@@ -41,7 +47,7 @@ const WORTH: usize = 2;
 /// they are looked for, and enough to be worth it.
 pub(crate) fn two(curves: &[Approximation], first: Pole, limit: f64) -> Option<Pole> {
     let series: Vec<Series> = curves.iter().map(Series::new).collect();
-    let total = |pole: Pole| series.iter().map(|series| series.terms(pole, limit)).sum::<Option<usize>>();
+    let total = |pole: Pole| terms_of_all(&series, pole, limit);
     let mut most = total(first)?.checked_sub(WORTH)?;
     let mut best = None;
     for terms in 2..=most / series.len() {
@@ -75,6 +81,10 @@ impl Series {
         Self { parity: curve.parity(), leeway: curve.leeway().cloned(), powers }
     }
 
+    fn weight(&self, pole: Option<Pole>) -> Weight<'_> {
+        Weight { pole, parity: self.parity, leeway: self.leeway.as_ref() }
+    }
+
     /// The coefficient of the power of p.
     fn at(&self, power: usize, index: usize) -> f64 {
         self.powers[power].get(index).copied().unwrap_or(0.0)
@@ -99,7 +109,7 @@ impl Series {
         if self.serves(pole, terms, limit) {
             return Some(pole);
         }
-        let polished = polished(pole, &self.powers[0], terms, self.parity, self.leeway.as_ref());
+        let polished = polished(pole, &self.powers[0], terms, self.weight(None));
         polished.filter(|&pole| self.serves(pole, terms, limit))
     }
 
@@ -117,7 +127,7 @@ impl Series {
         }
         let dropped: Vec<f64> = (terms..self.length(pole)).map(self.divided(pole)).collect();
         // Of what is left there will be a bound, and rounding.
-        Corrections::new(&dropped, terms, Some(pole), self.parity, self.leeway.as_ref()).left <= 0.9 * limit
+        Corrections::new(&dropped, terms, self.weight(Some(pole))).left <= 0.9 * limit
     }
 
     /// The fewest terms that leave an error of `limit`; `None` if all do not.

@@ -1,31 +1,22 @@
 //! The supremum of what dropping coefficients leaves out. Their magnitudes add up to half as much again, where poles have
 //! made those vanish that were by far the largest.
 
-use super::leeway::Leeway;
-use super::pole::Pole;
-use crate::series::Parity;
+use super::weight::Weight;
 use crate::supremum::worst;
 use std::f64::consts::PI;
 
 /// Angles at which the sum is evaluated.
 pub(super) const CELLS: u32 = 192;
 
-/// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, over the poles and times an odd curve's phase, for |u| ≤ 1, where p = (1 + u)/8
-/// is the square of a phase up to `reach`; less what a `leeway` spares there, if there is one.
+/// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, times its weight, for |u| ≤ 1, where p = (1 + u)/8 is the square of a phase up
+/// to `reach`; less what a leeway spares there, if there is one.
 ///
 /// With u = cos φ the sum is one of cos jφ: between two angles it exceeds the larger of its values by at most h²/8 times
 /// its largest second derivative there, h being their distance. That is at most Σ j²|cⱼ|, which will do unless the sum is
 /// small where this cell is, and large elsewhere, as over poles near one end; and exceeds the larger of its values at
 /// those angles by h²/8 times the largest fourth derivative, of which the same holds: over double poles the sum may be
 /// thousands of times as large elsewhere.
-pub(super) fn supremum(
-    coefficients: &[f64],
-    first: usize,
-    pole: Option<Pole>,
-    parity: Parity,
-    reach: f64,
-    leeway: Option<&Leeway>,
-) -> f64 {
+pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach: f64) -> f64 {
     let eighth = angle(1).powi(2) / 8.0;
     // Σ j²cⱼ cos jφ, and so on, and the sums of their terms' magnitudes.
     let derivative = |order: usize| {
@@ -45,14 +36,14 @@ pub(super) fn supremum(
         let largest = |higher: f64, (total, terms): &(f64, Vec<f64>)| total.min(at_ends(terms, cell) + eighth * higher);
         derivatives[..depth].iter().rev().fold(derivatives[depth].0, largest)
     };
-    let weight = |low: f64, high: f64| phase(parity, high) / pole.map_or(1.0, |pole| pole.least_between(low, high));
     let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
     let is_met = |(_, pair): &(usize, &[(f64, f64)])| pair[1].0 <= reach * reach;
     // Of a cell where the second derivative is at most so much.
     let error = |(index, pair): (usize, &[(f64, f64)]), second: f64| {
         let sum = worst([pair[0].1, pair[1].1]) + eighth * second;
         // With the rounding of all this.
-        sum * weight(pair[1].0, pair[0].0) * (1.0 + 1e-9) - leeway.map_or(0.0, |leeway| leeway.spared(index))
+        let spared = weight.leeway.map_or(0.0, |leeway| leeway.spared(index));
+        sum * weight.between(pair[1].0, pair[0].0) * (1.0 + 1e-9) - spared
     };
     let cells = || points.windows(2).enumerate().filter(is_met);
     let close = CLOSE * worst(cells().map(|cell| error(cell, 0.0)));
@@ -95,16 +86,13 @@ pub(super) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
     if first == 0 { next - u * after } else { u * next - after }
 }
 
-/// The phase, which an odd curve's error is multiplied with.
-pub(super) fn phase(parity: Parity, p: f64) -> f64 {
-    if parity == Parity::Odd { p.sqrt() } else { 1.0 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::parse::Float;
+    use crate::plan::polynomial::Pole;
     use crate::plan::polynomial::nearest::Corrections;
+    use crate::series::Parity;
     use pendulum_runtime::double::Double;
 
     #[test]
@@ -132,7 +120,7 @@ mod tests {
                     (sum(&coefficients, first, u) * phase / over).abs()
                 };
                 let seen = (0..=100_000).map(at).fold(0.0, f64::max);
-                let bound = supremum(&coefficients, first, pole, parity, 0.5, None);
+                let bound = supremum(&coefficients, first, Weight { pole, parity, leeway: None }, 0.5);
                 assert!(seen <= bound && bound < 1.12 * seen, "{pole:?} {first}: {bound} for {seen}");
             }
         }
@@ -147,7 +135,7 @@ mod tests {
             let at = |i: u32| (f64::from(i) * PI / 1e5).cos();
             let met = (0..=100_000).map(at).filter(|&u| p(u) <= reach * reach);
             let seen = met.map(|u| sum(&coefficients, 189, u).abs()).fold(0.0, f64::max);
-            let bound = supremum(&coefficients, 189, None, Parity::Even, reach, None);
+            let bound = supremum(&coefficients, 189, Weight { pole: None, parity: Parity::Even, leeway: None }, reach);
             assert!(seen > 1.9 && seen <= bound && bound < 1.6 * seen, "{reach}: {bound} for {seen}");
         }
     }
@@ -162,7 +150,8 @@ mod tests {
             poles.into_iter().flat_map(|pole| [(pole, Parity::Even), (pole, Parity::Odd)])
         {
             let pole = Some(Pole::new(strip, power, Float::F64));
-            let corrections = Corrections::new(&dropped, terms, pole, parity, None).of_terms;
+            let weight = Weight { pole, parity, leeway: None };
+            let corrections = Corrections::new(&dropped, terms, weight).of_terms;
             let left: Vec<f64> = corrections.iter().map(|correction| -correction).chain(dropped).collect();
             let at = |i: u32| {
                 let u = (f64::from(i) * PI / 1e5).cos();
@@ -170,7 +159,7 @@ mod tests {
                 (sum(&left, 0, u) * phase / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)))).abs()
             };
             let seen = (0..=100_000).map(at).fold(0.0, f64::max);
-            let bound = supremum(&left, 0, pole, parity, 0.5, None);
+            let bound = supremum(&left, 0, weight, 0.5);
             assert!(seen <= bound && bound < 1.25 * seen, "{pole:?} {parity:?}: {bound} for {seen}");
         }
     }

@@ -29,6 +29,9 @@ pub(super) struct Whole {
     /// For where neither serves, made when it is wanted first.
     sines: OnceCell<Option<Sines>>,
     weights: Vec<Double>,
+    /// That of θ, and −1 for its mirror image.
+    size: Size,
+    direction: f64,
     /// What their series may be wrong by.
     limit: f64,
     /// What it may differ from θ̂ by at most, phase and rounding included: the first of these that can be kept counts.
@@ -62,7 +65,7 @@ const SHARES: [f64; 2] = [4.0, 16.0];
 impl Whole {
     /// `None` where there is no arcsine. It may be off by what a tolerance leaves beside the sum's own `bias`, or by 8
     /// units in the last place of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
-    pub(super) fn new(sum: &Sum, bias: f64) -> Option<Self> {
+    pub(super) fn new(sum: &Sum, size: Size, bias: f64) -> Option<Self> {
         if sum.method != Method::Fourier {
             return None;
         }
@@ -75,7 +78,8 @@ impl Whole {
         let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
         let (limit, weights) = (truncation.min(allowed[0] / 8.0), sum.weights.clone());
         let (single, pieces) = (single::approximation(&weights, limit), pieces::approximation(&weights, limit));
-        Some(Self { single, pieces, sines: OnceCell::new(), weights, limit, allowed, truncation })
+        let (direction, sines) = (sum.direction(), OnceCell::new());
+        Some(Self { single, pieces, sines, weights, size, direction, limit, allowed, truncation })
     }
 
     /// Whether one polynomial or many can stand for the arcsine, or for the sum.
@@ -110,11 +114,11 @@ impl Whole {
 
     /// The cheaper of one polynomial in its cheapest form and of many, each off by no more than is allowed; or many for the
     /// sum.
-    pub(super) fn cheapest(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<Candidate> {
-        let candidates = [self.single(size, reduction, direction), self.pieces(size, reduction, direction)];
+    pub(super) fn cheapest(&self, reduction: &Reduction) -> Option<Candidate> {
+        let candidates = [self.single(reduction), self.pieces(reduction)];
         let candidates = candidates.into_iter().flatten().map(|made| self.candidate(made, reduction));
         let cheapest = candidates.min_by(|a, b| a.cost.total_cmp(&b.cost));
-        cheapest.or_else(|| Some(self.candidate(self.complement(size, reduction, direction)?, reduction)))
+        cheapest.or_else(|| Some(self.candidate(self.complement(reduction)?, reduction)))
     }
 
     fn candidate(&self, (kernel, bound): (Kernel, Bound), reduction: &Reduction) -> Candidate {
@@ -122,27 +126,27 @@ impl Whole {
         Candidate { kernel, bound, cost, share }
     }
 
-    fn single(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
+    fn single(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let approximation = self.single.as_ref()?;
-        let mut limits = self.limits(size.phase_error(reduction));
-        limits.find_map(|limits| single::kernel(approximation, limits, reduction, direction))
+        let mut limits = self.limits(self.size.phase_error(reduction));
+        limits.find_map(|limits| single::kernel(approximation, limits, reduction, self.direction))
     }
 
-    fn pieces(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
+    fn pieces(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let (piecewise, reduction) = (self.pieces.as_ref()?, self.in_pieces(reduction)?);
-        let mut limits = self.limits(size.phase_error(&reduction));
-        limits.find_map(|limits| pieces::kernel(piecewise, limits, &reduction, direction))
+        let mut limits = self.limits(self.size.phase_error(&reduction));
+        limits.find_map(|limits| pieces::kernel(piecewise, limits, &reduction, self.direction))
     }
 
     /// The same by the complement, or as little off as can be.
-    fn complement(&self, size: &Size, reduction: &Reduction, direction: f64) -> Option<(Kernel, Bound)> {
+    fn complement(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let most = self.most();
         let limits = |reduction: &Reduction| {
-            let phase = size.phase_error(reduction);
+            let phase = self.size.phase_error(reduction);
             // So little of the truncation that it doesn't matter for what else there is.
             Limits { phase, rest: most - phase, truncation: self.truncation.min(most / SHARES[1]) }
         };
-        self.sines()?.kernel(limits, reduction, direction)
+        self.sines()?.kernel(limits, reduction, self.direction)
     }
 
     /// What may be tried with a phase so wrong, in that order.
