@@ -8,6 +8,11 @@ use crate::truth::Given;
 
 /// Times of an array loop, and states of an ensemble.
 pub const COUNT: usize = 4096;
+
+/// An array at the start of a cache line, so that vector loads do not depend on where the allocator puts it.
+#[repr(align(64))]
+pub struct Block<T>(pub [T; COUNT]);
+
 /// The times lie between 0 and this many periods; so far reach the plans with a horizon.
 pub const HORIZON: f64 = 100.0;
 /// The error of a stepper is the largest over this many periods from the release.
@@ -154,7 +159,7 @@ impl<R: Real, F: Fn(R) -> (R, R), G: Fn(R) -> (R, R)> AnyTime<R> for Pair<R, F, 
 }
 
 /// A state: angle and angular velocity.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct State<R> {
     /// θ in rad.
     pub angle: R,
@@ -202,7 +207,12 @@ pub struct Contestant<R> {
 }
 
 impl<R: Real> Contestant<R> {
-    /// A function of time that was given the amplitude in this precision.
+    /// One that was given the amplitude in this precision.
+    pub fn new(family: Family, name: &str, setting: &str, kind: Kind<R>) -> Self {
+        Self { family, name: name.into(), setting: setting.into(), given: R::GIVEN, kind }
+    }
+
+    /// A function of time.
     pub fn function(family: Family, name: &str, setting: &str, function: impl Fn(R) -> R + Clone + 'static) -> Self {
         Self::copies(family, name, setting, (function.clone(), function))
     }
@@ -214,19 +224,12 @@ impl<R: Real> Contestant<R> {
         setting: &str,
         (array, single): (impl Fn(R) -> R + 'static, impl Fn(R) -> R + 'static),
     ) -> Self {
-        Self {
-            family,
-            name: name.into(),
-            setting: setting.into(),
-            given: if R::NAME == "f32" { Given::F32 } else { Given::F64 },
-            kind: Kind::AnyTime(Box::new(Function { array, single })),
-        }
+        Self::new(family, name, setting, Kind::AnyTime(Box::new(Function { array, single })))
     }
 
-    /// A method that steps, started from the amplitude in this precision.
+    /// A method that steps.
     pub fn stepping(name: &str, setting: &str, method: impl Stepping<R> + 'static) -> Self {
-        let kind = Kind::Stepping(Box::new(method));
-        Self { kind, ..Self::function(Family::Stepper, name, setting, |t| t) }
+        Self::new(Family::Stepper, name, setting, Kind::Stepping(Box::new(method)))
     }
 
     /// The same, compared with the motion of another amplitude.

@@ -8,6 +8,7 @@ use pendula_stress::truth::Truth;
 use crate::amplitude::Amplitude;
 use crate::contestant::{Contestant, Family, Kind};
 use crate::real::Real;
+use crate::report::fields;
 use crate::truth::{Truths, largest};
 
 /// Points per decade of elapsed time.
@@ -88,11 +89,9 @@ fn stepped<R: Real>(angles: &[R], interval: f64, period: f64, truth: &Truth) -> 
 pub fn csv(drifts: &[Drift]) -> String {
     let mut text = String::from("family,name,setting,periods,error\n");
     for drift in drifts {
+        let entry = fields(drift.family, &drift.name, &drift.setting);
         for (periods, error) in &drift.points {
-            let setting = drift.setting.replace(',', ";");
-            let family = drift.family.name().replace(',', ";");
-            let name = drift.name.replace(',', ";");
-            let _ = writeln!(text, "{family},{name},{setting},{periods:.4e},{error:.3e}");
+            let _ = writeln!(text, "{entry},{periods:.4e},{error:.3e}");
         }
     }
     text

@@ -1,6 +1,6 @@
 //! The two pictures: run time against error, and error against time elapsed.
 
-use pendula_plot::{LogLog, Marker, Point, Series, Stroke, palette};
+use pendula_plot::{LogLog, Marker, Series, Stroke, palette};
 
 use crate::amplitude::Amplitude;
 use crate::contestant::Family;
@@ -64,7 +64,7 @@ pub fn pareto(outcomes: &[Outcome], amplitude: Amplitude, precision: &str) -> Lo
             colour: look.colour,
             marker: Some(look.marker),
             line: look.line,
-            points: entries.iter().map(|one| Point::new(one.array.median, one.error)).collect(),
+            points: entries.iter().map(|one| (one.array.median, one.error)).collect(),
         }
     });
     let target = crate::machine::target();
@@ -72,7 +72,7 @@ pub fn pareto(outcomes: &[Outcome], amplitude: Amplitude, precision: &str) -> Lo
         title: format!("Run time against error: θ₀ = {}, {precision}, array loop, {target}", amplitude.name),
         x_label: "time per value (ns)".into(),
         y_label: "largest error (rad)".into(),
-        y_range: Some(range),
+        y_range: range,
         series: series.collect(),
     }
 }
@@ -85,7 +85,7 @@ fn yardstick(unit: &Outcome, range: (f64, f64)) -> Series {
         colour: palette::GREY,
         marker: None,
         line: Some((Stroke::Dashed, 1.4)),
-        points: vec![Point::new(at, range.0), Point::new(at, range.1)],
+        points: vec![(at, range.0), (at, range.1)],
     }
 }
 
@@ -115,7 +115,7 @@ pub fn drift(drifts: &[Drift], amplitude: Amplitude) -> LogLog {
                 colour,
                 marker: Some(look.marker),
                 line: Some((Stroke::Solid, width)),
-                points: one.points.iter().map(|&(periods, error)| Point::new(periods, error)).collect(),
+                points: one.points.clone(),
             });
         }
     }
@@ -123,7 +123,7 @@ pub fn drift(drifts: &[Drift], amplitude: Amplitude) -> LogLog {
         title: format!("Error against time elapsed: θ₀ = {}, f64", amplitude.name),
         x_label: "periods elapsed".into(),
         y_label: "largest error in one period (rad)".into(),
-        y_range: Some((1e-17, 20.0)),
+        y_range: (1e-17, 20.0),
         series,
     }
 }

@@ -62,13 +62,7 @@ fn state<R: Real>(
     setting: &str,
     copies: (impl Fn(R) -> (R, R) + 'static, impl Fn(R) -> (R, R) + 'static),
 ) -> Contestant<R> {
-    Contestant {
-        family: Family::Forced,
-        name: STATE.into(),
-        setting: setting.into(),
-        given: Given::Exact,
-        kind: Kind::AnyTime(Box::new(Pair::new(copies))),
-    }
+    Contestant::new(Family::Forced, STATE, setting, Kind::AnyTime(Box::new(Pair::new(copies)))).given(Given::Exact)
 }
 
 /// Two copies of one function, for [`Function`](crate::contestant::Function).

@@ -84,17 +84,21 @@ fn sweep(litter: &mut [u64]) {
 }
 
 /// Times all jobs, in a new random order each round; `progress` is told how many rounds of how many are done.
-pub fn race(jobs: &mut [Job<'_>], effort: Effort, mut progress: impl FnMut(usize, usize)) {
-    for job in &mut *jobs {
+pub fn race<'a, 'b: 'a>(
+    jobs: impl IntoIterator<Item = &'a mut Job<'b>>,
+    effort: Effort,
+    mut progress: impl FnMut(usize, usize),
+) {
+    let mut jobs: Vec<_> = jobs.into_iter().collect();
+    for job in &mut jobs {
         job.calibrate(effort.batch);
     }
     let mut litter = vec![1; LITTER / size_of::<u64>()];
     let mut random = Random::new(5);
-    let mut order: Vec<usize> = (0..jobs.len()).collect();
     for round in 0..effort.rounds {
-        order.sort_by_cached_key(|_| random.bits());
-        for &index in &order {
-            jobs[index].sample(&mut litter);
+        jobs.sort_by_cached_key(|_| random.bits());
+        for job in &mut jobs {
+            job.sample(&mut litter);
         }
         progress(round + 1, effort.rounds);
     }

@@ -1,13 +1,15 @@
 //! The two precisions.
 
-use std::fmt::Debug;
+use num_traits::Float;
 
-use num_traits::{Float, FloatConst};
+use crate::truth::Given;
 
 /// `f32` or `f64`.
-pub trait Real: Float + FloatConst + Debug + Default + Send + Sync + 'static {
+pub trait Real: Float + 'static {
     /// `"f32"` or `"f64"`.
     const NAME: &'static str;
+    /// What is given as the amplitude: its nearest value.
+    const GIVEN: Given;
 
     /// The nearest value.
     fn of(value: f64) -> Self;
@@ -29,6 +31,7 @@ pub trait Real: Float + FloatConst + Debug + Default + Send + Sync + 'static {
 
 impl Real for f64 {
     const NAME: &'static str = "f64";
+    const GIVEN: Given = Given::F64;
 
     fn of(value: f64) -> Self {
         value
@@ -52,6 +55,7 @@ impl Real for f64 {
 
 impl Real for f32 {
     const NAME: &'static str = "f32";
+    const GIVEN: Given = Given::F32;
 
     fn of(value: f64) -> Self {
         value as Self

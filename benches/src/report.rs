@@ -26,13 +26,11 @@ pub fn csv(outcomes: &[Outcome]) -> String {
         let random_access = one.random_access.map(|ns| format!("{ns:.1}")).unwrap_or_default();
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{error},{},{:.4},{},{:.4},{},{:.4},{},{random_access}",
+            "{},{},{},{},{error},{},{:.4},{},{:.4},{},{:.4},{},{random_access}",
             machine::target(),
             one.amplitude.slug,
             one.precision,
-            quoted(one.family.name()),
-            quoted(&one.name),
-            quoted(&one.setting),
+            fields(one.family, &one.name, &one.setting),
             spread(one.array),
             one.array_ratio.median,
             spread(one.scalar),
@@ -43,6 +41,11 @@ pub fn csv(outcomes: &[Outcome]) -> String {
         );
     }
     text
+}
+
+/// The fields `family,name,setting` of CSV.
+pub(crate) fn fields(family: Family, name: &str, setting: &str) -> String {
+    [family.name(), name, setting].map(quoted).join(",")
 }
 
 /// A field of CSV; RFC 4180 wants quotes around one with a comma.

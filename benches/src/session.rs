@@ -5,14 +5,10 @@ use std::hint::black_box;
 use pendula_stress::random::Random;
 
 use crate::amplitude::Amplitude;
-use crate::contestant::{AnyTime, COUNT, Contestant, Family, HORIZON, Kind, STEPPED, State, Stepping};
+use crate::contestant::{AnyTime, Block, COUNT, Contestant, Family, HORIZON, Kind, STEPPED, State, Stepping};
 use crate::race::{Effort, Job, Spread, race};
 use crate::real::Real;
 use crate::truth::{Given, Truths, largest, motion};
-
-/// An array at the start of a cache line, so that vector loads do not depend on where the allocator puts it.
-#[repr(align(64))]
-struct Block<T>([T; COUNT]);
 
 /// All contestants of one amplitude in one precision, with the times that they are asked for.
 pub struct Field<R> {
@@ -59,7 +55,6 @@ pub struct Outcome {
 }
 
 /// Contestants of both precisions.
-#[derive(Default)]
 pub struct Session {
     /// In double precision.
     pub doubles: Vec<Field<f64>>,

@@ -34,7 +34,7 @@ pub(crate) fn map(rows: &[Row]) -> Map {
             .zip(COLOURS)
             .map(|(method, colour)| Category { label: (*method).into(), colour })
             .collect(),
-        cells: rows.iter().map(|row| row.plans.iter().map(|plan| Some(cell(plan))).collect()).collect(),
+        cells: rows.iter().map(|row| row.plans.iter().map(cell).collect()).collect(),
         note: format!("Numbers: terms.\nDarker: more operations,\n{least} to {most} per call."),
     }
 }

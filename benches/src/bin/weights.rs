@@ -8,7 +8,7 @@
 use std::hint::black_box;
 
 use pendula::__private::support::{root, rootf};
-use pendula_benches::contestant::COUNT;
+use pendula_benches::contestant::{Block, COUNT};
 use pendula_benches::machine;
 use pendula_benches::race::{Effort, Job, Spread, race};
 use pendula_benches::real::Real;
@@ -19,10 +19,6 @@ const REPEATS: usize = 4;
 /// Multiplications and additions per chain before what is measured and after it: with all chains as many as in plans of
 /// middling tolerance.
 const TERMS: usize = 2;
-
-/// An array at the start of a cache line.
-#[repr(align(64))]
-struct Block<R>([R; COUNT]);
 
 /// The sum of `REPEATS` chains, each of which has x ↦ `step(x, y, i)` between two polynomials. y is another variable
 /// and i counts the chains.
@@ -177,11 +173,7 @@ fn main() {
     let mut kinds = doubles(&wide);
     let split = kinds.len();
     kinds.extend(singles(&narrow));
-    let (labels, mut jobs): (Vec<_>, Vec<Job<'_>>) =
-        kinds.into_iter().map(|kind| ((kind.name, kind.besides, kind.each), kind.job)).unzip();
-    race(&mut jobs, Effort::FULL, |_, _| {});
-    let kinds: Vec<Kind<'_>> =
-        labels.into_iter().zip(jobs).map(|((name, besides, each), job)| Kind { name, besides, each, job }).collect();
+    race(kinds.iter_mut().map(|kind| &mut kind.job), Effort::FULL, |_, _| {});
     report("f64", &kinds[..split]);
     report("f32", &kinds[split..]);
 }

@@ -9,7 +9,7 @@ mod table;
 use crate::amplitude::Amplitude;
 use crate::contestant::{Contestant, Family};
 use crate::real::Real;
-use crate::truth::{self, Given};
+use crate::truth;
 
 pub use paper::AS_WRITTEN;
 
@@ -38,8 +38,7 @@ struct Motion {
 /// The number that is compared with, and all peers in one precision. The peers get the amplitude as an `f64`, or in
 /// single precision as an `f32`, take it as exact, and are compared with the motion of that amplitude.
 pub fn peers<R: Precision>(amplitude: Amplitude) -> Vec<Contestant<R>> {
-    let given = if R::NAME == "f32" { Given::F32 } else { Given::F64 };
-    let exact = truth::motion(amplitude, given);
+    let exact = truth::motion(amplitude, R::GIVEN);
     let theta0 = R::of(amplitude.theta0()).wide();
     let (modulus, complement) = (theta0 / 2.0).sin_cos();
     let motion = Motion { theta0, modulus, complement, period: exact.period().to_f64(), exact };

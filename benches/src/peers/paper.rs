@@ -1,5 +1,7 @@
 //! Eq. 22 of the paper as it is written there: N sines and an arcsine.
 
+use pendula_stress::motion::Regime;
+
 use super::Motion;
 use crate::contestant::{Contestant, Family};
 use crate::real::Real;
@@ -31,7 +33,9 @@ fn as_written<R: Real, const N: usize>(motion: &Motion) -> Contestant<R> {
     let rate = R::of(std::f64::consts::PI / (2.0 * quarter));
     let modulus = R::of(motion.modulus);
     let shift = R::of(quarter);
-    let coefficients = coefficients::<N>(motion).map(R::of);
+    let Regime::Swing(series) = &motion.exact.regime else { unreachable!("a pendulum released at rest swings") };
+    let exact = series.paper_coefficients(N);
+    let coefficients: [R; N] = std::array::from_fn(|n| R::of(exact[n].to_f64()));
     Contestant::function(Family::Paper, AS_WRITTEN, &format!("N = {N}"), move |t: R| {
         let x = rate * (t + shift);
         let mut sum = R::zero();
@@ -39,20 +43,5 @@ fn as_written<R: Real, const N: usize>(motion: &Motion) -> Contestant<R> {
             sum = sum + coefficient * (R::of((2 * n + 1) as f64) * x).sin();
         }
         R::of(2.0) * (modulus * sum).max(-R::one()).min(R::one()).asin()
-    })
-}
-
-/// b₂ₙ₋₁ = (2π/(kK)) qⁿ⁻¹ᐟ²/(1 − q²ⁿ⁻¹).
-fn coefficients<const N: usize>(motion: &Motion) -> [f64; N] {
-    let quarter = motion.period / 4.0;
-    // K′ = π/(2·AGM(1, k))
-    let (mut a, mut b) = (1.0, motion.modulus);
-    for _ in 0..8 {
-        (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
-    }
-    let nome = (-std::f64::consts::PI * (std::f64::consts::FRAC_PI_2 / a) / quarter).exp();
-    std::array::from_fn(|n| {
-        let odd = (2 * n + 1) as f64;
-        std::f64::consts::TAU / (motion.modulus * quarter) * nome.powf(odd / 2.0) / (1.0 - nome.powf(odd))
     })
 }

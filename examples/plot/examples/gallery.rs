@@ -3,9 +3,7 @@
 
 use std::path::Path;
 
-use pendula_plot::{
-    Category, Cell, Curve, Error, Figure, LogLog, Map, Marker, Panel, Panels, Point, Series, Stroke, palette,
-};
+use pendula_plot::{Category, Cell, Curve, Error, Figure, LogLog, Map, Marker, Panel, Panels, Series, Stroke, palette};
 
 fn main() -> Result<(), Error> {
     let directory = Path::new("target/gallery");
@@ -46,22 +44,20 @@ fn scatter() -> LogLog {
         colour,
         marker: Some(marker),
         line: Some((Stroke::Solid, 2.0)),
-        points: (0..13)
-            .map(|i| Point::new(start * 1.2_f64.powi(i), 1e-3 * 10.0_f64.powf(slope * f64::from(i))))
-            .collect(),
+        points: (0..13).map(|i| (start * 1.2_f64.powi(i), 1e-3 * 10.0_f64.powf(slope * f64::from(i)))).collect(),
     };
     let lone = |label: &str, colour, marker, x, y| Series {
         label: label.into(),
         colour,
         marker: Some(marker),
         line: None,
-        points: vec![Point { note: "T/100".into(), ..Point::new(x, y) }],
+        points: vec![(x, y)],
     };
     LogLog {
         title: "Run time against error, θ₀ = 7π/8".into(),
         x_label: "time per value (ns)".into(),
         y_label: "largest error (rad)".into(),
-        y_range: None,
+        y_range: (1e-17, 20.0),
         series: vec![
             line("pendula, planned", palette::BLUE, Marker::Disc, 0.9, -1.0),
             line("the formula as written", palette::ORANGE, Marker::Square, 40.0, -0.5),
@@ -76,7 +72,7 @@ fn scatter() -> LogLog {
 fn map() -> Map {
     let cell = |row: u32, column: u32| {
         let category = ((row + column) / 8) as usize;
-        Some(Cell { category, strength: 0.4 + 0.05 * f64::from(row), text: (row + column).to_string() })
+        Cell { category, strength: 0.4 + 0.05 * f64::from(row), text: (row + column).to_string() }
     };
     Map {
         title: "Planned methods".into(),
@@ -84,7 +80,7 @@ fn map() -> Map {
         y_label: "release angle θ₀".into(),
         columns: ["10⁻¹", "10⁻³", "10⁻⁵", "10⁻⁷", "10⁻⁹", "10⁻¹¹", "10⁻¹³", "full"].map(String::from).into(),
         rows: ["10⁻⁶", "π/6", "π/3", "π/2", "7π/8", "0.99π", "π − 10⁻⁶"].map(String::from).into(),
-        categories: [("harmonic", palette::YELLOW), ("series", palette::GREEN), ("polynomial", palette::BLUE)]
+        categories: [("harmonic", palette::ORANGE), ("series", palette::GREEN), ("polynomial", palette::BLUE)]
             .map(|(label, colour)| Category { label: label.into(), colour })
             .into(),
         cells: (0..7).map(|row| (0..8).map(|column| cell(row, column)).collect()).collect(),

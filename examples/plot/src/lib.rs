@@ -36,7 +36,7 @@ use plotters::prelude::{DrawingBackend, SVGBackend};
 pub use axis::power_of_ten;
 pub use map::{Category, Cell, Map};
 pub use panels::{Curve, Panel, Panels};
-pub use scatter::{LogLog, Marker, Point, Series};
+pub use scatter::{LogLog, Marker, Series};
 pub use sheet::Stroke;
 
 use raster::Raster;

@@ -28,7 +28,7 @@ pub struct Cell {
     pub text: String,
 }
 
-/// Cells in rows from top to bottom; an absent cell stays white.
+/// Cells in rows from top to bottom.
 #[derive(Clone, Debug)]
 pub struct Map {
     /// Above the cells.
@@ -44,7 +44,7 @@ pub struct Map {
     /// What the colours stand for.
     pub categories: Vec<Category>,
     /// `cells[row][column]`.
-    pub cells: Vec<Vec<Option<Cell>>>,
+    pub cells: Vec<Vec<Cell>>,
     /// What the texts and the strength of the colours stand for; below the categories. Lines are split at `\n`.
     pub note: String,
 }
@@ -79,7 +79,7 @@ impl Map {
     {
         let text = Type::new(TICK_SIZE, INK, HPos::Center, VPos::Center);
         for (row, cells) in self.cells.iter().enumerate() {
-            for (column, cell) in cells.iter().enumerate().filter_map(|(column, cell)| Some((column, cell.as_ref()?))) {
+            for (column, cell) in cells.iter().enumerate() {
                 let (x, y) = (window.left + CELL.0 * column as f64, window.top + CELL.1 * row as f64);
                 let colour = self.colour(cell);
                 sheet.rectangle((x + 0.5, y + 0.5), (x + CELL.0 - 0.5, y + CELL.1 - 0.5), colour)?;

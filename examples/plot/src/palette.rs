@@ -1,4 +1,5 @@
-//! The colours of Okabe and Ito, "Color Universal Design" (2008): told apart with any colour vision, and in grey.
+//! The colours of Okabe and Ito, "Color Universal Design" (2008), but for their yellow, which is faint on white: told
+//! apart with any colour vision, and in grey.
 
 /// Red, green and blue, 0 to 255.
 pub type Colour = (u8, u8, u8);
@@ -11,8 +12,6 @@ pub const ORANGE: Colour = (230, 159, 0);
 pub const SKY: Colour = (86, 180, 233);
 /// Bluish green.
 pub const GREEN: Colour = (0, 158, 115);
-/// Yellow.
-pub const YELLOW: Colour = (240, 228, 66);
 /// Blue.
 pub const BLUE: Colour = (0, 114, 178);
 /// Vermilion.

@@ -3,9 +3,9 @@
 use plotters::prelude::DrawingBackend;
 use plotters::style::text_anchor::{HPos, VPos};
 
-use crate::axis::Axis;
+use crate::axis::{Axis, Scale};
 use crate::clip::clip;
-use crate::frame::{Frame, LABEL_SIZE, TICK_SIZE, Window, title};
+use crate::frame::{Frame, LABEL_SIZE, Window, title};
 use crate::palette::{Colour, INK, WHITE};
 use crate::sheet::{Pen, Sheet, Stroke, Type, text_width};
 use crate::{Error, Figure};
@@ -27,25 +27,6 @@ pub enum Marker {
     Cross,
 }
 
-/// A point with an optional note beside it.
-#[derive(Clone, Debug)]
-pub struct Point {
-    /// Horizontal position, positive.
-    pub x: f64,
-    /// Vertical position, positive.
-    pub y: f64,
-    /// A short text on its right; empty for none.
-    pub note: String,
-}
-
-impl Point {
-    /// A point without a note.
-    #[must_use]
-    pub fn new(x: f64, y: f64) -> Self {
-        Self { x, y, note: String::new() }
-    }
-}
-
 /// Points that belong together.
 #[derive(Clone, Debug)]
 pub struct Series {
@@ -58,7 +39,7 @@ pub struct Series {
     /// The line that joins them, in the order given, and its width in pixels.
     pub line: Option<(Stroke, f64)>,
     /// The points; those that are not positive and finite are left out.
-    pub points: Vec<Point>,
+    pub points: Vec<(f64, f64)>,
 }
 
 /// A plot over two logarithmic axes with its legend on the right.
@@ -70,8 +51,8 @@ pub struct LogLog {
     pub x_label: String,
     /// Caption of the vertical axis.
     pub y_label: String,
-    /// The ends of the vertical axis, where the points do not set them. What lies outside is cut off.
-    pub y_range: Option<(f64, f64)>,
+    /// The ends of the vertical axis. What lies outside is cut off.
+    pub y_range: (f64, f64),
     /// In the order of the legend; earlier ones lie on top.
     pub series: Vec<Series>,
 }
@@ -86,8 +67,8 @@ const RADIUS: f64 = 4.6;
 /// Distance of the lines of the legend, in pixels.
 const LEGEND_STEP: f64 = 21.0;
 
-fn visible(series: &Series) -> impl Iterator<Item = &Point> {
-    series.points.iter().filter(|point| [point.x, point.y].iter().all(|v| v.is_finite() && *v > 0.0))
+fn visible(series: &Series) -> impl Iterator<Item = (f64, f64)> {
+    series.points.iter().copied().filter(|(x, y)| [x, y].iter().all(|v| v.is_finite() && **v > 0.0))
 }
 
 impl LogLog {
@@ -97,21 +78,16 @@ impl LogLog {
     }
 
     fn frame(&self) -> Frame {
-        let points = || self.series.iter().flat_map(visible);
-        let y = match self.y_range {
-            Some((low, high)) => {
-                let axis = Axis::logarithmic(&self.y_label, [low, high].into_iter());
-                Axis { range: low.log10()..=high.log10(), ..axis }
-            }
-            None => Axis::logarithmic(&self.y_label, points().map(|point| point.y)),
-        };
+        let (low, high) = self.y_range;
+        let x = Axis::logarithmic(&self.x_label, self.series.iter().flat_map(visible).map(|(x, _)| x));
+        let y = Axis { label: self.y_label.clone(), scale: Scale::Log, range: low.log10()..=high.log10() };
         let window = Window {
             left: MARGIN.left,
             top: MARGIN.top,
             right: MARGIN.left + FRAME_WIDTH,
             bottom: self.height() - MARGIN.bottom,
         };
-        Frame { window, x: Axis::logarithmic(&self.x_label, points().map(|point| point.x)), y }
+        Frame { window, x, y }
     }
 
     fn legend_width(&self) -> f64 {
@@ -157,21 +133,15 @@ impl Series {
         B::ErrorType: 'static,
     {
         if let Some((stroke, width)) = self.line {
-            let logs: Vec<_> = visible(self).map(|point| (point.x.log10(), point.y.log10())).collect();
+            let logs: Vec<_> = visible(self).map(|(x, y)| (x.log10(), y.log10())).collect();
             for piece in clip(&logs, &frame.x.range, &frame.y.range) {
                 let places = piece.into_iter().map(|(x, y)| frame.place((10.0_f64.powf(x), 10.0_f64.powf(y))));
                 sheet.line(&places.collect::<Vec<_>>(), Pen { colour: self.colour, width, stroke })?;
             }
         }
-        for point in visible(self).filter(|point| frame.y.range.contains(&point.y.log10())) {
-            let (x, y) = frame.place((point.x, point.y));
-            if let Some(marker) = self.marker {
-                marker.draw(sheet, (x, y), self.colour)?;
-            }
-            if !point.note.is_empty() {
-                let kind = Type::new(TICK_SIZE - 1.0, self.colour, HPos::Left, VPos::Center);
-                sheet.text(&point.note, (x + RADIUS + 4.0, y), kind)?;
-            }
+        let Some(marker) = self.marker else { return Ok(()) };
+        for point in visible(self).filter(|(_, y)| frame.y.range.contains(&y.log10())) {
+            marker.draw(sheet, frame.place(point), self.colour)?;
         }
         Ok(())
     }
