@@ -8,10 +8,10 @@
 
 use crate::agm::{agm_double, sqrt_nome};
 use crate::double::Double;
-use crate::kernel::{double_angle, four_atan, horner, sin_turns};
+use crate::kernel::{double_angle, four_atan, horner, power, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{EvenCosine, EvenSine, OddCosine, OddSine};
-use crate::theta_polynomial::{alternate, jacobi_theta2, jacobi_theta3, jacobi_theta4, polynomial, power};
+use crate::theta_polynomial::{alternate, jacobi_theta2, jacobi_theta3, jacobi_theta4, polynomial};
 use crate::theta_quotient::{sech_quotient, tanh_quotient};
 use core::f64::consts::{LOG2_E, PI, TAU};
 

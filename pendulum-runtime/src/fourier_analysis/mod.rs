@@ -15,7 +15,7 @@ mod cells;
 use self::cells::Cells;
 use crate::agm::agm_double;
 use crate::double::Double;
-use crate::kernel::{round, sin_turns};
+use crate::kernel::{power, round, sin_turns};
 use crate::nome::root_of_nome;
 use crate::phase::Reduced;
 use crate::rotation::Rotation;
@@ -196,10 +196,10 @@ impl FourierAnalysis {
         tail
     }
 
-    /// Σ_{n>N} k b₂ₙ₋₁ (2n − 1)^power.
-    fn tail_moment(&self, terms: usize, power: i32) -> f64 {
+    /// Σ_{n>N} k b₂ₙ₋₁ (2n − 1)^order.
+    fn tail_moment(&self, terms: usize, order: i32) -> f64 {
         let mut sum = 0.0;
-        self.for_tail(terms, |odd, amplitude| sum += amplitude * crate::theta_polynomial::power(odd, power));
+        self.for_tail(terms, |odd, amplitude| sum += amplitude * power(odd, order));
         sum
     }
 
@@ -208,8 +208,8 @@ impl FourierAnalysis {
     fn for_tail(&self, terms: usize, mut f: impl FnMut(f64, f64)) {
         let root = self.root.to_f64();
         let q = root * root;
-        let mut weight = root * self.scale.hi * crate::theta_polynomial::power(q, terms as i32);
-        let mut odd_power = crate::theta_polynomial::power(q, 2 * terms as i32 + 1);
+        let mut weight = root * self.scale.hi * power(q, terms as i32);
+        let mut odd_power = power(q, 2 * terms as i32 + 1);
         let last = weight * 2.8e-17 * (1.0 - q);
         let mut odd = (2 * terms + 1) as f64;
         while weight > last {

@@ -1,6 +1,6 @@
 use super::*;
 use crate::double_trig::half_angle;
-use crate::theta_polynomial::power as power_of;
+use crate::kernel::power as power_of;
 
 /// Amplitudes, in parts of π, and numbers of terms.
 const SERIES: [(f64, usize); 4] = [(0.3, 1), (0.7, 2), (0.95, 6), (0.999, 9)];

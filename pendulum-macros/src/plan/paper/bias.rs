@@ -23,7 +23,7 @@ impl<'a> Approximate<'a> {
     pub(super) fn new(sum: &'a Sum<'a>, theta: &'a Curve) -> Self {
         let Sum { scene, swing, rate, .. } = sum;
         let exact = swing.rate();
-        let horizon = Clock::new(scene, &exact, &swing.launch).horizon();
+        let horizon = Clock::new(scene, &exact, &swing.launch).reach();
         let drift = rate.context().float(horizon).map_or(f64::INFINITY, |t| ((rate - &exact).abs() * t).to_f64());
         Self { sum, drift, theta }
     }

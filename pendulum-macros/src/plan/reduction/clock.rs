@@ -40,8 +40,13 @@ impl<'a> Clock<'a> {
     }
 
     /// The greatest |t| at which a phase at this rate is any good.
-    pub(crate) fn horizon(&self) -> f64 {
+    pub(crate) fn reach(&self) -> f64 {
         self.horizon.min(UNLIMITED / self.rate.to_f64()).min(f64::MAX)
+    }
+
+    /// How many anchors are passed until then.
+    fn anchors(&self) -> f64 {
+        self.reach() * self.rate.to_f64()
     }
 
     /// Every reduction that is valid over the horizon.
@@ -52,7 +57,7 @@ impl<'a> Clock<'a> {
         let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
         let last = match self.float {
             Float::F64 => {
-                let launched = !self.is_exact();
+                let launched = !self.starts_on_half();
                 let mut ways = vec![(2, Anchor, false), (3, Anchor, false), (4, Anchor, false), (4, Lowest, launched)];
                 ways.extend(launched.then_some((4, Anchor, true)));
                 ways.into_iter()
@@ -90,7 +95,7 @@ impl<'a> Clock<'a> {
         };
         // The launch phase is added in two words where there are any. Where it is a rounded time, that has been
         // counted.
-        let exact = self.is_exact() || matches!(scheme, Scheme::AnyTime { .. });
+        let exact = self.starts_on_half() || matches!(scheme, Scheme::AnyTime { .. });
         let counted = exact || matches!(scheme, Scheme::CodyWaite { .. });
         let wide = matches!(scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. });
         let added_in = if wide { Float::F64 } else { self.float };
@@ -133,7 +138,7 @@ impl<'a> Clock<'a> {
     /// With another phase at t = 0 n is rounded from a rounded sum: just below a power of two that is in the binade above,
     /// where a tie can go either way, and the remainder is beyond half an anchor, or half a piece, by as much.
     fn product(&self, origin: Origin, float: Float) -> Option<Product> {
-        let anchors = self.horizon() * self.rate.to_f64();
+        let anchors = self.anchors();
         let rate = float.round(self.rate.to_f64());
         let error = self.drift(&[rate]) + self.rounding_in_one_word(anchors, float);
         let overshoot = 2.0 * self.rounding_of_sum(origin, float);
@@ -144,14 +149,14 @@ impl<'a> Clock<'a> {
     /// The rounding of the sum of which n is the nearest number, where an origin isn't passed at t = 0.
     fn rounding_of_sum(&self, origin: Origin, float: Float) -> f64 {
         let without = origin == Origin::Anchor && self.launch == Double::ZERO;
-        if without { 0.0 } else { half_ulp(self.horizon() * self.rate.to_f64() * 1.001 + 1.0, float) }
+        if without { 0.0 } else { half_ulp(self.anchors() * 1.001 + 1.0, float) }
     }
 
     /// |t|·|AR − R′|, the rounding of the product t·R′ (least for its digits where the last of them stands just below a
     /// power of two), and that of the difference, if |t| is about half an anchor; in units of which an anchor has A.
     fn scaled(&self) -> Option<Reduction> {
         const TRIED: u32 = 64;
-        let anchors = self.horizon() * self.rate.to_f64();
+        let anchors = self.anchors();
         let bits = self.float.bits() - libm::log2(anchors + 2.0).ceil() as i32;
         if self.launch != Double::ZERO || bits < 8 {
             return None;
@@ -169,7 +174,7 @@ impl<'a> Clock<'a> {
         let anchor = anchor.min_by(|&a, &b| off(a).total_cmp(&off(b)))?;
         let scaled = self.float.round((rate * anchor).hi);
         let rounding = half_ulp(anchors * anchor * 1.001, self.float) + half_ulp(anchor, self.float);
-        let left = self.rate - self.exact(scaled) / self.exact(anchor);
+        let left = self.rate - self.real(scaled) / self.real(anchor);
         let error = self.over_horizon(&left) * 1.001 + rounding / anchor;
         let rate = self.float.round(rate.hi);
         let scheme = Scheme::Scaled { rate, scaled, anchor };
@@ -179,7 +184,7 @@ impl<'a> Clock<'a> {
 
     /// With n < 2ᵏ anchors (half anchors) over the horizon and p bits a word, all words but the last have p − k bits.
     fn cody_waite(&self, count: usize, origin: Origin) -> Option<Reduction> {
-        let anchors = (self.horizon() * self.rate.to_f64() + 1.0).max(2.0);
+        let anchors = (self.anchors() + 1.0).max(2.0);
         let k = libm::log2(anchors).floor() as i32 + 2;
         let p = self.float.bits();
         if k > 2 * p / 3 || !self.has_moderate_multiples() {
@@ -191,7 +196,7 @@ impl<'a> Clock<'a> {
             return None;
         }
         let rate = self.float.round(self.rate.to_f64());
-        let left = words.iter().fold(time, |rest, &word| rest - self.exact(word)).abs().to_f64();
+        let left = words.iter().fold(time, |rest, &word| rest - self.real(word)).abs().to_f64();
         let last = words.last().copied().unwrap_or(0.0).abs();
         // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a
         // time next to half an anchor, where that is next to a power of two, escapes both.
@@ -200,7 +205,7 @@ impl<'a> Clock<'a> {
         let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * 1.000_001;
         let rounding = |anchors: f64| half_ulp(anchors / rate * 1.001, self.float) * rate;
-        let (before, last) = if self.is_exact() {
+        let (before, last) = if self.starts_on_half() {
             // Of three words the second difference is rounded, too, and half-way between two origins all three are.
             (0.0, count as f64 - 1.0 + self.halfway(origin))
         } else {
@@ -219,14 +224,14 @@ impl<'a> Clock<'a> {
     /// launch in two words neither over- nor underflow.
     fn has_moderate_multiples(&self) -> bool {
         let time = 1.0 / self.rate.to_f64();
-        Float::F64.moderate().contains(&time) && self.horizon() + time < self.float.largest() / 4.0
+        Float::F64.moderate().contains(&time) && self.reach() + time < self.float.largest() / 4.0
     }
 
     /// How far beyond half an anchor a remainder, wrong by `error`, may be that isn't what n was rounded from: by what
     /// the rate in one word is off by, and the roundings of its product with the time and of the sum with the launch.
     fn misplaced(&self, rate: f64, origin: Origin, error: f64) -> f64 {
         let drift = self.drift(&[rate]);
-        let product = half_ulp(self.horizon() * self.rate.to_f64() * 1.001, self.float);
+        let product = half_ulp(self.anchors() * 1.001, self.float);
         (drift + product + self.rounding_of_sum(origin, self.float) + error) * 1.001
     }
 
@@ -241,7 +246,7 @@ impl<'a> Clock<'a> {
     /// horizon, and so is its sum with the first less n, of up to an anchor.
     fn wide_any_time(&self, origin: Origin) -> Reduction {
         let words = split_down(self.rate, 29, 2, Float::F64);
-        let product = half_ulp(self.horizon() * words[1] * 1.001, Float::F64);
+        let product = half_ulp(self.reach() * words[1] * 1.001, Float::F64);
         let error = self.drift(&words) + product + 2.0 * SUM;
         self.wide_words(origin, words, error)
     }
@@ -272,7 +277,7 @@ impl<'a> Clock<'a> {
         };
         let rate = self.rate.scale(-power).to_double();
         let launch = self.launch.hi.abs();
-        let furthest = (self.horizon() * self.rate.to_f64() + launch) * (1.0 + 8.0 * self.float.unit());
+        let furthest = (self.anchors() + launch) * (1.0 + 8.0 * self.float.unit());
         let half = self.float.round(furthest).min(LINEAR_HALF);
         let cap = 2.0 * (LINEAR_HALF + launch) / self.rate.to_f64();
         let (passed, times) = (-(self.launch / rate), libm::exp2(power as f64));
@@ -313,7 +318,7 @@ impl<'a> Clock<'a> {
             return self.reduction(scheme, origin, [drift, 3.001 * Float::F64.unit()], overshoot);
         }
         let [sums, seldom] = self.rounding_of_sums(count, doubled);
-        let relative = self.is_exact() || count == 4 && !doubled;
+        let relative = self.starts_on_half() || count == 4 && !doubled;
         let rounding = if relative { sums } else { 0.0 };
         Reduction { rounding, seldom, ..self.reduction(scheme, origin, [drift + sums, 0.0], overshoot) }
     }
@@ -323,7 +328,7 @@ impl<'a> Clock<'a> {
     /// word's product matters; of four with a launch one is that with the launch for times of a few anchors only. Fewer
     /// words are wrong by more, and there all counts; in two words the last sum is rounded, and one with n.
     fn rounding_of_sums(&self, count: usize, doubled: bool) -> [f64; 2] {
-        match (count, self.is_exact()) {
+        match (count, self.starts_on_half()) {
             (4, false) if !doubled => [4.0 * SUM + 2f64.powi(-75), 2.0 * SUM],
             (4, true) => [3.0 * SUM, SUM],
             (2 | 3, false) => [5.0 * SUM, 0.0],
@@ -334,7 +339,7 @@ impl<'a> Clock<'a> {
     /// The last part is the time times the last word and its tail, below 2⁻²⁶ of it, times the word before: the first
     /// product is rounded, the other has few enough bits, and the sum is rounded.
     fn rounding_of_last_part(&self, words: &[f64]) -> f64 {
-        let most = |word: usize| self.horizon() * words[words.len() - word].abs() * 1.001;
+        let most = |word: usize| self.reach() * words[words.len() - word].abs() * 1.001;
         let (last, before) = (most(1), most(2));
         half_ulp(last, Float::F64) + half_ulp(last + before * 2f64.powi(-26), Float::F64)
     }
@@ -347,7 +352,7 @@ impl<'a> Clock<'a> {
     }
 
     /// Whether halves of an anchor, which are no matter of rounding, are passed at t = 0.
-    fn is_exact(&self) -> bool {
+    fn starts_on_half(&self) -> bool {
         is_half(self.launch)
     }
 
@@ -358,18 +363,18 @@ impl<'a> Clock<'a> {
         f64::from(u8::from(self.launch.lo == 0.0 && from_origin.fract() == 0.0))
     }
 
-    fn exact(&self, x: f64) -> Real {
+    fn real(&self, x: f64) -> Real {
         self.rate.context().float(x).unwrap_or_else(|| self.rate.context().integer(0))
     }
 
     /// |t|·|R − Σ words| at the end of the horizon. What words leave may be below every `f64` where that is not.
     fn drift(&self, words: &[f64]) -> f64 {
-        self.over_horizon(&words.iter().fold(self.rate.clone(), |rest, &word| rest - self.exact(word)))
+        self.over_horizon(&words.iter().fold(self.rate.clone(), |rest, &word| rest - self.real(word)))
     }
 
     /// What a rate comes to by then.
     fn over_horizon(&self, rate: &Real) -> f64 {
-        (rate.abs() * self.exact(self.horizon())).to_f64()
+        (rate.abs() * self.real(self.reach())).to_f64()
     }
 }
 

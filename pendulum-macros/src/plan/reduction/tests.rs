@@ -134,7 +134,7 @@ fn errors_are_those_promised() {
             let phase = context.decimal(launch).unwrap();
             let horizon = horizon / rate.to_f64();
             let clock = Clock { rate: &rate, launch: phase.to_double(), horizon, float };
-            let horizon = clock.horizon();
+            let horizon = clock.reach();
             for reduction in clock.reductions() {
                 // Little beyond half an anchor but what the phase is wrong by.
                 assert!(reduction.overshoot <= 4.0 * reduction.error + 0.01, "{reduction:?}");
