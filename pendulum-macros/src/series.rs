@@ -16,8 +16,9 @@ pub(crate) struct Wave {
     omitted: f64,
     /// The m of the first that is omitted, if any is.
     first_omitted: u32,
-    /// Of the omitted terms, of which there are none, or none that doesn't underflow, where `omitted` is 0.
-    envelope: Envelope,
+    /// Of the omitted terms, of which there are none, or none that doesn't underflow, where `omitted` is 0; `None` of a
+    /// finite sum that is no part of a series.
+    envelope: Option<Envelope>,
 }
 
 /// The symmetry about an anchor.
@@ -178,9 +179,6 @@ impl Wave {
 
     /// scale·cos(πs).
     pub(crate) fn cosine(scale: Double) -> Self {
-        // Nothing is omitted, so any envelope above the term serves; this one, 10³⁰⁰e⁻⁶⁹⁰ = 2.2, is finite in any strip
-        // that is looked at.
-        let envelope = Envelope { size: scale.hi.abs() * 1e300, power: 0, rate: 690.0 };
         Self {
             parity: Parity::Even,
             linear: Double::ZERO,
@@ -188,7 +186,7 @@ impl Wave {
             terms: vec![(1, scale)],
             omitted: 0.0,
             first_omitted: 1 + STEP,
-            envelope,
+            envelope: None,
         }
     }
 
@@ -217,7 +215,7 @@ impl Wave {
             }
             kept.push((m, amplitude));
         }
-        Self { parity, linear, constant, terms: kept, omitted, first_omitted, envelope }
+        Self { parity, linear, constant, terms: kept, omitted, first_omitted, envelope: Some(envelope) }
     }
 
     /// The sum of its first terms, nothing omitted.
@@ -276,13 +274,19 @@ impl Wave {
     pub(crate) fn bound(&self, height: f64) -> f64 {
         let growth = std::f64::consts::PI * height;
         let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * libm::cosh(growth * f64::from(m))).sum();
-        let tail = if self.omitted == 0.0 { 0.0 } else { self.envelope.tail(self.first_omitted, growth) };
+        let tail = self.tail(growth, |envelope| envelope);
         (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
     }
 
-    /// Half the height of the strip in which the series converges, wider than any in use for a finite one.
+    /// The series converges for |Im s| below this; infinite of a finite sum that is no part of one.
     pub(crate) fn strip(&self) -> f64 {
-        self.envelope.rate / std::f64::consts::PI
+        self.envelope.map_or(f64::INFINITY, |envelope| envelope.rate / std::f64::consts::PI)
+    }
+
+    /// Bounds what the omitted terms, as large as an envelope that is made of theirs, can add for |Im s| ≤ `growth`/π.
+    fn tail(&self, growth: f64, made: impl Fn(Envelope) -> Envelope) -> f64 {
+        let envelope = self.envelope.filter(|_| self.omitted != 0.0);
+        envelope.map_or(0.0, |envelope| made(envelope).tail(self.first_omitted, growth))
     }
 
     /// (m, aₘ) of the terms kept.
@@ -297,9 +301,9 @@ impl Wave {
 
     /// What they can add to the derivative.
     pub(crate) fn omitted_slope(&self) -> f64 {
-        let Envelope { size, power, .. } = self.envelope;
-        let slope = Envelope { size: size * std::f64::consts::PI, power: power + 1, ..self.envelope };
-        if self.omitted == 0.0 { 0.0 } else { slope.tail(self.first_omitted, 0.0) }
+        let of_slope =
+            |Envelope { size, power, rate }| Envelope { size: size * std::f64::consts::PI, power: power + 1, rate };
+        self.tail(0.0, of_slope)
     }
 
     /// Bounds what a value is rounded by. The phase's cosine and sine are within 2⁻¹⁰⁰, so the turn from term to term is

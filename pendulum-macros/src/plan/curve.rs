@@ -92,12 +92,12 @@ impl Curve {
         self.wave.bound(height * self.arc.stretch.hi)
     }
 
-    /// Height of the strip where [`Self::bound`] is finite.
+    /// [`Self::bound`] is finite for |Im s| below this.
     pub(crate) fn strip(&self) -> f64 {
         self.wave.strip() / self.arc.stretch.hi
     }
 
-    /// Whether it has no poles, or none that matter: those of a sum of harmonics stand for there being none.
+    /// Whether it has no poles, or none that matter.
     pub(crate) fn is_entire(&self) -> bool {
         const FAR: f64 = 100.0;
         self.strip() > FAR
