@@ -1,10 +1,10 @@
 //! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), as a whole: one function of the phase instead of a sum, a root and
 //! an arcsine.
 
-mod complement;
 mod pieces;
 mod residual;
 mod single;
+mod sum_in_pieces;
 
 use super::{Sum, rank};
 use crate::parse::Method;
@@ -16,9 +16,9 @@ use crate::plan::polynomial::Approximation;
 use crate::plan::reduction::Reduction;
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
-use complement::Sines;
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
+use sum_in_pieces::SumInPieces;
 
 /// θ̂ as one function of the phase, and how far off it may be.
 pub(super) struct Whole {
@@ -27,7 +27,7 @@ pub(super) struct Whole {
     /// For one in each piece; `None` where that takes too many pieces.
     pieces: Option<Piecewise>,
     /// For where neither serves, made when it is wanted first.
-    sines: OnceCell<Option<Sines>>,
+    sum_in_pieces: OnceCell<Option<SumInPieces>>,
     weights: Vec<Double>,
     /// That of θ, and −1 for its mirror image.
     size: Size,
@@ -51,7 +51,7 @@ pub(super) struct Candidate {
 
 /// What a kernel may be wrong by, given what the phase is.
 #[derive(Clone, Copy)]
-struct Limits {
+struct Allowance {
     phase: f64,
     /// Truncation and rounding together.
     rest: f64,
@@ -78,8 +78,8 @@ impl Whole {
         let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
         let (limit, weights) = (truncation.min(allowed[0] / 8.0), sum.weights.clone());
         let (single, pieces) = (single::approximation(&weights, limit), pieces::approximation(&weights, limit));
-        let (direction, sines) = (sum.direction(), OnceCell::new());
-        Some(Self { single, pieces, sines, weights, size, direction, limit, allowed, truncation })
+        let (direction, sum_in_pieces) = (sum.direction(), OnceCell::new());
+        Some(Self { single, pieces, sum_in_pieces, weights, size, direction, limit, allowed, truncation })
     }
 
     /// Whether one polynomial or many can stand for the arcsine, or for the sum.
@@ -89,17 +89,17 @@ impl Whole {
 
     /// Whether many can, for reductions that count pieces.
     pub(super) fn has_pieces(&self) -> bool {
-        self.pieces.is_some() || self.sines().is_some()
+        self.pieces.is_some() || self.sum_in_pieces().is_some()
     }
 
     /// A reduction to its pieces, if both can be had.
     pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
-        let of_sum = || self.sines().map(|_| Sines::fewest_pieces());
+        let of_sum = || self.sum_in_pieces().map(|_| SumInPieces::fewest_pieces());
         reduction.in_pieces(self.pieces.as_ref().map(Piecewise::pieces).or_else(of_sum)? as f64)
     }
 
-    fn sines(&self) -> Option<&Sines> {
-        self.sines.get_or_init(|| Sines::new(&self.weights, self.limit)).as_ref()
+    fn sum_in_pieces(&self) -> Option<&SumInPieces> {
+        self.sum_in_pieces.get_or_init(|| SumInPieces::new(&self.weights, self.limit)).as_ref()
     }
 
     /// The most that is allowed.
@@ -128,32 +128,32 @@ impl Whole {
 
     fn single(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let approximation = self.single.as_ref()?;
-        let mut limits = self.limits(self.size.phase_error(reduction));
-        limits.find_map(|limits| single::kernel(approximation, limits, reduction, self.direction))
+        let mut allowances = self.allowances(self.size.phase_error(reduction));
+        allowances.find_map(|allowance| single::kernel(approximation, allowance, reduction, self.direction))
     }
 
     fn pieces(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let (piecewise, reduction) = (self.pieces.as_ref()?, self.in_pieces(reduction)?);
-        let mut limits = self.limits(self.size.phase_error(&reduction));
-        limits.find_map(|limits| pieces::kernel(piecewise, limits, &reduction, self.direction))
+        let mut allowances = self.allowances(self.size.phase_error(&reduction));
+        allowances.find_map(|allowance| pieces::kernel(piecewise, allowance, &reduction, self.direction))
     }
 
     /// The same by the complement, or as little off as can be.
     fn complement(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let most = self.most();
-        let limits = |reduction: &Reduction| {
+        let allowance = |reduction: &Reduction| {
             let phase = self.size.phase_error(reduction);
             // So little of the truncation that it doesn't matter for what else there is.
-            Limits { phase, rest: most - phase, truncation: self.truncation.min(most / SHARES[1]) }
+            Allowance { phase, rest: most - phase, truncation: self.truncation.min(most / SHARES[1]) }
         };
-        self.sines()?.kernel(limits, reduction, self.direction)
+        self.sum_in_pieces()?.kernel(allowance, reduction, self.direction)
     }
 
     /// What may be tried with a phase so wrong, in that order.
-    fn limits(&self, phase: f64) -> impl Iterator<Item = Limits> {
+    fn allowances(&self, phase: f64) -> impl Iterator<Item = Allowance> {
         let rests = self.allowed.iter().map(move |allowed| allowed - phase);
         rests.flat_map(move |rest| {
-            SHARES.map(|share| Limits { phase, rest, truncation: self.truncation.min(rest / share) })
+            SHARES.map(|share| Allowance { phase, rest, truncation: self.truncation.min(rest / share) })
         })
     }
 }
@@ -164,7 +164,7 @@ impl Candidate {
     }
 }
 
-impl Limits {
+impl Allowance {
     /// What a kernel is wrong by, if it is within these.
     fn kept(self, truncation: f64, evaluation: f64) -> Option<Bound> {
         (evaluation <= self.rest - truncation).then_some(Bound { truncation, phase: self.phase, evaluation })

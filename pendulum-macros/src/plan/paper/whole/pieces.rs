@@ -9,7 +9,7 @@
 //! at most h(ρ − 1/ρ)/2; and |sin(Q/2)| by the hyperbolic cosine of |Im Q/2|, to which the constant adds nothing. What
 //! follows from sup |R| is in [`super::residual`].
 
-use super::Limits;
+use super::Allowance;
 use super::residual::{Point, of_residual, residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
@@ -60,15 +60,15 @@ fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
     (error <= negligible).then(|| Piecewise::known(series, error))
 }
 
-/// The kernel with a table that keeps the limits.
+/// The kernel with a table that keeps within the allowance.
 pub(super) fn kernel(
     piecewise: &Piecewise,
-    limits: Limits,
+    allowance: Allowance,
     reduction: &Reduction,
     direction: f64,
 ) -> Option<(Kernel, Bound)> {
-    let (mut pieces, truncation) = piecewise.kernel(reduction, limits.truncation)?;
-    let bound = limits.kept(truncation, pieces.rounding())?;
+    let (mut pieces, truncation) = piecewise.kernel(reduction, allowance.truncation)?;
+    let bound = allowance.kept(truncation, pieces.rounding())?;
     if direction < 0.0 {
         pieces.negate();
     }

@@ -10,7 +10,7 @@
 //! ([`crate::chebyshev::interpolation_error`]), and its values there, multiplied by Lebesgue's constant, bound the rest: Λ ≤
 //! (2/π) ln M + 1 (Rivlin 1974). What follows from sup |R| is in [`super::residual`].
 
-use super::Limits;
+use super::Allowance;
 use super::residual::{Point, of_residual, residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
@@ -55,27 +55,27 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     })
 }
 
-/// The polynomial in the cheapest form that keeps the limits.
+/// The polynomial in the cheapest form that keeps within the allowance.
 pub(super) fn kernel(
     approximation: &Approximation,
-    limits: Limits,
+    allowance: Allowance,
     reduction: &Reduction,
     direction: f64,
 ) -> Option<(Kernel, Bound)> {
-    let terms = approximation.terms_for(limits.truncation, reduction.overshoot)?;
+    let terms = approximation.terms_for(allowance.truncation, reduction.overshoot)?;
     let mut forms: Vec<Form> = Form::ALL.into_iter().filter(|form| form.suits(terms, reduction.float)).collect();
     let cost = |form: &Form| form.cost(terms, Division::None) + form.variables(terms);
     forms.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     forms.into_iter().find_map(|form| {
         let truncated = approximation.truncated(terms, reduction, true);
-        let mut polynomial = truncated.polynomial(form, Numerator::One, limits.rest)?;
+        let mut polynomial = truncated.polynomial(form, Numerator::One, allowance.rest)?;
         let truncation = polynomial.truncation;
         if direction < 0.0 {
             polynomial.negate();
         }
         let kernel = Kernel::from(Core::Polynomial(Box::new(polynomial)));
-        let rounding = kernel.rounding(reduction, limits.rest - truncation);
-        Some((kernel, limits.kept(truncation, rounding)?))
+        let rounding = kernel.rounding(reduction, allowance.rest - truncation);
+        Some((kernel, allowance.kept(truncation, rounding)?))
     })
 }
 

@@ -1,7 +1,7 @@
 //! The paper's θ̂ next to an overshoot, where y comes so near to 1 that neither one polynomial nor one in each piece can
 //! stand for twice its arcsine: the sum itself in pieces, and the arcsine of its complement ([`Complement`]).
 
-use super::Limits;
+use super::Allowance;
 use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::Curve;
@@ -13,7 +13,7 @@ use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
 
 /// The sum y in pieces.
-pub(super) struct Sines {
+pub(super) struct SumInPieces {
     weights: Vec<Double>,
     curve: Curve,
     /// For each of the numbers of pieces, made when it is wanted first; `None` if that takes too many points.
@@ -31,7 +31,7 @@ const COUNTS: [usize; 3] = [32, 64, 128];
 const CELLS: u32 = 96;
 const MOST_HALVED: usize = 1000;
 
-impl Sines {
+impl SumInPieces {
     /// For a sum of these weights that is nowhere 1, the pieces' series wrong by much less than makes `limit` of θ̂.
     pub(super) fn new(weights: &[Double], limit: f64) -> Option<Self> {
         let sum = Cosines::odd(weights);
@@ -51,11 +51,11 @@ impl Sines {
         self.pieces[index].get_or_init(made).as_ref()
     }
 
-    /// By few pieces, or by more if these don't keep the limits, given the phase that a reduction to so many leaves; or
+    /// By few pieces, or by more if these don't keep within the allowance, given the phase that a reduction to so many leaves; or
     /// the least that is rounded.
     pub(super) fn kernel(
         &self,
-        limits: impl Fn(&Reduction) -> Limits,
+        allowance: impl Fn(&Reduction) -> Allowance,
         reduction: &Reduction,
         direction: f64,
     ) -> Option<(Kernel, Bound)> {
@@ -63,19 +63,19 @@ impl Sines {
         for (index, count) in COUNTS.into_iter().enumerate() {
             let Some(reduction) = reduction.in_pieces(count as f64) else { continue };
             let Some(piecewise) = self.piecewise(index) else { continue };
-            let limits = limits(&reduction);
-            let made = piecewise.kernel(&reduction, limits.truncation / self.slope);
+            let allowance = allowance(&reduction);
+            let made = piecewise.kernel(&reduction, allowance.truncation / self.slope);
             let Some((sine, truncation)) = made.filter(|(sine, _)| sine.terms() <= Piecewise::MOST_TERMS) else {
                 continue;
             };
             let complement = Complement::new(sine, truncation, &self.weights, direction);
             // What the pieces are wrong by is in it.
-            let bound = Bound { truncation: 0.0, phase: limits.phase, evaluation: complement.rounding() };
+            let bound = Bound { truncation: 0.0, phase: allowance.phase, evaluation: complement.rounding() };
             let best = least.as_ref().is_none_or(|(_, least)| bound.total() < least.total());
             if best {
                 least = Some((Core::Complement(Box::new(complement)).into(), bound));
             }
-            if bound.evaluation <= limits.rest {
+            if bound.evaluation <= allowance.rest {
                 break;
             }
         }
