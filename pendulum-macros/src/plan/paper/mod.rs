@@ -8,6 +8,7 @@ mod whole;
 use super::aim::FULL;
 use super::curve::{Curve, Curves, SwingCurves};
 use super::met::Met;
+use super::part::observed;
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal};
 use crate::exact::Real;
@@ -301,6 +302,11 @@ impl Sum<'_> {
     /// The error that an output may have by the recurrence, of whose proven rounding two thirds are observed.
     fn promise(&self, wanted: &Wanted) -> f64 {
         self.promise_observed(2.0 / 3.0, wanted)
+    }
+
+    /// What the promise leaves to the phase and pieces.
+    fn left(&self, wanted: &Wanted) -> f64 {
+        self.promise_observed(observed(self.scene.float), wanted) - wanted.bias
     }
 
     /// The error that an output may have. Without a tolerance the series, which has as many terms as it takes, is to be

@@ -8,7 +8,7 @@ use super::Sum;
 use super::parts::Wanted;
 use crate::plan::aim::Aim;
 use crate::plan::harmonics::harmonics;
-use crate::plan::part::{InPieces, observed};
+use crate::plan::part::InPieces;
 use crate::plan::task::Task;
 use crate::plan::{Bound, Part, Plan};
 use crate::supremum::worst;
@@ -33,11 +33,6 @@ impl Sum<'_> {
             }
         }
         Err(reached)
-    }
-
-    /// What the promise leaves to the phase and pieces.
-    pub(super) fn left(&self, wanted: &Wanted) -> f64 {
-        self.promise_observed(observed(self.scene.float), wanted) - wanted.bias
     }
 
     /// The sum in place of the whole curve, with what is left to it.

@@ -77,6 +77,7 @@ fn no_poles() {
     let (curves, plain) = curves("theta0 = 1");
     assert_eq!(best(&plain, Pole::new(curves[0].strip(), 1, Float::F64), 0.0), None);
 }
+
 /// A second pair saves terms where it is said to, and there are poles of the curve by which it does.
 #[test]
 fn terms_saved_by_two() {
