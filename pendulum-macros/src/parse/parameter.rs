@@ -56,9 +56,9 @@ fn is(tree: Option<&TokenTree>, sign: char) -> bool {
     matches!(tree, Some(TokenTree::Punct(punct)) if punct.as_char() == sign)
 }
 
-/// Whether there is something behind an equals sign.
+/// Whether there is something behind an equals sign, and no operator that wants more.
 fn has_value(piece: &[TokenTree]) -> bool {
-    piece.iter().any(|tree| is(Some(tree), '=')) && !is(piece.last(), '=')
+    piece.iter().any(|tree| is(Some(tree), '=')) && !matches!(piece.last(), Some(TokenTree::Punct(_)))
 }
 
 /// Whether this is `outputs = theta` without brackets, and what follows another output: one mistake, and to be told of

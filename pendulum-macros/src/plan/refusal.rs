@@ -56,7 +56,7 @@ fn unreachable(best: f64, scene: &Scene) -> String {
     if best.is_infinite() {
         format!("{asked} is finer than {promise} here: {remedy}")
     } else {
-        let reach = if offer::is_finest(scene) { "the best is" } else { "within reach is" };
+        let reach = if offer::is_finest(scene) { "the best is" } else { "the best found is" };
         format!("{asked} is finer than {promise} here: {reach} {best:.2e}; {offer}, or {remedy}")
     }
 }
