@@ -87,32 +87,35 @@ impl<F: Scalar> Pendulum<F> {
     /// θ(t), rad; turns counted, so that a rotation grows without bound.
     #[inline]
     pub fn theta(&self, t: F) -> F {
-        F::narrow(self.motion.angle(&self.motion.at(t.widen())))
+        F::narrow(t.evaluate(&self.motion, |motion, t| motion.angle(&motion.at(t))))
     }
 
     /// θ̇(t), rad per unit of t.
     #[inline]
     pub fn velocity(&self, t: F) -> F {
-        F::narrow(self.motion.velocity_at(&self.motion.at(t.widen())))
+        F::narrow(t.evaluate(&self.motion, |motion, t| motion.velocity_at(&motion.at(t))))
     }
 
     /// (θ(t), θ̇(t)), sharing one phase reduction.
     #[inline]
     pub fn state(&self, t: F) -> (F, F) {
-        let point = self.motion.at(t.widen());
-        (F::narrow(self.motion.angle(&point)), F::narrow(self.motion.velocity_at(&point)))
+        let (theta, velocity) = t.evaluate(&self.motion, |motion, t| {
+            let point = motion.at(t);
+            (motion.angle(&point), motion.velocity_at(&point))
+        });
+        (F::narrow(theta), F::narrow(velocity))
     }
 
     /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared.
     #[inline]
     pub fn acceleration(&self, t: F) -> F {
-        F::narrow(self.motion.acceleration(&self.motion.at(t.widen())))
+        F::narrow(t.evaluate(&self.motion, |motion, t| motion.acceleration(&motion.at(t))))
     }
 
     /// The bob, (sin θ, −cos θ), in units of the length, y upward; computed without θ and without an arctangent.
     #[inline]
     pub fn position(&self, t: F) -> (F, F) {
-        let (x, y) = self.motion.position(&self.motion.at(t.widen()));
+        let (x, y) = t.evaluate(&self.motion, |motion, t| motion.position(&motion.at(t)));
         (F::narrow(x), F::narrow(y))
     }
 
@@ -120,7 +123,7 @@ impl<F: Scalar> Pendulum<F> {
     /// than π and may be a result; `f32`'s, which is more, is none.
     #[inline]
     pub fn wrapped(&self, t: F) -> F {
-        F::narrow_angle(self.motion.wrapped(&self.motion.at(t.widen())))
+        F::narrow_angle(t.evaluate(&self.motion, |motion, t| motion.wrapped(&motion.at(t))))
     }
 
     /// The first t ≥ 0 at which θ(t) = `theta`, turns counted.

@@ -11,6 +11,9 @@ pub trait Scalar: sealed::Sealed + Copy + core::fmt::Debug + Default + PartialOr
     /// Exactly.
     #[doc(hidden)]
     fn widen(self) -> f64;
+    /// What `function` of the motion is at this time.
+    #[doc(hidden)]
+    fn evaluate<M, T>(self, motion: &M, function: impl FnOnce(&M, f64) -> T) -> T;
     /// To nearest; finite stays finite.
     #[doc(hidden)]
     fn narrow(x: f64) -> Self;
@@ -28,6 +31,10 @@ impl Scalar for f64 {
         self
     }
     #[inline]
+    fn evaluate<M, T>(self, motion: &M, function: impl FnOnce(&M, f64) -> T) -> T {
+        function(motion, self)
+    }
+    #[inline]
     fn narrow(x: f64) -> Self {
         x
     }
@@ -41,10 +48,22 @@ impl Scalar for f64 {
     }
 }
 
+/// Keeps the function from being inlined behind a conversion from `f32`: that of SSE writes half of a register, of which
+/// compilers choose one that the call before may still be busy with. Evaluations that could overlap then wait for each
+/// other, which takes twice the time.
+#[inline(never)]
+fn apart<M, T>(motion: &M, x: f64, function: impl FnOnce(&M, f64) -> T) -> T {
+    function(motion, x)
+}
+
 impl Scalar for f32 {
     #[inline]
     fn widen(self) -> f64 {
         f64::from(self)
+    }
+    #[inline]
+    fn evaluate<M, T>(self, motion: &M, function: impl FnOnce(&M, f64) -> T) -> T {
+        apart(motion, self.into(), function)
     }
     #[inline]
     fn narrow(x: f64) -> Self {
