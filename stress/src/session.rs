@@ -106,8 +106,12 @@ mod tests {
 
     #[test]
     fn every_piece_is_done_once() {
-        let sum = Session::quiet().share("", 1000, |piece, sum: &mut Sum| sum.0 += piece);
-        assert_eq!(sum.0, 499_500);
+        let done = AtomicU64::new(0);
+        let sum = Session::quiet().share("", 1000, |piece, sum: &mut Sum| {
+            sum.0 += piece;
+            done.fetch_add(1, Ordering::Relaxed);
+        });
+        assert_eq!((done.into_inner(), sum.0), (1000, 499_500));
     }
 
     #[test]

@@ -82,14 +82,9 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
         outputs: None,
         written: Vec::new(),
     };
-    for (tokens, end) in parameter::split(parameters, "parameters") {
-        if !tokens.is_empty() {
-            request.take_parameter(tokens, report);
-        } else if let Ok(comma) = &end {
-            report.at(*comma, "expected a parameter before this comma: remove it");
-        }
-        report.take(end);
-    }
+    parameter::for_each(parameters, ["a parameter", "parameters"], report, |tokens, report| {
+        request.take_parameter(tokens, report);
+    });
     Some(request)
 }
 

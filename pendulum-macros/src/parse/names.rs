@@ -34,6 +34,11 @@ pub(super) fn canonical(name: &str) -> &str {
     meant(name).unwrap_or(name)
 }
 
+/// Whether it is a parameter's name, or near enough to one.
+pub(super) fn is_like_a_parameter(name: &str) -> bool {
+    PARAMETERS.contains(&canonical(name))
+}
+
 fn meant(name: &str) -> Option<&'static str> {
     let lower = name.to_lowercase();
     let synonym = SYNONYMS.iter().find(|(_, words)| words.contains(&lower.as_str()));

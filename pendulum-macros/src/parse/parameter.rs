@@ -1,46 +1,66 @@
 //! The parameters one by one, `name = value`: a mistake in one doesn't hide those in the next.
 
-use super::names::{PARAMETERS, canonical, unknown_parameter};
+use super::names::{canonical, is_like_a_parameter, unknown_parameter};
 use super::words::{Float, Keyword, Method, Output};
+use crate::report::Report;
 use proc_macro2::{Delimiter, Literal, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Error, Ident, Result, Token};
 
 /// The tokens up to a comma, and its span, or the mistake that stands in its place.
-pub(super) type Piece = (TokenStream, Result<Span>);
+type Piece = (TokenStream, Result<Span>);
 
-/// What is between commas, `what` in messages. Where another `name = ` follows without one, or a semicolon, that is a
-/// mistake of its own.
-pub(super) fn split(tokens: TokenStream, what: &str) -> Vec<Piece> {
+/// Takes what is between commas, one of many, and records the mistakes of the commas themselves.
+pub(super) fn for_each(
+    tokens: TokenStream,
+    [one, many]: [&str; 2],
+    report: &mut Report,
+    mut take: impl FnMut(TokenStream, &mut Report),
+) {
+    for (piece, end) in split(tokens, many) {
+        if !piece.is_empty() {
+            take(piece, report);
+        } else if let Ok(comma) = &end {
+            report.at(*comma, format!("expected {one} before this comma: remove it"));
+        }
+        report.take(end);
+    }
+}
+
+fn split(tokens: TokenStream, many: &str) -> Vec<Piece> {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let (mut pieces, mut piece) = (Vec::new(), Vec::new());
     for (tree, rest) in trees.iter().zip((1..).map(|next| &trees[next..])) {
-        let separator = match tree {
-            TokenTree::Punct(punct) if punct.as_char() == ',' && !lists(&piece, rest) => Ok(punct.span()),
-            // Of a header where none belongs enough is said.
-            TokenTree::Punct(punct) if punct.as_char() == ';' && is_header(&piece) => Ok(punct.span()),
-            TokenTree::Punct(punct) if punct.as_char() == ';' => {
-                let remedy = if rest.is_empty() { "remove this `;`" } else { "write `,`" };
-                Err(Error::new(punct.span(), format!("{what} are separated by commas: {remedy}")))
-            }
-            TokenTree::Ident(name) if has_value(&piece) && is(rest.first(), '=') => {
-                let message = format!("{what} are separated by commas: write one before `{name}`");
-                pieces.push((piece.drain(..).collect(), Err(Error::new(name.span(), message))));
-                piece.push(tree.clone());
-                continue;
-            }
-            _ => {
-                piece.push(tree.clone());
-                continue;
-            }
-        };
-        pieces.push((piece.drain(..).collect(), separator));
+        let separator = separator(tree, &piece, rest, many);
+        let belongs = separator.is_none() || matches!(tree, TokenTree::Ident(_));
+        pieces.extend(separator.map(|separator| (piece.drain(..).collect(), separator)));
+        piece.extend(belongs.then(|| tree.clone()));
     }
     if !piece.is_empty() {
         pieces.push((piece.into_iter().collect(), Ok(Span::call_site())));
     }
     pieces
+}
+
+/// What ends a piece before or at a token. Where another `name = ` follows without a comma, or a semicolon, that is a
+/// mistake of its own.
+fn separator(tree: &TokenTree, piece: &[TokenTree], rest: &[TokenTree], many: &str) -> Option<Result<Span>> {
+    let mistake = |span: Span, remedy: &str| Err(Error::new(span, format!("{many} are separated by commas: {remedy}")));
+    match tree {
+        TokenTree::Punct(punct) => match punct.as_char() {
+            ',' if !lists(piece, rest) => Some(Ok(punct.span())),
+            // Of a header where none belongs enough is said.
+            ';' if is_header(piece) => Some(Ok(punct.span())),
+            ';' if rest.is_empty() => Some(mistake(punct.span(), "remove this `;`")),
+            ';' => Some(mistake(punct.span(), "write `,`")),
+            _ => None,
+        },
+        TokenTree::Ident(name) if has_value(piece) && is(rest.first(), '=') => {
+            Some(mistake(name.span(), &format!("write one before `{name}`")))
+        }
+        _ => None,
+    }
 }
 
 /// Whether this begins `pub struct Name`.
@@ -116,7 +136,7 @@ fn no_name(input: ParseStream) -> Error {
 /// The mistake of a word that no `=` follows; `one_sign` is said of another sign.
 fn no_value(name: &Ident, input: ParseStream, one_sign: String) -> Error {
     let word = name.to_string();
-    let is_parameter = PARAMETERS.contains(&canonical(&word));
+    let is_parameter = is_like_a_parameter(&word);
     match input.cursor().token_stream().into_iter().next() {
         Some(TokenTree::Ident(_)) if is_of_header(&word) => {
             Error::new(name.span(), "one call makes one struct, and `struct Name;` comes before its parameters")

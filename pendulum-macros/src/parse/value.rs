@@ -78,14 +78,9 @@ pub(super) fn outputs(name: &Ident, tokens: TokenStream) -> Result<Given<Vec<Out
     let entries = list_of.parse2(tokens.clone()).map_err(|_| no_list(&tokens))?;
     let mut value = Vec::new();
     let mut report = Report::default();
-    for (entry, end) in parameter::split(entries, "outputs") {
-        if !entry.is_empty() {
-            value.extend(report.take(output(&entry, &value)));
-        } else if let Ok(comma) = &end {
-            report.at(*comma, "expected an output before this comma: remove it");
-        }
-        report.take(end);
-    }
+    parameter::for_each(entries, ["an output", "outputs"], &mut report, |entry, report| {
+        value.extend(report.take(output(&entry, &value)));
+    });
     report.finish()?;
     if value.is_empty() {
         let all = list(Output::WORDS);

@@ -71,7 +71,6 @@ fn each_scene_gets_its_way() {
     }
 }
 
-/// Less than a quarter of a period either way, than half a turn, is computed of the time itself.
 /// What is the same motion is the same plan, whatever it was written as; another in the sixteenth digit is another.
 #[test]
 fn plans_are_of_motions() {
@@ -86,6 +85,7 @@ fn plans_are_of_motions() {
     assert_ne!(planned("theta0 = 1"), planned("theta0 = 1.0000000000000001"));
 }
 
+/// Less than a quarter of a period either way, than half a turn, is computed of the time itself.
 #[test]
 fn short_horizons_need_no_reduction() {
     use super::reduction::Scheme;
