@@ -29,6 +29,11 @@ impl Context {
         Self { bits: GUARD_BITS + 4 * digits.max(35) }
     }
 
+    /// For numbers that have been told from every other that they might cancel with: the guard bits and some more.
+    pub(crate) fn settled() -> Self {
+        Self::for_digits(0)
+    }
+
     /// The same with `bits` more.
     pub(crate) fn widened(self, bits: usize) -> Self {
         Self { bits: self.bits + bits }
@@ -90,6 +95,11 @@ impl Context {
 impl Real {
     pub(crate) fn context(&self) -> Context {
         Context { bits: self.0.precision() }
+    }
+
+    /// Rounded to the precision of `context`, if that is less.
+    pub(crate) fn narrowed(self, context: Context) -> Self {
+        if self.0.precision() <= context.bits { self } else { Self(self.0.with_precision(context.bits).value()) }
     }
 
     pub(crate) fn is_zero(&self) -> bool {

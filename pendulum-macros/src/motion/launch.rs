@@ -11,7 +11,7 @@
 //! point, and absolutely (to the working precision) everywhere.
 
 use super::{Elliptic, NoMotion};
-use crate::exact::Real;
+use crate::exact::{Context, Real};
 
 /// θ and θ̇ at t = 0, mirrored if need be so that its conventional sign is positive.
 pub(super) struct State {
@@ -55,7 +55,8 @@ impl State {
         let excess = resolved.then_some(difference);
         let swings = excess.as_ref().is_some_and(Real::is_negative);
         let mirrored = if swings && !theta0.is_zero() { theta0.is_negative() } else { velocity0.is_negative() };
-        Ok(Self { mirrored, angle, sine, cosine, speed, rising, excess })
+        let [sine, cosine, speed] = [sine, cosine, speed].map(settled);
+        Ok(Self { mirrored, angle, sine, cosine, speed, rising, excess: excess.map(settled) })
     }
 
     /// w² − c²: negative for a swing, positive for a rotation, `None` on the separatrix.
@@ -68,27 +69,32 @@ impl State {
         let (k, kc) = (&elliptic.modulus, &elliptic.complementary);
         let phase =
             amplitude_at_infinity([k * &self.cosine, k * kc, kc * &self.sine], [self.speed.clone(), kc * &self.speed])
-                / self.angle.context().pi();
+                / self.sine.context().pi();
         if self.rising { -phase } else { phase }
     }
 
     /// Turns after the lowest point, in [−½, ½].
     pub(super) fn rotation_phase(&self, elliptic: &Elliptic, lowest: &Real) -> Real {
-        let one = self.angle.context().integer(1);
+        let one = self.sine.context().integer(1);
         let phase = amplitude_at_infinity(
             [one, &self.speed / lowest, self.cosine.clone()],
             [self.sine.clone(), &elliptic.complementary * &self.sine],
-        ) / self.angle.context().pi();
+        ) / self.sine.context().pi();
         if self.rising { phase } else { -phase }
     }
 
     /// ω × the time since the lowest point on the separatrix: sin(θ/2) = tanh(ωt), so ωt = ½ ln((1 + s)/(1 − s)),
     /// with 1 − s = c²/(1 + s).
     pub(super) fn separatrix_phase(&self) -> Real {
-        let ratio = (&self.sine * &(&self.sine + &self.angle.context().integer(1))).scale(1) / self.cosine.square();
+        let ratio = (&self.sine * &(&self.sine + &self.sine.context().integer(1))).scale(1) / self.cosine.square();
         let phase = ratio.ln_1p().scale(-1);
         if self.rising { phase } else { -phase }
     }
+}
+
+/// All that cancels has cancelled when the state is known: what follows needs no digits that only told it from others.
+fn settled(x: Real) -> Real {
+    x.narrowed(Context::settled())
 }
 
 /// Sine and cosine of half an angle in [0, π), the smaller of the two from its own small argument and the other by

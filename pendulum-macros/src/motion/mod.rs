@@ -4,7 +4,7 @@ mod elliptic;
 mod fourier;
 mod launch;
 
-use crate::exact::Real;
+use crate::exact::{Context, Real};
 pub(crate) use elliptic::Elliptic;
 use launch::State;
 
@@ -86,9 +86,10 @@ impl Motion {
     /// The regime is decided by k² = sin²(θ0/2) + (v0/2ω)² against 1, up to the resolution of the working precision.
     pub(crate) fn solve(theta0: &Real, velocity0: &Real, omega: &Real) -> Result<Self, NoMotion> {
         let state = State::new(theta0, velocity0, omega)?;
+        let rate = omega.clone().narrowed(Context::settled());
         let regime = match state.excess() {
-            Some(excess) if excess.is_negative() => Regime::Swing(Swing::through(&state, &-excess, omega)),
-            Some(excess) => Regime::Rotation(Rotation::through(&state, &excess, omega)),
+            Some(excess) if excess.is_negative() => Regime::Swing(Swing::through(&state, &-excess, &rate)),
+            Some(excess) => Regime::Rotation(Rotation::through(&state, &excess, &rate)),
             None => Regime::Separatrix(Separatrix { mirrored: state.mirrored, launch: state.separatrix_phase() }),
         };
         Ok(Self { regime, theta0: theta0.clone(), velocity0: velocity0.clone(), omega: omega.clone() })

@@ -116,6 +116,25 @@ fn the_precision_follows_the_cancellation() {
     assert!(near.omega.context().spare_bits() >= near.cancelled_bits());
 }
 
+/// The last of two thousand digits decides between neighbouring floats, and between a swing and the separatrix.
+#[test]
+fn every_digit_counts() {
+    let tie = "1.00000000000000011102230246251565404236316680908203125";
+    let zeros = "0".repeat(2000);
+    for (last, nearest) in [("", 1.0), ("1", 1.0 + f64::EPSILON)] {
+        let released = motion(&format!("theta0 = {tie}{zeros}{last}"));
+        let Regime::Swing(swing) = &released.regime else { panic!("released from rest") };
+        assert_eq!([&released.theta0, &swing.amplitude].map(Real::to_f64), [nearest; 2]);
+    }
+
+    let nearly_two = motion(&format!("velocity0 = 1.{}", "9".repeat(2000)));
+    let Regime::Swing(swing) = &nearly_two.regime else { panic!("just below the separatrix") };
+    // k′² = 1 − (1 − δ/2)² = δ to first order, δ = 1e-2000.
+    let expected = Context::settled().integer(10).power(1000);
+    let relative = (&swing.elliptic.complementary * &expected - Context::settled().integer(1)).abs();
+    assert!(relative < Context::settled().decimal("1e-99").unwrap());
+}
+
 /// Carlson's `R_F` by duplication, the neglected ε⁶ far below 1e-60: ε falls fourfold a step, to about 4⁻²⁴
 /// (DLMF 19.36.1).
 fn carlson(mut x: Real, mut y: Real, mut z: Real) -> Real {
