@@ -67,7 +67,7 @@ impl Cosines {
         // A sum of n terms is rounded n − 1 times, a term up to a dozen; and the angle mπs by 2.3e-16·mπ for |s| ≤ 0.85.
         let rounding = 1e-14_f64.max((self.terms.len() + 12) as f64 * f64::EPSILON / 2.0);
         let slack = std::array::from_fn(|j| rounding * self.magnitudes[j] + 2.3e-16 * self.magnitudes[j + 1]);
-        Local { derivatives, remainder: self.magnitudes[ORDER], slack, half }
+        Local { derivatives, remainder: self.magnitudes[ORDER] * (1.0 + rounding), slack, half }
     }
 }
 
@@ -83,7 +83,8 @@ impl Local {
         let mut sum = self.slack[order];
         for j in order + 1..=ORDER {
             weight *= self.half / (j - order) as f64;
-            sum += weight * self.derivatives.get(j).map_or(self.remainder, |derivative| derivative.abs());
+            let derivative = |(derivative, slack): (&f64, f64)| derivative.abs() + slack;
+            sum += weight * self.derivatives.get(j).zip(self.slack.get(j).copied()).map_or(self.remainder, derivative);
         }
         sum
     }

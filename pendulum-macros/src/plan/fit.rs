@@ -1,7 +1,9 @@
 //! Polynomials for fixed functions on [0, Z]: what a plan uses of exponentials, arctangents and arcsines.
 
 use super::estrin::estrin;
-use crate::chebyshev::{CosineTable, interpolation_error, points_for, rounding_of_powers, scale, shift, to_powers};
+use crate::chebyshev::{
+    CosineTable, interpolation_error, lebesgue, points_for, rounding_of_powers, scale, shift, to_powers,
+};
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
@@ -29,13 +31,14 @@ impl Domain {
 }
 
 impl Fit {
-    /// The Chebyshev interpolant, cut where its error is below `limit`.
+    /// The Chebyshev interpolant, cut where its error is below `limit`. The function's values are to be within 2⁻⁹⁴ of its
+    /// bound.
     pub(crate) fn new(domain: &Domain, limit: f64, function: impl Fn(Double) -> Double) -> Self {
         let Domain { end, rho, bound } = *domain;
         // So many that their error doesn't blur the bound where the last term is far below the limit. Of more than 200,
         // which no plan needs, the error says what is left.
         let points = points_for(bound, rho, limit * 2f64.powi(-16)).clamp(4.0, 200.0) as usize;
-        let error = interpolation_error(bound, rho, points);
+        let error = interpolation_error(bound, rho, points) + lebesgue(points) * 2f64.powi(-94) * bound;
         let series = CosineTable::new(points).interpolant(|u| function((u + Double::ONE) * (0.5 * end)));
         let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error;
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);

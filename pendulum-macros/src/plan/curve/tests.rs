@@ -143,7 +143,7 @@ fn errors_of_phases() {
     let cost = |origin, error, relative_error| {
         curve.size.phase_error(&Reduction { origin, error, relative_error, ..reductions[0].clone() })
     };
-    assert_eq!(cost(Origin::Lowest, 0.5, 0.25), 1.5 + 1.25);
+    assert_eq!(cost(Origin::Lowest, 0.5, 0.25), 1.5 * 1.25 + 1.25);
     assert_eq!([cost(Origin::Anchor, 0.5, 0.0), cost(Origin::Anchor, 0.5, 0.25)], [1.5, f64::INFINITY]);
 }
 

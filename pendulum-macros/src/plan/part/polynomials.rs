@@ -27,9 +27,9 @@ pub(in crate::plan) struct Approximations {
     pub(in crate::plan) drafts: Drafts,
 }
 
-/// What tells approximations with a leeway from others: the error of the phase and its share, and by what they are
+/// What tells approximations with a leeway from others: the errors of the phase, their share, and by what they are
 /// divided.
-type Lenient = ([f64; 2], Poles);
+type Lenient = ([f64; 2], f64, Poles);
 
 impl Approximations {
     pub(in crate::plan) fn new(aim: &Aim, reductions: &[Reduction]) -> Self {
@@ -68,11 +68,12 @@ impl Approximations {
             Poles::Under | Poles::Beside => (&self.divided, Poles::Under),
         };
         let Some((curve, ratio)) = self.aim.leeway(reduction) else { return strict.clone() };
+        let errors = [reduction.error, reduction.relative_error];
         let lenient = || {
-            let leeway = Leeway::new(curve, reduction.error, ratio);
+            let leeway = Leeway::new(curve, errors, ratio);
             strict.iter().map(|approximation| approximation.with(leeway.clone())).collect()
         };
-        self.lenient.get(([reduction.error, ratio], poles), lenient)
+        self.lenient.get((errors, ratio, poles), lenient)
     }
 
     /// The variants that might serve, and their cost in this reduction, cheapest first.

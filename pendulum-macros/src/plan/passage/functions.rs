@@ -16,11 +16,8 @@ pub(super) fn series(v: Double, k: u32) -> Double {
     sum
 }
 
-/// arctan √v/√v, by one Newton step from the `f64` value.
+/// arctan √v/√v for v > 0, by one Newton step from the `f64` value.
 pub(super) fn arctangent_ratio(v: Double) -> Double {
-    if v.hi < 1e-12 {
-        return Double::ONE - v / 3.0;
-    }
     let x = v.sqrt();
     let start = libm::atan(x.hi);
     let angle = Double::new(start) / Double::PI;

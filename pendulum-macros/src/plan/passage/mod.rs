@@ -7,7 +7,7 @@
 //! π − |θ| = 4 arctan A, A = Q/P, Q = (E + σG)(1 + σq′³M − q′⁴), P = 1 + σq′M, M = E² + G²,
 //!
 //! which is the dual theta quotient (tan(θ/4) = [sinh X − q′ sinh 3X + …]/[cosh X + q′ cosh 3X + …], X = w/2, for a
-//! swing) solved for tan((π − θ)/4); the terms left out are below q′⁶ relative to Q and P. From it, with sin(θ/2) = (P²
+//! swing) solved for tan((π − θ)/4); left out are q′⁶(E⁴ + G⁴) of P and q′¹⁰(E⁵ + G⁵) of Q. From it, with sin(θ/2) = (P²
 //! − Q²)/N and cos(θ/2) = 2QP/N, N = P² + Q², follow position and acceleration. The velocity's numerator is a theta
 //! function too:
 //!
@@ -153,8 +153,9 @@ impl Passage {
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
         // With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at
         // most √q′, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by
-        // q′F·2E(1 − E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. What no
-        // level has is q′⁶ of each.
+        // q′F·2E(1 − E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. No level
+        // has the last q′⁶ of P (with M ≤ 1 + q′², E⁴ + G⁴ is), which changes θ by twice as much, and the velocity by as
+        // much where it is and again at E = 1: less than 5q′⁶ with the q′⁹ of its numerator and the q′¹⁰ of Q.
         let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 1.1 + 25.0 * q] } else { [4.01, 2.3] };
         let levels = [
             (Images::Sum, by_sum * q.sqrt()),

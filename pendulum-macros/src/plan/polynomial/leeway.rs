@@ -1,7 +1,8 @@
 //! Where a curve is flat an error of the phase does little, and the approximation may be wrong by more.
 //!
-//! Of a phase ŝ = s + ε with |ε| ≤ δ, |P(ŝ) − f(s)| ≤ |P(ŝ) − f(ŝ)| + δ·|f′| with f′ at most δ away from ŝ. What
-//! counts as truncation is by how much the supremum of this sum exceeds δ·sup |f′|, which is counted as the phase's.
+//! Of a phase ŝ that is wrong by δ + r|z| at most, z being its distance from the lowest point, |P(ŝ) − f(s)| ≤ |P(ŝ) −
+//! f(ŝ)| + δ·|f′| + r·|zf′| with f′ at most δ + r/2 away from ŝ ([`Size::phase_error`](crate::plan::curve::Size)). What
+//! counts as truncation is by how much the supremum of the first two exceeds δ·sup |f′|, which is counted as the phase's.
 
 use super::tail::{CELLS, angle};
 use crate::plan::curve::Curve;
@@ -19,12 +20,12 @@ pub(crate) struct Leeway {
 }
 
 impl Leeway {
-    /// Of a curve that rises.
-    pub(crate) fn new(curve: &Curve, error: f64, ratio: f64) -> Self {
+    /// Of a curve that rises, and a phase that is wrong by `error` and by `relative` to its distance from the lowest point.
+    pub(crate) fn new(curve: &Curve, [error, relative]: [f64; 2], ratio: f64) -> Self {
         let steepest = curve.size.slope;
         let slope = |cell: u32| {
             // p = (1 + cos φ)/8, s = ½ cos(φ/2).
-            let farther = 0.5 * libm::cos(0.5 * angle(cell)) + error;
+            let farther = 0.5 * libm::cos(0.5 * angle(cell)) + error + 0.5 * relative;
             if farther < 0.5 { curve.steepness(farther).min(steepest) } else { steepest }
         };
         Self { error, ratio, steepest, slopes: (0..CELLS).map(slope).collect() }
@@ -57,7 +58,7 @@ mod tests {
             let [curve, velocity] = [&task.aims[0].curves[0], &task.aims[1].curves[0]];
             assert!(curve.rises && !velocity.rises);
             let error = 1e-3;
-            let leeway = Leeway::new(curve, error, 2.0);
+            let leeway = Leeway::new(curve, [error, 1e-6], 2.0);
             let at = |s: f64| curve.at(Double::new(s)).hi;
             for cell in 0..CELLS {
                 let [far, near] = [angle(cell), angle(cell + 1)].map(|angle| 0.5 * (0.5 * angle).cos());

@@ -31,7 +31,8 @@ pub(crate) struct Reduction {
     pub(crate) launch: Double,
     /// Where the reduced phase is zero.
     pub(crate) origin: Origin,
-    /// |computed − true| of the phase over the horizon, in anchors, is at most `error` + `relative_error`·|phase|.
+    /// |computed − true| of the phase over the horizon, in anchors, is at most `error` + `relative_error`·|phase|, of
+    /// the true phase to a thousandth of `relative_error` less.
     pub(crate) error: f64,
     pub(crate) relative_error: f64,
     /// The part of `error` that is the rounding of remainders up to ½, and falls with them.

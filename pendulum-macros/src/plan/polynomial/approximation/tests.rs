@@ -242,7 +242,7 @@ fn errors_with_a_leeway() {
     for (place, terms) in [(None, 7), (Some((0.1772, 0.1319)), 4)] {
         let pole = place.and_then(|(place, height)| Pole::of([place * place + height, -2.0 * place], Float::F64));
         let strict = Approximation::new(curve, pole, 1e-12).unwrap();
-        let lenient = strict.with(Leeway::new(curve, ERROR, 2.0));
+        let lenient = strict.with(Leeway::new(curve, [ERROR, 0.0], 2.0));
         let polynomial = lenient.truncated(terms, &reduction, false).in_powers(PLAIN);
         let phase = ERROR * curve.size.slope;
         let error = |i: u32| {
