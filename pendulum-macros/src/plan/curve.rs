@@ -115,10 +115,10 @@ impl Curve {
     /// hyperbolic sine and cosine, and bounds of the curve inside.
     pub(crate) fn ellipses(&self) -> impl Iterator<Item = (f64, f64)> + Clone {
         let in_strip = self.heights().map(|height| (libm::asinh(2.0 * height), self.bound(height)));
-        let pulses = self.pulses.filter(|_| !self.is_arc());
-        let between_poles = pulses.into_iter().flat_map(|pulses| {
-            let angles = TOWARDS_POLES.map(|part| part * pulses.angle_of_poles());
-            angles.map(|angle| (angle, pulses.bound(angle)))
+        let arc = self.arc;
+        let between_poles = self.pulses.into_iter().flat_map(move |pulses| {
+            let angles = TOWARDS_POLES.map(|part| part * pulses.angle_of_poles(arc));
+            angles.map(|angle| (angle, pulses.bound(arc, angle)))
         });
         in_strip.into_iter().chain(between_poles)
     }

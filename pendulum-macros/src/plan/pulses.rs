@@ -10,7 +10,10 @@
 //! them are bounded by e: θ̇ = 2ωe, cos(θ/2) = e, sin(θ/2)² = 1 − e², θ̈ = −ω² sin θ, and θ is what it is at a real phase
 //! and its derivative's integral up from there.
 
+use super::arc::Arc;
+use super::reduction::is_half;
 use crate::motion::Elliptic;
+use crate::supremum::worst;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A bound of a curve between its poles.
@@ -22,12 +25,12 @@ pub(crate) struct Pulses {
     powers: [f64; 3],
 }
 
-/// The longest ellipse's semi-axis, in that of a flat one: |Re s| ≤ ¾ and |Im s| ≤ 0.6.
-const LONGEST: f64 = 1.5;
+/// The longest ellipse's semi-axes.
+const LONGEST: f64 = 0.75;
 const HIGHEST: f64 = 0.6;
 
-/// Parts of the way from the lowest point to the turning point, of which those next to the poles are the smallest.
-const CELLS: usize = 24;
+/// Parts of the way from the centre to the lowest point, of which those next to the poles are the smallest, or to the end.
+const CELLS: u32 = 24;
 
 impl Pulses {
     /// By powers of e, which is `front` times (π/2K′) Σ |sech|.
@@ -65,33 +68,59 @@ impl Pulses {
         Self::by_powers(elliptic, front, [0.0, 1.0, 0.0])
     }
 
-    /// Of the ellipse with foci s = ±½ that goes through the poles, or the longest, ½ cosh of this is the semi-axis: the
-    /// distances of a point on it from the foci are together as long as both.
-    pub(crate) fn angle_of_poles(&self) -> f64 {
-        let strip = FRAC_PI_2 / self.rate;
-        libm::acosh((strip + libm::sqrt(1.0 + strip * strip)).min(LONGEST))
+    /// Of the ellipse whose foci are the ends of an arc and that goes through the nearest poles, or the longest, half the
+    /// arc times cosh of this is the semi-axis: the distances of a point on it from the foci are together as long as both.
+    pub(crate) fn angle_of_poles(&self, arc: Arc) -> f64 {
+        let (centre, stretch) = (arc.centre.hi, arc.stretch.hi);
+        let height = FRAC_PI_2 / self.rate / stretch;
+        let through = |pole: f64| {
+            let x = (pole - centre) / stretch;
+            libm::hypot(x - 0.5, height) + libm::hypot(x + 0.5, height)
+        };
+        let lowest = lowest_from(centre);
+        let high = 2.0 * HIGHEST / stretch;
+        let longest = (2.0 * LONGEST / stretch).min(libm::sqrt(1.0 + high * high));
+        libm::acosh(through(lowest - 1.0).min(through(lowest)).min(longest))
     }
 
-    /// Bounds the curve inside the ellipse with foci s = ±½ and semi-axes ½ cosh and ½ sinh of `angle`, by its magnitude on
-    /// it: in each cell at its nearest to the lowest point and its farthest from the real axis.
-    pub(crate) fn bound(&self, angle: f64) -> f64 {
-        let (long, high) = (0.5 * libm::cosh(angle), 0.5 * libm::sinh(angle));
-        let cosine = |x: f64| {
-            let b = self.rate * high * libm::sqrt(1.0 - (x / long).powi(2));
-            if b < FRAC_PI_2 { libm::cos(b) } else { 0.0 }
-        };
-        let place = |cell: usize| 0.5 - 0.5 * (cell as f64 / CELLS as f64).powi(2);
-        let nearest = |cell: usize| {
-            let sinh = libm::sinh(self.rate * (0.5 - place(cell)));
-            1.0 / libm::hypot(sinh, cosine(place(cell + 1)))
-        };
-        // Beyond the lowest point the ellipse is lower. The other pulses are farther than ½ and ¾, 1½ and 1¾, …
-        let nearest = (0..CELLS).map(nearest).fold(1.0 / cosine(0.5), f64::max);
+    /// Bounds the curve inside the ellipse whose foci are the ends of an arc and whose semi-axes are half of it times cosh
+    /// and sinh of `angle`, by its magnitude on it.
+    pub(crate) fn bound(&self, arc: Arc, angle: f64) -> f64 {
+        // Both sides are alike about an anchor and about a lowest point.
+        let sides: &[f64] = if is_half(arc.centre) { &[1.0] } else { &[1.0, -1.0] };
+        let side = |way: &f64| self.nearest(way * arc.centre.hi, arc.stretch.hi, angle);
+        // Of the other pulses the centres are farther than ½ and 1, 1½ and 2, …
         let others = 2.0 / libm::sinh(self.rate / 2.0) / (1.0 - libm::exp(-self.rate));
-        let sum = nearest + others;
+        let sum = worst(sides.iter().map(side)) + others;
         let [constant, once, twice] = self.powers;
         if sum.is_finite() { (constant + sum * (once + sum * twice)) * (1.0 + 1e-9) } else { f64::INFINITY }
     }
+
+    /// Bounds the pulse of the nearest lowest point on the later half of an ellipse: in each cell where it is nearest to that
+    /// and farthest from the real axis.
+    fn nearest(&self, centre: f64, stretch: f64, angle: f64) -> f64 {
+        let (long, high) = (0.5 * stretch * libm::cosh(angle), 0.5 * stretch * libm::sinh(angle));
+        let cosine = |x: f64| {
+            let b = self.rate * high * libm::sqrt(1.0 - ((x - centre) / long).powi(2));
+            if b < FRAC_PI_2 { libm::cos(b) } else { 0.0 }
+        };
+        let lowest = lowest_from(centre);
+        let end = lowest.min(centre + long);
+        let place = |cell: u32| end - (end - centre) * (f64::from(cell) / f64::from(CELLS)).powi(2);
+        let cell = |cell: u32| {
+            let (near, far) = (place(cell + 1), place(cell));
+            let distance = (lowest - far).min(near - (lowest - 1.0));
+            1.0 / libm::hypot(libm::sinh(self.rate * distance), cosine(near))
+        };
+        // Beyond the lowest point the ellipse is lower.
+        let beyond = if end < lowest { 0.0 } else { 1.0 / cosine(lowest) };
+        worst((0..CELLS).map(cell).chain([beyond]))
+    }
+}
+
+/// The first lowest point from this phase on.
+fn lowest_from(phase: f64) -> f64 {
+    libm::ceil(phase - 0.5) + 0.5
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What the planner chooses, and what it refuses. That plans keep their bounds is tested in `random_tests`.
 
+use super::probe::{assert_tight, evenly};
 use super::*;
 use crate::check::check;
 use crate::fuzz::random::Random;
@@ -118,6 +119,25 @@ fn short_horizons_need_no_reduction() {
         let plan = planned(text);
         assert!(!matches!(plan.reduction.scheme, Scheme::Time { .. }), "{text}: {}", plan.reduction.describe());
     }
+}
+
+/// Next to the top, before the passage begins, hardly anything happens: that takes a few operations and has a bound as
+/// small.
+#[test]
+fn what_happens_next_to_the_top() {
+    for (start, t_max, outputs) in [
+        ("π - 1e-30", "22.755688", "velocity"),
+        ("π - 1e-30", "29.35056", "acceleration"),
+        ("π - 1e-20", "23.7685", "acceleration"),
+        ("π - 1e-20", "11.42891", "velocity"),
+        ("π - 1e-9", "6", "velocity"),
+    ] {
+        let text = format!("struct Motion; theta0 = {start}, tol = 1e-7, t_max = {t_max}, outputs = [{outputs}]");
+        let plan = plan(&scene(&text)).unwrap();
+        assert!(plan.reduction.is_time() && plan.operations() <= 10, "{text}: {}", plan.operations());
+        assert_tight(&text, 4.0, evenly(100));
+    }
+    assert!(planned("theta0 = π - 1e-20, tol = 1e-8, t_max = 13.28784").operations() <= 6);
 }
 
 #[test]

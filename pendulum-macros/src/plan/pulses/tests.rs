@@ -1,6 +1,7 @@
 //! Bounds of the curves on ellipses between their poles, against the curves there: sums of pulses of complex phases.
 
 use super::*;
+use crate::exact::Context;
 use crate::motion::{Elliptic, Regime};
 use crate::plan::curve::{Curve, Curves, RotationCurves, SwingCurves};
 use crate::plan::tests::scene;
@@ -144,8 +145,8 @@ fn bounds_between_poles() {
         for (index, curve) in motion.curves.iter().enumerate() {
             let pulses = curve.pulses().unwrap();
             for part in [0.3, 0.6, 0.88, 0.94] {
-                let angle = part * pulses.angle_of_poles();
-                let bound = pulses.bound(angle);
+                let angle = part * pulses.angle_of_poles(Arc::WHOLE);
+                let bound = pulses.bound(Arc::WHOLE, angle);
                 let mut largest = 0.0_f64;
                 for i in 0..=100 {
                     // Denser next to the foci.
@@ -162,13 +163,42 @@ fn bounds_between_poles() {
     }
 }
 
+/// Nor on one about an arc, wherever that lies.
+#[test]
+fn bounds_about_arcs() {
+    let real = |x: f64| Context::settled().float(x).unwrap();
+    let arcs = [(0.0, 0.3), (0.0, 0.9), (0.5, 0.4), (0.3, 0.2), (0.3, 0.7), (-0.45, 0.05), (-0.5, 0.01), (0.1, 0.99)];
+    for (text, (centre, stretch)) in SCENES.into_iter().flat_map(|text| arcs.map(|arc| (text, arc))) {
+        let motion = Motion::new(text);
+        let arc = Arc::new(0.5 * stretch, &real(1.0), &real(centre)).unwrap();
+        for (index, curve) in motion.curves.iter().enumerate() {
+            let pulses = curve.pulses().unwrap();
+            for part in [0.5, 0.94] {
+                let angle = part * pulses.angle_of_poles(arc);
+                let bound = pulses.bound(arc, angle);
+                let on_it = |i: u32| {
+                    let (sine, cosine) = (PI * f64::from(i) / 40.0).sin_cos();
+                    let half = 0.5 * stretch;
+                    motion.magnitude(index, (centre + half * angle.cosh() * cosine, half * angle.sinh() * sine))
+                };
+                let largest = (0..=40).map(on_it).fold(0.0, f64::max);
+                let about = format!("{text} {centre} {stretch} {index} {part}: {largest:e} of {bound:e}");
+                assert!(largest <= bound, "{about}");
+                // What is nothing but pulses is nearly as large, also where they are small.
+                assert!(index != 1 || pulses.rate < 2.0 || bound < 12.0 * largest, "{about}");
+            }
+        }
+    }
+}
+
 /// Through a pole there is none.
 #[test]
 fn no_bound_at_poles() {
     for text in ["theta0 = 7π/8", "velocity0 = 2.001"] {
         for curve in &Motion::new(text).curves {
             let pulses = curve.pulses().unwrap();
-            let [before, at] = [0.95, 1.0 + 1e-9].map(|part| pulses.bound(part * pulses.angle_of_poles()));
+            let [before, at] =
+                [0.95, 1.0 + 1e-9].map(|part| pulses.bound(Arc::WHOLE, part * pulses.angle_of_poles(Arc::WHOLE)));
             assert!(before.is_finite() && at == f64::INFINITY, "{text}: {before} {at}");
         }
     }
