@@ -210,8 +210,8 @@ struct Readme;
 /// # What is promised
 /// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the
 /// horizon: truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation
-/// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂ to within 8 ulp of θ0, and
-/// `MAX_ERROR` bounds its distance from the exact motion over the horizon, wherever it is attained.
+/// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂, within 8 ulp of θ0 as far as
+/// has been seen, and `MAX_ERROR` is proven to bound its distance from the exact motion over the horizon.
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of
 ///

@@ -45,7 +45,8 @@ impl CosineTable {
 
 /// Bounds the error of interpolation at so many Chebyshev points, of a function that is analytic inside the ellipse
 /// with foci ±1 and parameter ρ, and bounded there: 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and
-/// Approximation Practice*, theorem 8.2).
+/// Approximation Practice*, theorem 8.2, of the other Chebyshev points). At these Tₖ from k = M on is 0 or, but for its
+/// sign, a Tⱼ with j < M, as it is there: what is left out and what it is taken for are Σ|aₖ| from M on each.
 pub(crate) fn interpolation_error(bound: f64, rho: f64, points: usize) -> f64 {
     4.0 * bound * libm::pow(rho, 1.0 - points as f64) / (rho - 1.0)
 }

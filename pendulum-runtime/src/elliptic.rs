@@ -36,7 +36,7 @@ const SMALL: f64 = 1.0 / (1_u128 << 64) as f64;
 
 /// One modulus, prepared for repeated evaluation of the functions of Jacobi: about as much work as
 /// [`Pendulum::from_state`](crate::Pendulum::from_state) once, then a few dozen nanoseconds per value.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobi {
     k: Double,
     kc: Double,

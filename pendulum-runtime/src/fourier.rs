@@ -25,7 +25,7 @@ const NOTHING: f64 = 6.223_015_277_861_142e-61;
 /// assert!((paper.max_error() / p.amplitude() - 0.0039887).abs() < 1e-6); // the paper says 0.4 %
 /// # Ok::<(), pendulum_runtime::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fourier<const N: usize, F: Scalar = f64> {
     motion: Motion,
     /// b₂ₙ₋₁.
@@ -82,11 +82,12 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
     }
 
     /// sup |θ̂ − θ| over all t, rad, of the formula (Eq. 22) itself: the true supremum over a period, wherever it is
-    /// attained (not always at t = 0), also where it is far below the rounding of θ.
+    /// attained (not always at t = 0), also where it is far below the rounding of θ. It is found numerically, from a dozen
+    /// samples per half wave on, and in `f32` rounded upward; the macro's `MAX_ERROR` is proven.
     ///
     /// What rounding adds isn't in it: a few units in the last place of θ0, and as many times more as the arcsine is
     /// steep, 1/cos(θ̂/2) at the turning point.
     pub fn max_error(&self) -> F {
-        F::narrow(self.max_error)
+        F::narrow_up(self.max_error)
     }
 }

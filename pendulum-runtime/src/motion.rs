@@ -19,7 +19,7 @@ use crate::swing::{Swing, SwingPhase};
 use core::f64::consts::TAU;
 
 /// A motion.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion {
     pub(crate) regime: Regime,
     pub(crate) shape: Shape,
@@ -40,7 +40,7 @@ pub(crate) struct Motion {
 }
 
 /// The elliptic modulus (k, or 1/k for a rotation), its complement, and AGM(1, complement).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Moduli {
     pub(crate) k: Double,
     pub(crate) kc: Double,
@@ -48,7 +48,7 @@ pub(crate) struct Moduli {
 }
 
 /// θ as a function of phase, and phase as a function of time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
     /// Phase counted from the positive turning point.
     Swing(Swing, Phase),

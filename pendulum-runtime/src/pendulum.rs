@@ -40,7 +40,7 @@ use core::marker::PhantomData;
 /// assert!((resumed.theta(1.0) - clock.theta(a_year + 1.0)).abs() < 1e-14);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum<F: Scalar> {
     motion: Motion,
     scalar: PhantomData<F>,
@@ -82,6 +82,11 @@ impl<F: Scalar> Pendulum<F> {
     pub fn from_state(theta: F, velocity: F, omega: F) -> Result<Self, Error> {
         let motion = launch::from_state(theta.widen(), velocity.widen(), omega.widen())?;
         Ok(Self { motion, scalar: PhantomData })
+    }
+
+    /// ω, the rate of small oscillations, rad per unit of t, as it was given.
+    pub fn omega(&self) -> F {
+        F::narrow(self.motion.omega)
     }
 
     /// θ(t), rad; turns counted, so that a rotation grows without bound.

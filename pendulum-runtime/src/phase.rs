@@ -7,7 +7,7 @@ use crate::kernel::round;
 const FAR: f64 = 1_125_899_906_842_624.0;
 
 /// A uniform phase φ(t) = rate · t + offset, in turns.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Phase {
     /// A power of two of the order of the rate, so that no product underflows or is split beyond 2⁹⁹⁵.
     scale: f64,
@@ -20,7 +20,7 @@ pub(crate) struct Phase {
 }
 
 /// φ(t) = turns + (high + low) with high + low in [−½, ½].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reduced {
     /// Whole turns, a whole number.
     pub(crate) turns: f64,

@@ -22,14 +22,14 @@ const DIRECT_FROM: f64 = 0.45;
 const PI_LOG2_E: Double = Double { hi: 4.532_360_141_827_194, lo: -3.458_117_459_229_868_6e-16 };
 
 /// The shape of a rotation of one modulus.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rotation {
     /// Scales the velocity's quotient to 1 at the bottom.
     rate: f64,
     series: Series,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Series {
     Direct { angle: ([f64; 3], [f64; 4]), rate: ([f64; 4], [f64; 4]) },
     Dual { growth: f64, angle: ([f64; 5], [f64; 5]), rate: ([f64; 5], [f64; 4]) },

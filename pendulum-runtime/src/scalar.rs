@@ -20,6 +20,9 @@ pub trait Scalar: sealed::Sealed + Copy + core::fmt::Debug + Default + PartialOr
     /// To nearest, infinity included.
     #[doc(hidden)]
     fn narrow_or_infinite(x: f64) -> Self;
+    /// Upward.
+    #[doc(hidden)]
+    fn narrow_up(x: f64) -> Self;
     /// To nearest, but never beyond the last number below π in magnitude; +π becomes the first number from −π on.
     #[doc(hidden)]
     fn narrow_angle(x: f64) -> Self;
@@ -40,6 +43,10 @@ impl Scalar for f64 {
     }
     #[inline]
     fn narrow_or_infinite(x: f64) -> Self {
+        x
+    }
+    #[inline]
+    fn narrow_up(x: f64) -> Self {
         x
     }
     #[inline]
@@ -72,6 +79,11 @@ impl Scalar for f32 {
     #[inline]
     fn narrow_or_infinite(x: f64) -> Self {
         x as f32
+    }
+    #[inline]
+    fn narrow_up(x: f64) -> Self {
+        let nearest = x as Self;
+        if nearest.widen() < x { nearest.next_up() } else { nearest }
     }
     #[inline]
     fn narrow_angle(x: f64) -> Self {

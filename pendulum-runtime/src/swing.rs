@@ -23,7 +23,7 @@ const DIRECT_FROM: f64 = 0.12;
 const TWO_BY_LN_2: f64 = 2.0 * core::f64::consts::LOG2_E;
 
 /// Where in a swing: all that is evaluated at.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct SwingPhase {
     /// Turns since (before) the last (next) passage through zero, positive while the angle is; in [−¼, ¼].
     crossing: f64,
@@ -58,7 +58,7 @@ impl SwingPhase {
 }
 
 /// The shape of a swing of one amplitude.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Swing {
     /// Nothing returned exceeds it.
     amplitude: f64,
@@ -67,7 +67,7 @@ pub(crate) struct Swing {
     series: Series,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Series {
     Direct { angle: ([f64; 4], [f64; 4]), rate: ([f64; 5], [f64; 6]) },
     Dual { growth: f64, angle: ([f64; 4], [f64; 4]), rate: DualRate },
@@ -76,7 +76,7 @@ enum Series {
 /// cn = ϑ₄/ϑ₂ about the zero crossing and ϑ₁/ϑ₃ about the turning point, each used on its half of the quarter swing:
 /// the first would cancel at the turning point, the second would turn the rounding of a large exponent into an error
 /// where the motion is steep.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct DualRate {
     crossing: ([f64; 3], [f64; 3]),
     turning: ([f64; 3], [f64; 3]),

@@ -82,8 +82,7 @@ impl Complement {
         self.sine.rows.iter().enumerate().map(row).collect()
     }
 
-    /// Bounds the rounding over the whole range of the remainder, taken as exact, and what the pieces are wrong by;
-    /// infinite where z may be 0.
+    /// Bounds the rounding over the whole range of the remainder, taken as exact, and what the pieces are wrong by.
     pub(crate) fn rounding(&self) -> f64 {
         let mut b = Builder::new(self.sine.reduction.float);
         let result = self.lower(&mut b, "result");
@@ -100,9 +99,16 @@ impl Complement {
                 let [from, to] = [low, high].map(|remainder| centre + remainder * self.sine.reduction.unit.hi);
                 let (least, most) = y.over(from, to).range(0);
                 let known = Known::within(0.5 * (1.0 - most) - error, 0.5 * (1.0 - least) + error, error);
-                rounded(&after, row, (REST, known))
+                (known.low > 0.0, rounded(&after, row, (REST, known)))
             };
-            by_halves([-half, half], CELLS, MOST_HALVED, bound)
+            let halved = |bound: &dyn Fn(f64, f64) -> f64| by_halves([-half, half], CELLS, MOST_HALVED, bound);
+            // Where z might be 0 a root is wrong by one of its error, however narrow the cell: less is known of the parts in
+            // which it isn't, if there are any.
+            let apart = halved(&|low, high| match bound(low, high) {
+                (true, error) => error,
+                (false, _) => f64::INFINITY,
+            });
+            if apart.is_finite() { apart } else { halved(&|low, high| bound(low, high).1) }
         };
         worst((0..=pieces / 2).map(of_row))
     }

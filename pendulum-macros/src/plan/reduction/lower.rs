@@ -157,7 +157,7 @@ impl Reduction {
     /// With t = head + tail (27 + 26 bits) and R = r₁ + r₂ + r₃ + r₄ (26, 25, 25 and 53 bits, to nearest), and e the
     /// sum of the exponents of t and R: head·r₁ is exact; tail·r₁ + head·r₂ is a multiple of 2^(e−77) below 2^(e−24),
     /// hence exact; tail·r₂ + head·r₃ is a multiple of 2^(e−103) below 2^(e−50), hence exact; the rest is below
-    /// 2^(e−75). The first is taken modulo 8, exactly, and the sum of the first three rounded to n, up to 2³¹ and off
+    /// 2^(e−75). The first is taken modulo 8, exactly, and the sum of the first three rounded to n, below 2³⁰ and off
     /// by at most 2⁻²². The first less n is exact, and with the second a multiple of 2^(e−77) again of a few anchors:
     /// so only the sums with the last two parts are rounded. Without a launch each sum is rounded relative to its result,
     /// if at all: the first if that is above a quarter, where then the last is nothing beside it. With fewer words the last

@@ -1,8 +1,8 @@
 //! What an interpolant Q of θ̂ = 2 arcsin y is wrong by, from its residual R = y − sin(Q/2), which is analytic wherever y
 //! and Q are.
 //!
-//! Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, small at the lowest point, stays between −π/2 and π/2, and
-//! |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
+//! Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, which is arcsin y at the points of the interpolation, stays
+//! between −π/2 and π/2 from one of them to the next, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
 
 use crate::chebyshev::{cos_pi, sin_pi, value};
 use crate::series::Wave;
