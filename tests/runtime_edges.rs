@@ -97,6 +97,16 @@ fn a_pendulum_at_rest_stays_at_zero() {
     assert!(p.theta(0.0).is_sign_positive());
 }
 
+/// What it was made of is known again, and makes the same once more.
+#[test]
+fn equal_parameters_are_equal_motions() {
+    let pushed = |omega: f64| Pendulum::<f64>::from_state(0.4, 1.1, omega).unwrap();
+    assert_eq!(pushed(2.5).omega(), 2.5);
+    assert_eq!(Pendulum::<f32>::new(1.0, 0.1).unwrap().omega(), 0.1);
+    assert_eq!(pushed(pushed(2.5).omega()), pushed(2.5));
+    assert_ne!(pushed(2.5), pushed(2.5_f64.next_up()));
+}
+
 /// v²/2ω², as long as there are floats for it.
 #[test]
 fn energies_of_the_fastest() {

@@ -164,3 +164,15 @@ fn narrow_and_launched_motions_have_the_approximation_too() {
     }
     assert!(paper.theta(f64::NAN).is_nan() && paper.theta(f64::INFINITY).is_nan());
 }
+
+/// In single precision the supremum is that number or the next above.
+#[test]
+fn suprema_are_rounded_upward() {
+    for i in 1..200_u8 {
+        let theta0 = f32::from(i) * 0.01;
+        let narrow: Fourier<4, f32> = Pendulum::new(theta0, 1.0).unwrap().fourier().unwrap();
+        let wide: Fourier<4> = Pendulum::new(f64::from(theta0), 1.0).unwrap().fourier().unwrap();
+        let (narrow, exact) = (narrow.max_error(), wide.max_error());
+        assert!(f64::from(narrow) >= exact && f64::from(narrow.next_down()) < exact, "{theta0}: {narrow:e} {exact:e}");
+    }
+}

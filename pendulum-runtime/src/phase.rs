@@ -20,7 +20,7 @@ pub(crate) struct Phase {
 }
 
 /// φ(t) = turns + (high + low) with high + low in [−½, ½].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Reduced {
     /// Whole turns, a whole number.
     pub(crate) turns: f64,

@@ -23,7 +23,7 @@ const DIRECT_FROM: f64 = 0.12;
 const TWO_BY_LN_2: f64 = 2.0 * core::f64::consts::LOG2_E;
 
 /// Where in a swing: all that is evaluated at.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) struct SwingPhase {
     /// Turns since (before) the last (next) passage through zero, positive while the angle is; in [−¼, ¼].
     crossing: f64,

@@ -83,8 +83,7 @@ impl Local {
         let mut sum = self.slack[order];
         for j in order + 1..=ORDER {
             weight *= self.half / (j - order) as f64;
-            let derivative = |(derivative, slack): (&f64, f64)| derivative.abs() + slack;
-            sum += weight * self.derivatives.get(j).zip(self.slack.get(j).copied()).map_or(self.remainder, derivative);
+            sum += weight * if j < ORDER { self.derivatives[j].abs() + self.slack[j] } else { self.remainder };
         }
         sum
     }

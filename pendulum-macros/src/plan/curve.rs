@@ -38,9 +38,9 @@ pub(crate) struct Size {
 }
 
 impl Size {
-    /// What the reduction's error of the phase does to the function: the integral of |f′| from the true phase to the
-    /// computed one, over phases z any of which is at most e + r|z| long if that holds at both ends. A reduction's r is a
-    /// thousandth more than at the true phase, which is enough for the computed one but for what e adds to it.
+    /// What the reduction's error of the phase does to the function: the integral of |f′| over the way from the true phase
+    /// to the computed one, which is at most e + r|z| long for every z on it if it is for both its ends. A reduction's r is
+    /// a thousandth more than for the true one, which is enough for the computed one but for what e adds to it.
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
         let relative = match (reduction.relative_error, reduction.origin) {
             (0.0, _) => 0.0,

@@ -94,21 +94,19 @@ impl Complement {
         let of_row = |index: usize| {
             let row = &program.table[index];
             let centre = index as f64 / pieces as f64;
-            let bound = |low: f64, high: f64| {
+            let bound = |low: f64, high: f64, apart: bool| {
                 let error = rounded(&before, row, (POWERS[0], Known::between(low, high))) + 0.5 * self.truncation;
                 let [from, to] = [low, high].map(|remainder| centre + remainder * self.sine.reduction.unit.hi);
                 let (least, most) = y.over(from, to).range(0);
                 let known = Known::within(0.5 * (1.0 - most) - error, 0.5 * (1.0 - least) + error, error);
-                (known.low > 0.0, rounded(&after, row, (REST, known)))
+                if apart && known.low <= 0.0 { f64::INFINITY } else { rounded(&after, row, (REST, known)) }
             };
-            let halved = |bound: &dyn Fn(f64, f64) -> f64| by_halves([-half, half], CELLS, MOST_HALVED, bound);
-            // Where z might be 0 a root is wrong by one of its error, however narrow the cell: less is known of the parts in
-            // which it isn't, if there are any.
-            let apart = halved(&|low, high| match bound(low, high) {
-                (true, error) => error,
-                (false, _) => f64::INFINITY,
-            });
-            if apart.is_finite() { apart } else { halved(&|low, high| bound(low, high).1) }
+            let halved =
+                |apart: bool| by_halves([-half, half], CELLS, MOST_HALVED, |low, high| bound(low, high, apart));
+            // Where z might be 0 a root is wrong by one of its error, however narrow the cell, and halving would end: less is
+            // known of the parts in which it can't be, if they are all there is.
+            let apart = halved(true);
+            if apart.is_finite() { apart } else { halved(false) }
         };
         worst((0..=pieces / 2).map(of_row))
     }
