@@ -13,7 +13,7 @@
 
 mod shifts;
 
-pub(crate) use shifts::Choices;
+pub(crate) use shifts::Shifts;
 
 use super::estrin::estrin;
 use crate::program::{Builder, Id};
@@ -326,8 +326,8 @@ mod tests {
         for terms in 4..=20 {
             for chunk in [4, 8, 16] {
                 let powers = sample(terms);
-                let Some(Choices { best: choice, .. }) = Choices::new(&powers, chunk) else { continue };
-                let shifted = crate::chebyshev::shift(&powers, Double::new(-choice.shift));
+                let Some(Shifts { best: shift, .. }) = Shifts::new(&powers, chunk) else { continue };
+                let shifted = crate::chebyshev::shift(&powers, Double::new(-shift.by));
                 let adapted = Blocks::adapted(&shifted, chunk, 1.0).unwrap();
                 assert!(adapted.mismatch < 1e-25, "{terms} {chunk}: {}", adapted.mismatch);
                 let mut b = Builder::new(Float::F64);
@@ -338,8 +338,8 @@ mod tests {
                 assert_eq!(program.operations(), operations(terms, chunk) + shared, "{terms} {chunk}");
                 for p in [0.0, 0.1, 0.25] {
                     let exact = powers.iter().rev().fold(Double::ZERO, |sum, c| sum * p + *c);
-                    let error = (Double::new(program.run(p + choice.shift)[0]) - exact).hi.abs();
-                    assert!(error <= choice.rounding * f64::EPSILON, "{terms} {chunk} {p}: {error:e} {choice:?}");
+                    let error = (Double::new(program.run(p + shift.by)[0]) - exact).hi.abs();
+                    assert!(error <= shift.rounding * f64::EPSILON, "{terms} {chunk} {p}: {error:e} {shift:?}");
                 }
             }
         }

@@ -6,21 +6,21 @@ use std::ops::{Add, Mul};
 
 /// A shift that makes all roots real, and what rounding does to the value with it, in units of rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Choice {
-    pub(crate) shift: f64,
+pub(crate) struct Shift {
+    pub(crate) by: f64,
     pub(crate) rounding: f64,
 }
 
 /// The shifts to choose from: the best, and none, which saves an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Choices {
-    pub(super) best: Choice,
-    unshifted: Option<Choice>,
+pub(crate) struct Shifts {
+    pub(super) best: Shift,
+    unshifted: Option<Shift>,
 }
 
-impl Choices {
+impl Shifts {
     /// The shifts tried, in 32nds: the square of the phase goes from 0 to ¼.
-    const SHIFTS: std::ops::RangeInclusive<i32> = -26..=16;
+    const TRIED: std::ops::RangeInclusive<i32> = -26..=16;
 
     /// More terms than a polynomial has that adapted blocks serve: longer ones are of curves that bend too much.
     const MOST_TERMS: usize = 48;
@@ -31,20 +31,20 @@ impl Choices {
             return None;
         }
         let rough: Vec<f64> = powers.iter().map(|c| c.hi).collect();
-        let choice = |step: i32, most: f64| {
-            let shift = f64::from(step) / 32.0;
-            Some(Choice { shift, rounding: rounding(&rough, shift, chunk, most)? })
+        let shift = |step: i32, most: f64| {
+            let by = f64::from(step) / 32.0;
+            Some(Shift { by, rounding: rounding(&rough, by, chunk, most)? })
         };
         let better =
-            |best: Option<Choice>, step: i32| choice(step, best.map_or(f64::INFINITY, |best| best.rounding)).or(best);
-        Some(Self { best: Self::SHIFTS.fold(None, better)?, unshifted: choice(0, f64::INFINITY) })
+            |best: Option<Shift>, step: i32| shift(step, best.map_or(f64::INFINITY, |best| best.rounding)).or(best);
+        Some(Self { best: Self::TRIED.fold(None, better)?, unshifted: shift(0, f64::INFINITY) })
     }
 
     /// The cheapest whose rounding, in units of rounding, is below `limit`. Without a shift it has to be far below:
     /// what rounding takes, truncation lacks.
-    pub(crate) fn within(self, limit: f64) -> Option<Choice> {
-        let far_below = |choice: &Choice| choice.rounding <= limit / 16.0;
-        self.unshifted.filter(far_below).or(Some(self.best)).filter(|choice| choice.rounding <= limit)
+    pub(crate) fn within(self, limit: f64) -> Option<Shift> {
+        let far_below = |shift: &Shift| shift.rounding <= limit / 16.0;
+        self.unshifted.filter(far_below).or(Some(self.best)).filter(|shift| shift.rounding <= limit)
     }
 }
 

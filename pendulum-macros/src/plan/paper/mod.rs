@@ -125,10 +125,14 @@ impl<'a> Sum<'a> {
     }
 }
 
+/// The part of a tolerance that terms left out may come to when terms are first counted: the rest is for phase and
+/// rounding, mostly far less, and where it isn't enough more terms are tried ([`MORE`]).
+const OF_TRUNCATION: f64 = 0.98;
+
 /// What the terms of a series that are left out may come to.
 fn aim(scene: &Scene, curve: &Curve) -> f64 {
     match scene.goal {
-        Goal::Tolerance(tol) => tol * curve.size.unit * 0.98,
+        Goal::Tolerance(tol) => tol * curve.size.unit * OF_TRUNCATION,
         _ => scene.float.unit() * curve.size.largest,
     }
 }
@@ -184,7 +188,7 @@ fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
 fn fewest(scene: &Scene, swing: &Swing) -> usize {
     let tol = match scene.goal {
         Goal::Terms(n) => return n,
-        Goal::Tolerance(tol) => tol * 0.99,
+        Goal::Tolerance(tol) => tol * OF_TRUNCATION,
         Goal::Full => scene.float.unit() * swing.amplitude.to_f64(),
     };
     let Some(smallest) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };

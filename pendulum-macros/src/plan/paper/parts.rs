@@ -1,7 +1,7 @@
 //! What a sum of harmonics becomes: the kernel of each output, and its error.
 
 use super::bias::Approximate;
-use super::whole::{Candidate, Whole, cost};
+use super::whole::{Rated, Whole, cost};
 use super::{Sum, rank};
 use crate::parse::{Method, Output};
 use crate::plan::arcsine::Arcsine;
@@ -90,7 +90,7 @@ impl Sum<'_> {
     }
 
     /// θ̂ by that kernel.
-    fn whole(&self, wanted: &Wanted, Candidate { kernel, bound, share, .. }: Candidate) -> Part {
+    fn whole(&self, wanted: &Wanted, Rated { kernel, bound, share, .. }: Rated) -> Part {
         let (harmonics, word) = (harmonics(self.weights.len()), kernel.core.describe());
         let one = if let Core::Polynomial(_) = kernel.core { "one " } else { "" };
         let description = format!("{harmonics}, twice the arcsine of their sum as {one}{word}");

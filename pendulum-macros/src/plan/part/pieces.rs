@@ -21,7 +21,8 @@ impl Aim {
 
     /// About how many terms each of so many pieces of each curve takes; `None` where the phase leaves nothing.
     pub(in crate::plan) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<Vec<usize>> {
-        let left = Some(self.share(self.limit - self.size.phase_error(reduction))).filter(|&left| left > 0.0)?;
+        let left =
+            Some(self.truncation_of_each(self.limit - self.size.phase_error(reduction))).filter(|&left| left > 0.0)?;
         let of = |curve: &Curve| {
             let terms = |left: f64| Piecewise::estimate(curve, parts, left);
             // Of logarithms the coefficients fall off with their number besides.
@@ -54,8 +55,8 @@ impl Aim {
     ) -> Result<Part, f64> {
         let phase = self.size.phase_error(reduction);
         self.first_kept(reduction, phase, most, |left| {
-            let share = self.share(left);
-            let made = approximations.iter().map(|curve| curve.kernel(reduction, share)).collect::<Option<Vec<_>>>();
+            let each = self.truncation_of_each(left);
+            let made = approximations.iter().map(|curve| curve.kernel(reduction, each)).collect::<Option<Vec<_>>>();
             let (mut pieces, truncations): (Vec<Pieces>, Vec<f64>) = made.ok_or(f64::INFINITY)?.into_iter().unzip();
             let mirrored = |curve: &Curve| task.direction < 0.0 && self.mirrors(curve, task);
             let both = pieces.iter_mut().zip(&self.curves);

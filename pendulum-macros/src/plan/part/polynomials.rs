@@ -94,7 +94,7 @@ impl Approximations {
         if approximations.is_empty() {
             return None;
         }
-        let left = self.aim.share(self.aim.left(reduction));
+        let left = self.aim.truncation_of_each(self.aim.left(reduction));
         let fewest = |approximation: &Approximation| {
             let terms = approximation.terms_for(left, reduction.overshoot);
             terms.filter(|&terms| variant.suits(terms, reduction.float))
@@ -159,9 +159,9 @@ impl Approximations {
         Variant { form, poles }: Variant,
         left: f64,
     ) -> Result<Vec<Polynomial>, f64> {
-        let share = self.aim.share(left);
+        let each = self.aim.truncation_of_each(left);
         let polynomial = |(curve, approximation): (&Curve, &Approximation), numerator: Numerator| {
-            let Some(terms) = approximation.terms_for(share, reduction.overshoot) else {
+            let Some(terms) = approximation.terms_for(each, reduction.overshoot) else {
                 let least = approximation.truncation(approximation.terms(), reduction.overshoot);
                 return Err((self.aim.limit - left + least) / self.aim.size.unit);
             };
@@ -203,7 +203,7 @@ impl Aim {
         // Poles are to be met exactly, or what is left of them remains; logarithms can't be.
         let float = if self.power == 0 { Float::F32 } else { float };
         let nearest = Pole::new(curve.strip(), self.power.max(1), float);
-        let limit = self.share(left);
+        let limit = self.truncation_of_each(left);
         let best = || pade::best(plain, nearest, limit);
         match self.power {
             0 => {
@@ -218,7 +218,7 @@ impl Aim {
 
     /// Two pairs in their place, if those save enough. Double poles are two already.
     fn two_pairs(&self, plain: &[Approximation], first: Pole, left: f64) -> Option<Pole> {
-        if self.power > 1 { None } else { pade::two(plain, first, self.share(left)) }
+        if self.power > 1 { None } else { pade::two(plain, first, self.truncation_of_each(left)) }
     }
 
     /// What a reduction leaves of the limit.
@@ -238,7 +238,7 @@ impl Aim {
     }
 
     /// The truncation allowed to each of the curves.
-    pub(super) fn share(&self, left: f64) -> f64 {
+    pub(super) fn truncation_of_each(&self, left: f64) -> f64 {
         left.min(self.truncation) / self.error((self.curves.len() as f64).sqrt())
     }
 

@@ -14,7 +14,7 @@ use super::pole::Pole;
 use super::tail;
 use super::weight::Weight;
 use crate::chebyshev::{CosineTable, Interpolation, lebesgue, scale, shift, to_powers};
-use crate::plan::blocks::Choices;
+use crate::plan::blocks::Shifts;
 use crate::plan::curve::Curve;
 use crate::plan::memo::Memo;
 use crate::plan::moebius::Moebius;
@@ -59,15 +59,15 @@ pub(super) struct Shortened {
     /// What that changes of phases up to so far.
     suprema: Memo<f64, f64>,
     /// The shifts found, by chunk.
-    choices: Memo<usize, Option<Choices>>,
+    shifts: Memo<usize, Option<Shifts>>,
     /// Its coefficients in powers of 8p − 1.
     powers: OnceCell<Vec<Double>>,
 }
 
 impl Shortened {
     fn new(series: Vec<Double>, left: Vec<f64>, first: usize) -> Self {
-        let (suprema, choices) = (Memo::default(), Memo::default());
-        Self { series, left, first, suprema, choices, powers: OnceCell::new() }
+        let (suprema, shifts) = (Memo::default(), Memo::default());
+        Self { series, left, first, suprema, shifts, powers: OnceCell::new() }
     }
 
     /// Its coefficients in powers of p/`area` + `c`.
@@ -78,9 +78,9 @@ impl Shortened {
     }
 
     /// The shifts, looked for once.
-    pub(super) fn choices(&self, chunk: usize) -> Option<Choices> {
-        let look = || Choices::new(&self.powers_of(Double::ZERO, Double::ONE), chunk);
-        self.choices.get(chunk, look)
+    pub(super) fn shifts(&self, chunk: usize) -> Option<Shifts> {
+        let look = || Shifts::new(&self.powers_of(Double::ZERO, Double::ONE), chunk);
+        self.shifts.get(chunk, look)
     }
 }
 

@@ -37,8 +37,8 @@ impl Truncated<'_> {
         let Self { approximation, terms, reduction, .. } = *self;
         let unit = reduction.float.unit();
         let shortened = approximation.shortened(terms, reduction.overshoot);
-        let choice = shortened.choices(chunk)?.within(limit / (unit * approximation.weight(0.0)))?;
-        let variable = self.variable(form, choice.shift);
+        let shift = shortened.shifts(chunk)?.within(limit / (unit * approximation.weight(0.0)))?;
+        let variable = self.variable(form, shift.by);
         let mut coefficients = self.powers(variable);
         if !is_moderate(&coefficients, self.quarter(), reduction.float) {
             return None;

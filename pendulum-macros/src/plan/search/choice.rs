@@ -17,10 +17,10 @@ pub(super) const DEARER: f64 = 1.05;
 
 /// The best that has been found, of ways in the order of what they are estimated to cost.
 pub(super) struct Choice<T> {
-    best: Option<Found<T>>,
+    best: Option<Best<T>>,
 }
 
-struct Found<T> {
+struct Best<T> {
     room: Room,
     /// The share of its limit that it takes.
     share: f64,
@@ -108,7 +108,7 @@ impl<T> Choice<T> {
             _ => cost * best.room.worth() < best.cost * room.worth(),
         });
         if better {
-            self.best = Some(Found { room, share, cost, way });
+            self.best = Some(Best { room, share, cost, way });
         }
     }
 

@@ -41,7 +41,7 @@ pub(super) struct Whole {
 }
 
 /// A kernel for it, how wrong it is, and what it costs.
-pub(super) struct Candidate {
+pub(super) struct Rated {
     pub(super) kernel: Kernel,
     pub(super) bound: Bound,
     pub(super) cost: f64,
@@ -114,16 +114,16 @@ impl Whole {
 
     /// The cheaper of one polynomial in its cheapest form and of many, each off by no more than is allowed; or many for the
     /// sum.
-    pub(super) fn cheapest(&self, reduction: &Reduction) -> Option<Candidate> {
-        let candidates = [self.single(reduction), self.pieces(reduction)];
-        let candidates = candidates.into_iter().flatten().map(|made| self.candidate(made, reduction));
-        let cheapest = candidates.min_by(|a, b| a.cost.total_cmp(&b.cost));
-        cheapest.or_else(|| Some(self.candidate(self.complement(reduction)?, reduction)))
+    pub(super) fn cheapest(&self, reduction: &Reduction) -> Option<Rated> {
+        let kernels = [self.single(reduction), self.pieces(reduction)];
+        let rated = kernels.into_iter().flatten().map(|made| self.rated(made, reduction));
+        let cheapest = rated.min_by(|a, b| a.cost.total_cmp(&b.cost));
+        cheapest.or_else(|| Some(self.rated(self.complement(reduction)?, reduction)))
     }
 
-    fn candidate(&self, (kernel, bound): (Kernel, Bound), reduction: &Reduction) -> Candidate {
+    fn rated(&self, (kernel, bound): (Kernel, Bound), reduction: &Reduction) -> Rated {
         let (cost, share) = (cost(reduction, &kernel), self.share(bound));
-        Candidate { kernel, bound, cost, share }
+        Rated { kernel, bound, cost, share }
     }
 
     fn single(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
@@ -158,7 +158,7 @@ impl Whole {
     }
 }
 
-impl Candidate {
+impl Rated {
     pub(super) fn rank(&self) -> [f64; 2] {
         rank(self.share, self.cost)
     }
