@@ -29,6 +29,13 @@ fn launched() {
 fn never_reached() {
     let p = Pendulum::<f64>::new(1.0, 1.0).expect("a swing");
     assert_eq!(p.time_at(1.5), Err(Error::NeverReached { angle: 1.5 }));
+    // A quarter of a period, 1.675/ω, that is a number, and one that isn't.
+    let slow = |omega| Pendulum::<f64>::new(1.0, omega).expect("a swing").time_at(0.0);
+    assert!(slow(1e-308).is_ok_and(f64::is_finite));
+    assert_eq!(slow(9e-309), Err(Error::NeverReached { angle: 0.0 }));
+    let slow = |omega| Pendulum::<f32>::new(1.0, omega).expect("a swing").time_at(0.0);
+    assert!(slow(5e-39).is_ok_and(|t| (t / 3.349_988e38 - 1.0).abs() < 1e-6));
+    assert_eq!(slow(4e-39), Err(Error::NeverReached { angle: 0.0 }));
     // In `f32` the amplitude is rounded: to more than the motion reaches, and to less.
     for velocity in [0.227_424_12, 0.5, 0.7, 0.9] {
         let p = Pendulum::<f32>::from_state(1.812_973_1, velocity, 1.5).expect("a swing");

@@ -28,7 +28,7 @@ pub enum Error {
         /// The angular velocity, rad per unit of t.
         value: f64,
     },
-    /// The motion never has this angle at t ≥ 0, or only 10¹⁵ turns ahead.
+    /// The motion never has this angle at t ≥ 0, or only 10¹⁵ turns ahead, or at a t beyond the largest number.
     NeverReached {
         /// The angle asked for, rad.
         angle: f64,
@@ -74,7 +74,8 @@ impl fmt::Display for Error {
             Self::NeverReached { angle } => write!(
                 f,
                 "theta = {angle} rad is never reached at t >= 0; \
-                 a swing reaches at most its `amplitude`, a rotation only what lies ahead"
+                 a swing reaches at most its `amplitude`, a rotation only what lies ahead, and t is at most the \
+                 largest number"
             ),
             Self::Overshoot { terms, overshoot, smallest } => write!(
                 f,

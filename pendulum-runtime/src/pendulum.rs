@@ -142,7 +142,8 @@ impl<F: Scalar> Pendulum<F> {
     /// for, ± what [`amplitude`](Self::amplitude) returns stands for them, wherever it was rounded to.
     ///
     /// # Errors
-    /// [`Error::NeverReached`] if no t ≥ 0 qualifies, or if it is more than 10¹⁵ turns away; [`Error::NotFinite`].
+    /// [`Error::NeverReached`] if no t ≥ 0 qualifies, if it is more than 10¹⁵ turns away, or if it is beyond the
+    /// largest number; [`Error::NotFinite`].
     ///
     /// ```
     /// # use pendulum_runtime::{Error, Pendulum};
@@ -155,7 +156,9 @@ impl<F: Scalar> Pendulum<F> {
         let (angle, amplitude) = (theta.widen(), self.motion.amplitude);
         // What `amplitude` returns is the turning point, wherever it was rounded to.
         let turning = self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
-        self.motion.time_at(if turning { amplitude.copysign(angle) } else { angle }).map(F::narrow)
+        let time =
+            F::narrow_or_infinite(self.motion.time_at(if turning { amplitude.copysign(angle) } else { angle })?);
+        if time.widen().is_finite() { Ok(time) } else { Err(Error::NeverReached { angle }) }
     }
 
     /// T = 4K/ω of a swing, 2π/ω at rest, the time of one turn of a rotation, ∞ on the separatrix.
