@@ -1,4 +1,10 @@
 //! A proven bound of |θ̂ − θ|, by branch and bound.
+//!
+//! Rounding, with u = 2⁻⁵³. Next to an overshoot the margin dn² + ρ(2y − ρ) cancels and then is under a root, so what it is
+//! rounded by is counted ([`UNIT`]); as is what its ρ is. Of the harmonic j steps after the first of a tail, |sin| is wrong by
+//! an argument of (2n − 1)πu at most, and by j² times what a step of the recurrence is rounded by, 4u; with j < n
+//! both together are below (2n − 1)²·2⁻⁵⁰. So the tail is wrong by 2⁻⁵⁰ times the bound of its second derivative, and its
+//! slope by as much of the third. All else is relative, and the 10⁻⁹ of `certified_bound` cover it.
 
 use super::{FourierAnalysis, distance};
 use libm::sqrt;
@@ -8,15 +14,19 @@ pub(super) struct Cells<'a> {
     analysis: &'a FourierAnalysis,
     terms: usize,
     goal: f64,
-    /// sup |ρ″| and sup |ρ|, from the sums of the tail's moduli.
-    curvature: f64,
+    /// sup |ρ|, |ρ″| and |ρ‴|, from the sums of the tail's moduli.
     total: f64,
+    curvature: f64,
+    third: f64,
 }
+
+/// Above what rounding does to each part of a sum of a few.
+const UNIT: f64 = 8.0 / (1_u64 << 53) as f64;
 
 impl<'a> Cells<'a> {
     pub(super) fn new(analysis: &'a FourierAnalysis, terms: usize, goal: f64) -> Self {
-        let (curvature, total) = (analysis.tail_moment(terms, 2), analysis.tail_moment(terms, 0));
-        Self { analysis, terms, goal, curvature, total }
+        let [total, curvature, third] = [0, 2, 3].map(|order| analysis.tail_moment(terms, order));
+        Self { analysis, terms, goal, total, curvature, third }
     }
 
     /// A bound of the error for low ≤ z ≤ high, after at most `depth` halvings.
@@ -35,16 +45,20 @@ impl<'a> Cells<'a> {
     fn cell_bound(&self, low: f64, high: f64) -> f64 {
         let radius = core::f64::consts::PI * (high - low); // half the cell, in w = 2πz
         let tail = self.analysis.tail(self.terms, 0.5 * (low + high));
-        let spread = radius * tail.slope.abs() + 0.5 * radius * radius * self.curvature;
+        let rounding = UNIT * (self.curvature + radius * self.third);
+        let spread = radius * tail.slope.abs() + 0.5 * radius * radius * self.curvature + rounding;
         let end = self.analysis.sample(self.terms, high);
         let bound = |tail: f64| {
-            let margin = end.dn * end.dn + tail * (2.0 * end.y - tail);
+            let (square, rest) = (end.dn * end.dn, tail * (2.0 * end.y - tail));
+            let margin = square + rest;
             if end.y < tail {
                 // asin y − asin(y − ρ) grows with y from y = ρ/2 on, and is the same at y = 0 and y = ρ.
                 let y = tail.min(1.0);
                 distance(y, sqrt((1.0 - y) * (1.0 + y)), y, 1.0)
             } else if margin >= 0.0 {
-                distance(end.y, end.dn, tail, margin)
+                // The less it is, the farther they are apart.
+                let rounding = UNIT * (square + rest.abs());
+                distance(end.y, end.dn, tail, (margin - rounding).max(0.0))
             } else {
                 // asin(y − ρ) − asin y grows with y only until y − ρ = 1.
                 distance(1.0 + tail, sqrt(-tail * (2.0 + tail)), tail, 0.0)

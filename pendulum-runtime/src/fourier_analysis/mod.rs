@@ -139,14 +139,15 @@ impl FourierAnalysis {
         works
     }
 
-    /// sup |θ̂ − θ| over the period: every local maximum found by sampling, refined until it stands still.
+    /// sup |θ̂ − θ| over the period: every local maximum found by sampling, refined until it stands still. Next to
+    /// an overshoot, where 1 − x² cancels before its root is taken, up to 2·10⁻⁸ of itself off have been seen.
     #[must_use]
     pub fn supremum(&self, terms: usize) -> f64 {
         self.largest(terms, Sample::error)
     }
 
-    /// An upper bound of |θ̂ − θ| over the period, at most 1 + `slack` times its supremum, by branch and bound: proven
-    /// (up to rounding, for which the result allows 10⁻⁹) whatever the sampling of `supremum` may have missed.
+    /// An upper bound of |θ̂ − θ| over the period, at most 1 + `slack` times its supremum, by branch and bound: proven,
+    /// rounding included, whatever the sampling of `supremum` may have missed.
     #[must_use]
     pub fn certified_bound(&self, terms: usize, slack: f64) -> f64 {
         let goal = self.supremum(terms) * (1.0 + slack);
