@@ -21,31 +21,42 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub(crate) struct Pulses {
     /// α.
     rate: f64,
-    /// By powers of Σ |sech α(s − ½ − m)|.
-    powers: [f64; 3],
+    curve: Of,
 }
 
-/// The longest ellipse's semi-axes.
+/// How a curve follows from Σ |sech α(s − ½ − m)|.
+#[derive(Clone, Copy, Debug)]
+enum Of {
+    /// By its powers.
+    Powers([f64; 3]),
+    /// θ, or what it has beside uniform turns: `largest` for real phases, and from there on its derivative's integral, of
+    /// 2α Σ ± sech less `turns` full angles per anchor.
+    Integral { largest: f64, turns: f64 },
+}
+
+/// The semi-axes of the longest ellipse that is tried, where the poles are farther: of that few points serve.
 const LONGEST: f64 = 0.75;
 const HIGHEST: f64 = 0.6;
 
 /// Parts of the way from the centre to the lowest point, of which those next to the poles are the smallest, or to the end.
+/// In each the pulse counts where it is largest; and of the bound it is the logarithm that counts.
 const CELLS: u32 = 24;
 
 impl Pulses {
     /// By powers of e, which is `front` times (π/2K′) Σ |sech|.
     fn by_powers(elliptic: &Elliptic, front: f64, [constant, once, twice]: [f64; 3]) -> Self {
-        let complementary = elliptic.quarter_complementary.to_f64();
-        let front = front * FRAC_PI_2 / complementary;
-        let rate = PI * elliptic.quarter.to_f64() / complementary;
-        Self { rate, powers: [constant, once * front, twice * front * front] }
+        let front = front * FRAC_PI_2 / elliptic.quarter_complementary.to_f64();
+        Self::with(elliptic, Of::Powers([constant, once * front, twice * front * front]))
     }
 
-    /// θ, or what it has beside uniform turns: `largest` for real phases, and `turns` of a full angle per anchor. Of both
-    /// the derivative is 2α Σ ± sech.
+    fn with(elliptic: &Elliptic, curve: Of) -> Self {
+        let rate = PI * elliptic.quarter.to_f64() / elliptic.quarter_complementary.to_f64();
+        Self { rate, curve }
+    }
+
+    /// θ, or what it has beside uniform turns: `largest` for real phases, and `turns` of a full angle per anchor.
     pub(crate) fn angle(elliptic: &Elliptic, largest: f64, turns: f64) -> Self {
-        let pulses = Self::by_powers(elliptic, 1.0, [largest + HIGHEST * 2.0 * PI * turns, 0.0, 0.0]);
-        Self { powers: [pulses.powers[0], HIGHEST * 2.0 * pulses.rate, 0.0], ..pulses }
+        Self::with(elliptic, Of::Integral { largest, turns })
     }
 
     /// θ̇, the largest |θ̇| of which e = 1 would be 2ω.
@@ -68,9 +79,9 @@ impl Pulses {
         Self::by_powers(elliptic, front, [0.0, 1.0, 0.0])
     }
 
-    /// Of the ellipse whose foci are the ends of an arc and that goes through the nearest poles, or the longest, half the
-    /// arc times cosh of this is the semi-axis: the distances of a point on it from the foci are together as long as both.
-    pub(crate) fn angle_of_poles(&self, arc: Arc) -> f64 {
+    /// The parameter, as in [`bound`](Self::bound), of the ellipse with its foci at the ends of an arc that goes through the
+    /// nearest pole, or of the longest: on an ellipse the distances from the foci add up to the major axis.
+    pub(crate) fn parameter_of_poles(&self, arc: Arc) -> f64 {
         let (centre, stretch) = (arc.centre.hi, arc.stretch.hi);
         let height = FRAC_PI_2 / self.rate / stretch;
         let through = |pole: f64| {
@@ -84,22 +95,25 @@ impl Pulses {
     }
 
     /// Bounds the curve inside the ellipse whose foci are the ends of an arc and whose semi-axes are half of it times cosh
-    /// and sinh of `angle`, by its magnitude on it.
-    pub(crate) fn bound(&self, arc: Arc, angle: f64) -> f64 {
+    /// and sinh of `parameter`, by its magnitude on it.
+    pub(crate) fn bound(&self, arc: Arc, parameter: f64) -> f64 {
         // Both sides are alike about an anchor and about a lowest point.
         let sides: &[f64] = if is_half(arc.centre) { &[1.0] } else { &[1.0, -1.0] };
-        let side = |way: &f64| self.nearest(way * arc.centre.hi, arc.stretch.hi, angle);
+        let (long, high) = (0.5 * arc.stretch.hi * libm::cosh(parameter), 0.5 * arc.stretch.hi * libm::sinh(parameter));
+        let side = |way: &f64| self.nearest(way * arc.centre.hi, long, high);
         // Of the other pulses the centres are farther than ½ and 1, 1½ and 2, …
         let others = 2.0 / libm::sinh(self.rate / 2.0) / (1.0 - libm::exp(-self.rate));
         let sum = worst(sides.iter().map(side)) + others;
-        let [constant, once, twice] = self.powers;
-        if sum.is_finite() { (constant + sum * (once + sum * twice)) * (1.0 + 1e-9) } else { f64::INFINITY }
+        let bound = match self.curve {
+            Of::Powers([constant, once, twice]) => constant + sum * (once + sum * twice),
+            Of::Integral { largest, turns } => largest + high * 2.0 * (PI * turns + self.rate * sum),
+        };
+        if sum.is_finite() { bound * (1.0 + 1e-9) } else { f64::INFINITY }
     }
 
-    /// Bounds the pulse of the nearest lowest point on the later half of an ellipse: in each cell where it is nearest to that
+    /// Bounds the pulse of the nearest lowest point on the later half of an ellipse of these semi-axes: in each cell where it is nearest to that
     /// and farthest from the real axis.
-    fn nearest(&self, centre: f64, stretch: f64, angle: f64) -> f64 {
-        let (long, high) = (0.5 * stretch * libm::cosh(angle), 0.5 * stretch * libm::sinh(angle));
+    fn nearest(&self, centre: f64, long: f64, high: f64) -> f64 {
         let cosine = |x: f64| {
             let b = self.rate * high * libm::sqrt(1.0 - ((x - centre) / long).powi(2));
             if b < FRAC_PI_2 { libm::cos(b) } else { 0.0 }

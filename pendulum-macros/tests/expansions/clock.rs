@@ -68,7 +68,7 @@ impl Clock {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 28;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219383162724061e-10;
+    pub const MAX_ERROR: f64 = 6.219383123319159e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
     pub const MAX_VELOCITY_ERROR: f64 = 4.3075098582183034e-10;
     /// θ(t), rad; NaN if t is not finite. 28 operations.

@@ -65,7 +65,7 @@ impl Lamp {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 16;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f32 = 9.139537e-5;
+    pub const MAX_ERROR: f32 = 9.139527e-5;
     /// Proven bound of the position's distance from the exact one, in lengths.
     pub const MAX_POSITION_ERROR: f32 = 7.717634e-5;
     /// θ(t), rad; NaN if t is not finite. 16 operations.

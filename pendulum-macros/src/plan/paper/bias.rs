@@ -49,13 +49,14 @@ impl<'a> Approximate<'a> {
         let met = self.met().filter(|_| drift < 0.25).map(|[least, farthest]| [least - drift, farthest + drift]);
         let met = met.unwrap_or([0.0, 0.5]);
         // Both at the same phase and rate; then the other rate, and the other phase.
-        let at_same_phase = self.at_same_phase(met, Sines::slopes_apart, 1);
+        let omitted = if *method == Method::Fourier { 0.0 } else { theta.omitted_slope() };
+        let at_same_phase = self.at_same_phase(met, Sines::slopes_apart, 1) + omitted;
         let faster = match (rate - exact_rate).abs() {
             0.0 => 0.0,
             faster => faster * supremum(met, |low, high| ours.over(low, high).largest(1)),
         };
         let shifted = (exact.magnitude(2) * drift).min(2.0 * exact.magnitude(1));
-        ((at_same_phase + theta.omitted_slope() + shifted) * exact_rate + faster) * (1.0 + 1e-9)
+        ((at_same_phase + shifted) * exact_rate + faster) * (1.0 + 1e-9)
     }
 
     /// How far −ω² sin θ̂ by the paper's formula, or otherwise θ̂″, is from θ̈ over the horizon at most, in rad per unit of
@@ -166,7 +167,7 @@ impl<'a> Approximate<'a> {
     fn sines(&self) -> Sines {
         let Sum { scene, swing, weights, .. } = self.sum;
         let curves = SwingCurves::new(swing, &scene.motion.omega);
-        Sines::new(weights, sum_of(self.theta.terms()), &curves)
+        Sines::new(weights, self.theta, &curves)
     }
 }
 
@@ -251,19 +252,21 @@ struct Sines {
     /// ρ = Y − y.
     rest: Cosines,
     theta: Cosines,
-    /// What Y, and so ρ, and its derivative are in doubt by.
+    /// What Y, and so ρ, and its derivative are in doubt by; and θ′.
     omitted: [f64; 2],
+    omitted_slope: f64,
     /// k′, which cos(θ/2) is at least.
     complementary: f64,
 }
 
 impl Sines {
-    fn new(weights: &[Double], theta: Cosines, curves: &SwingCurves) -> Self {
+    fn new(weights: &[Double], theta: &Curve, curves: &SwingCurves) -> Self {
+        let (theta, omitted_slope) = (sum_of(theta.terms()), theta.omitted_slope());
         let curve = curves.half_sine();
         let (whole, rest) = (sum_of(curve.terms()), difference(curve.terms(), weights));
         let omitted = [curve.omitted(), curve.omitted_slope()];
         let complementary = curves.complementary();
-        Self { ours: Cosines::odd(weights), whole, rest, theta, omitted, complementary }
+        Self { ours: Cosines::odd(weights), whole, rest, theta, omitted, omitted_slope, complementary }
     }
 
     /// Bounds |θ̂ − θ| between two phases: with C = cos(θ/2) it is 2 arcsin(|ρ|(y + Y)/(yC + Y√(1 − y²))), where neither
@@ -305,7 +308,9 @@ impl Sines {
         let tangent = |y: f64, whole: f64| libm::tan(0.5 * (libm::asin(y) + libm::asin(whole)));
         let tangents = (tangent(sines.0, wholes.0), tangent(sines.1, wholes.1));
         let [rest, first] = [0, 1].map(|order| within(rest.range(order), order));
-        let second = products(products(theta.range(1), rest), tangents);
+        let (least, most) = theta.range(1);
+        let slopes = (least - self.omitted_slope, most + self.omitted_slope);
+        let second = products(products(slopes, rest), tangents);
         let most = (2.0 * first.0 + second.0).abs().max((2.0 * first.1 + second.1).abs());
         most / ((1.0 - y.largest(0)) * (1.0 + y.largest(0))).sqrt()
     }

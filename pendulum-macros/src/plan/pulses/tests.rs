@@ -155,7 +155,7 @@ fn bounds_between_poles() {
         for (index, curve) in motion.curves.iter().enumerate() {
             let pulses = curve.pulses().unwrap();
             for part in [0.3, 0.6, 0.88, 0.94] {
-                let angle = part * pulses.angle_of_poles(arc);
+                let angle = part * pulses.parameter_of_poles(arc);
                 let bound = pulses.bound(arc, angle);
                 let samples = if arc == Arc::WHOLE { 50 } else { 20 };
                 let on_it = |i: i32| {
@@ -183,7 +183,7 @@ fn no_bound_at_poles() {
         for curve in &Motion::new(text).curves {
             let pulses = curve.pulses().unwrap();
             let [before, at] =
-                [0.95, 1.0 + 1e-9].map(|part| pulses.bound(Arc::WHOLE, part * pulses.angle_of_poles(Arc::WHOLE)));
+                [0.95, 1.0 + 1e-9].map(|part| pulses.bound(Arc::WHOLE, part * pulses.parameter_of_poles(Arc::WHOLE)));
             assert!(before.is_finite() && at == f64::INFINITY, "{text}: {before} {at}");
         }
     }

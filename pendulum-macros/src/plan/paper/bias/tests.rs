@@ -204,6 +204,7 @@ fn beside_nothing(weights: &[Double]) -> Sines {
         rest: Cosines::odd(&minus),
         theta: nothing(),
         omitted: [0.0; 2],
+        omitted_slope: 0.0,
         complementary: 0.0,
     }
 }
@@ -240,7 +241,7 @@ fn cells_that_reach_the_edge() {
 }
 
 /// What sin(θ/2) is in doubt by counts as often as ρ and ρ′ do: with y = Y = θ = ½ cos πs at s = ¼ these are 2/√m, and
-/// |θ′|·tan(arcsin y)/√m.
+/// |θ′|·tan(arcsin y)/√m; and what θ′ is in doubt by, as often as |ρ|·tan(arcsin y)/√m.
 #[test]
 fn what_is_in_doubt() {
     let half = || Cosines::odd(&[Double::new(0.5)]);
@@ -250,10 +251,18 @@ fn what_is_in_doubt() {
     for (omitted, expected) in
         [([1e-6, 0.0], 1e-6 * PI * y * (y / margin) / margin), ([0.0, 1e-6], 2e-6 / margin), ([0.0; 2], 0.0)]
     {
-        let sines = Sines { ours: half(), whole: half(), rest: nothing(), theta: half(), omitted, complementary: 0.0 };
+        let whole = half();
+        let sines = Sines { whole, theta: half(), rest: nothing(), omitted, ..beside_nothing(&[Double::new(0.5)]) };
         let found = sines.slopes_apart(0.25, 0.25);
         assert!((found - expected).abs() < 1e-11, "{omitted:?}: {found:e} {expected:e}");
     }
+    let found = |omitted_slope: f64| {
+        let (whole, rest) = (half(), half());
+        let sines = Sines { whole, theta: half(), rest, omitted_slope, ..beside_nothing(&[Double::new(0.5)]) };
+        sines.slopes_apart(0.25, 0.25)
+    };
+    let (more, expected) = (found(1e-6) - found(0.0), 1e-6 * y * (y / margin) / margin);
+    assert!((more - expected).abs() < 1e-13, "{more:e} {expected:e}");
 }
 
 /// Where a sum falls steeply next to 1, and doesn't bend itself, the arcsine does.
