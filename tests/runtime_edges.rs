@@ -116,6 +116,28 @@ fn energies_of_the_fastest() {
     assert_eq!([energy(1e155), energy(1e200), energy(1e290)], [f64::INFINITY; 3]);
 }
 
+/// k′ and K′ of every regime: k² + k′² = 1, q = exp(−πK′/K); next to the top k′ = sin ½(π − θ0) where k is 1.
+#[test]
+fn complements() {
+    let of = |theta: f64, velocity: f64| {
+        let p = Pendulum::<f64>::from_state(theta, velocity, 2.0).unwrap();
+        (p, p.complementary_modulus(), p.complementary_quarter_period())
+    };
+    for (theta, velocity) in [(0.5, 0.0), (3.0, 0.0), (1.0, 2.0), (0.3, 5.0), (-2.0, 9.0)] {
+        let (p, complementary, quarter) = of(theta, velocity);
+        assert!((p.modulus().hypot(complementary) - 1.0).abs() <= f64::EPSILON, "{theta} {velocity}");
+        let nome = (-PI * quarter / p.quarter_period()).exp();
+        assert!((p.nome() / nome - 1.0).abs() <= 1e-14, "{theta} {velocity}");
+    }
+    let (p, complementary, _) = of(PI - 1e-9, 0.0);
+    let below = (PI - (PI - 1e-9)) + 1.224_646_799_147_353_2e-16;
+    assert_eq!(p.modulus(), 1.0);
+    assert!((complementary / (0.5 * below) - 1.0).abs() <= 2.0 * f64::EPSILON);
+    let (at_rest, on_separatrix) = (of(0.0, 0.0), of(0.0, 4.0));
+    assert_eq!((at_rest.1, at_rest.2), (1.0, f64::INFINITY));
+    assert_eq!((on_separatrix.1, on_separatrix.2), (0.0, PI / 2.0));
+}
+
 /// Eq. 3 from any state, where ω isn't 1: θ cos ωt + (θ̇/ω) sin ωt.
 #[test]
 fn small_angles_in_motion() {

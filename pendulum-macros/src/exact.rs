@@ -1,7 +1,8 @@
 //! Real numbers "exact enough": `dashu-float` at a working precision far beyond what any emitted constant needs.
 //!
-//! The working precision covers the digits the user wrote, the cancellation of π − θ0, and 256 bits besides, so that a
-//! constant rounded once at the end is the correctly rounded one of the exact real value.
+//! The working precision covers the digits the user wrote, which may cancel in π − θ0, and 256 bits besides; what can't
+//! cancel any more is carried with little more than these. So a constant rounded once at the end is the correctly rounded
+//! one of the exact real value.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use dashu_float::{FBig, round::mode::HalfEven};
@@ -16,7 +17,7 @@ const GUARD_BITS: usize = 256;
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub(crate) struct Real(Big);
 
-/// The working precision: everything derived from one request carries it.
+/// A working precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Context {
     bits: usize,
@@ -24,12 +25,14 @@ pub(crate) struct Context {
 
 impl Context {
     /// Enough for numbers written with up to `digits` decimal digits: their differences (π − θ0, v0 − 2ω) may cancel
-    /// all of them, 3.3 bits each. Where squares of such differences matter, [`Context::widened`] follows.
+    /// all of them, log₂ 10 = 3.3 bits each, for which there are 4. Shorter ones count as of 35, more than the 32 of two
+    /// words of `f64`. Where squares of such differences matter, [`Context::widened`] follows.
     pub(crate) fn for_digits(digits: usize) -> Self {
         Self { bits: GUARD_BITS + 4 * digits.max(35) }
     }
 
-    /// For numbers that have been told from every other that they might cancel with: the guard bits and some more.
+    /// For numbers that have been told from every other that they might cancel with: the guard bits, and as many more as
+    /// the shortest input has.
     pub(crate) fn settled() -> Self {
         Self::for_digits(0)
     }
@@ -68,7 +71,7 @@ impl Context {
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let digits = Big::from_parts([whole, fraction].concat().parse().ok()?, 0);
         let exponent = exponent.parse::<i64>().ok()? - fraction.len() as i64;
-        // So many bits more that its roundings are beside that of the result.
+        // With so many bits more its roundings are nothing beside that of the result.
         let scale = self.widened(64).integer(10).power(exponent.unsigned_abs() as usize).0;
         let value = if exponent < 0 { digits / scale } else { digits * scale };
         Some(Real(value.with_precision(self.bits).value()))

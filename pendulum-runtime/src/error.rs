@@ -13,7 +13,7 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
-    /// |θ0| > π: a release angle beyond the top.
+    /// |θ0| exceeds the last `f64` below π: a release angle beyond the top.
     Amplitude {
         /// The release angle, rad.
         value: f64,

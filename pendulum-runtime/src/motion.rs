@@ -161,6 +161,11 @@ impl Motion {
         complete(self.moduli.kc)
     }
 
+    /// K′.
+    pub(crate) fn complementary_quarter_period(&self) -> f64 {
+        complete(self.moduli.k)
+    }
+
     /// q = exp(−πK′/K).
     pub(crate) fn nome(&self) -> f64 {
         nome_of(self.moduli.k, self.moduli.kc)

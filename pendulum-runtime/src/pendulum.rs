@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pendulum<F: Scalar> {
+pub struct Pendulum<F: Scalar = f64> {
     motion: Motion,
     scalar: PhantomData<F>,
 }
@@ -155,9 +155,9 @@ impl<F: Scalar> Pendulum<F> {
     pub fn time_at(&self, theta: F) -> Result<F, Error> {
         let (angle, amplitude) = (theta.widen(), self.motion.amplitude);
         // What `amplitude` returns is the turning point, wherever it was rounded to.
-        let turning = self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
-        let time =
-            F::narrow_or_infinite(self.motion.time_at(if turning { amplitude.copysign(angle) } else { angle })?);
+        let is_turning = self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
+        let target = if is_turning { amplitude.copysign(angle) } else { angle };
+        let time = F::narrow_or_infinite(self.motion.time_at(target)?);
         if time.widen().is_finite() { Ok(time) } else { Err(Error::NeverReached { angle }) }
     }
 
@@ -177,6 +177,12 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow(self.motion.moduli.k.to_f64())
     }
 
+    /// The complementary modulus k′ = √(1 − k²): cos(θ0/2) of a swing, 0 on the separatrix. Near the top, where k rounds
+    /// to 1, it tells motions from each other.
+    pub fn complementary_modulus(&self) -> F {
+        F::narrow(self.motion.moduli.kc.to_f64())
+    }
+
     /// The nome q = exp(−πK′/K) of the modulus; 1 on the separatrix.
     pub fn nome(&self) -> F {
         F::narrow(self.motion.nome())
@@ -186,6 +192,11 @@ impl<F: Scalar> Pendulum<F> {
     /// (T = 4K/ω); ∞ on the separatrix. One turn of a rotation takes 2κK/ω.
     pub fn quarter_period(&self) -> F {
         F::narrow_or_infinite(self.motion.quarter_period())
+    }
+
+    /// K′, the complete elliptic integral of the complementary modulus; ∞ at rest.
+    pub fn complementary_quarter_period(&self) -> F {
+        F::narrow_or_infinite(self.motion.complementary_quarter_period())
     }
 
     /// What the pendulum does for all time.

@@ -92,7 +92,8 @@ impl State {
     }
 }
 
-/// All that cancels has cancelled when the state is known: what follows needs no digits that only told it from others.
+/// All that cancels has cancelled when the state is known: what follows needs no digits that only told it from others. What
+/// is emitted as it was given, an angle or ω, keeps them: rounded here first it would be rounded twice.
 fn settled(x: Real) -> Real {
     x.narrowed(Context::settled())
 }

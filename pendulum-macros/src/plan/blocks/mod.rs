@@ -11,6 +11,7 @@
 //! polynomials are cut into blocks, Σ Bⱼ(y)·y^(chunk·j), each of which is adapted; or, where that is not enough, only
 //! those blocks of four are that are small beside the first. The proof of the rounding is that of any program.
 
+mod roots;
 mod shifts;
 
 pub(crate) use shifts::Shifts;
@@ -18,7 +19,7 @@ pub(crate) use shifts::Shifts;
 use super::estrin::estrin;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
-use shifts::{divide, roots};
+use roots::{factored, roots};
 
 /// A polynomial in y, in blocks of so many terms.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,10 +35,10 @@ pub(crate) struct Blocks {
 
 /// One block: z, and the (α, β) in the order of evaluation.
 #[derive(Clone, Debug, PartialEq)]
-struct Block {
+struct Block<T = Double> {
     /// Powers of y, lowest first: at most three, or all.
-    head: Vec<Double>,
-    factors: Vec<(Double, Double)>,
+    head: Vec<T>,
+    factors: Vec<(T, T)>,
 }
 
 /// The least number of terms that adapting saves an operation of.
@@ -228,14 +229,8 @@ impl Block {
     /// Divides by one factor after the other, the smallest root first: it stands last in the evaluation.
     fn adapted(powers: &[Double]) -> Option<Self> {
         let rough: Vec<f64> = powers.iter().map(|c| c.hi).collect();
-        let mut left = powers.to_vec();
-        let mut factors = Vec::new();
-        for root in roots(&rough)? {
-            let alpha = polished(powers, root);
-            factors.push((alpha, divide(&mut left, alpha)));
-        }
-        factors.reverse();
-        Some(Self { head: left, factors })
+        let alphas: Vec<Double> = roots(&rough)?.into_iter().map(|root| polished(powers, root)).collect();
+        Some(factored(powers, &alphas))
     }
 
     /// The sum of the magnitudes that it is evaluated by: what it is rounded by, in units of rounding.

@@ -1,6 +1,7 @@
 //! The methods of the paper, and the series of θ: sums of harmonics of one cosine.
 
 mod bias;
+mod count;
 mod parts;
 mod series;
 mod whole;
@@ -11,18 +12,15 @@ use super::met::Met;
 use super::part::observed;
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal};
-use crate::exact::Real;
+use crate::exact::{Context, Real};
 use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
-use bias::{Approximate, MOST_TERMS};
+use bias::MOST_TERMS;
+use count::{MORE, MOST_CHOSEN, fewest, fewest_of_series, planned};
 use parts::Wanted;
 use pendulum_runtime::double::Double;
-
-/// More terms than this aren't chosen for a tolerance: the analysis of longer sums takes the compiler longer than a
-/// second.
-const MOST_CHOSEN: usize = 128;
 
 /// The plan of a forced method, or of the paper's θ̂.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
@@ -55,9 +53,6 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     Err(Refusal::Unreachable { best: reached })
 }
 
-/// How many terms more than the fewest are tried.
-const MORE: [usize; 8] = [0, 1, 2, 3, 5, 8, 13, 21];
-
 /// The weights that a method gives to the harmonics of the phase of a swing.
 struct Sum<'a> {
     scene: &'a Scene,
@@ -86,8 +81,8 @@ impl<'a> Sum<'a> {
 
     /// The amplitude times a cosine.
     fn of_one(scene: &'a Scene, swing: &'a Swing, method: Method) -> Self {
-        let omega = &scene.motion.omega;
-        let rate = if method == Method::SmallAngle { omega / omega.context().pi() } else { swing.rate() };
+        let (omega, context) = (scene.motion.omega.clone(), Context::settled());
+        let rate = if method == Method::SmallAngle { omega.narrowed(context) / context.pi() } else { swing.rate() };
         Self::of_weights(scene, swing, method, rate, vec![swing.amplitude.to_double()])
     }
 
@@ -119,81 +114,26 @@ impl<'a> Sum<'a> {
         Met::within(self.scene, &self.rate, &self.swing.launch)
     }
 
+    /// The weights of the sum's derivative, a sum of sines: −wₙ(2n − 1)π·rate.
+    fn slopes(&self) -> Vec<Double> {
+        let rate = self.rate.to_double() * -Double::PI;
+        self.weights.iter().enumerate().map(|(index, &w)| w * rate * (2 * index + 1) as f64).collect()
+    }
+
+    /// The weights of its second derivative: −wₙ((2n − 1)π·rate)².
+    fn bends(&self) -> Vec<Double> {
+        let rate = self.rate.to_double() * Double::PI;
+        let bend = |(index, &w): (usize, &Double)| {
+            let frequency = rate * (2 * index + 1) as f64;
+            -(w * frequency * frequency)
+        };
+        self.weights.iter().enumerate().map(bend).collect()
+    }
+
     /// −1 for a mirror image.
     fn direction(&self) -> f64 {
         direction(self.swing.mirrored)
     }
-}
-
-/// The part of a tolerance that terms left out may come to when terms are first counted: the rest is for phase and
-/// rounding, mostly far less, and where it isn't enough more terms are tried ([`MORE`]).
-const OF_TRUNCATION: f64 = 0.98;
-
-/// What the terms of a series that are left out may come to.
-fn aim(scene: &Scene, curve: &Curve) -> f64 {
-    match scene.goal {
-        Goal::Tolerance(tol) => tol * curve.size.unit * OF_TRUNCATION,
-        _ => scene.float.unit() * curve.size.largest,
-    }
-}
-
-/// As many terms of the series as θ takes to come within what is asked, and so many that what derivatives leave out may be
-/// as little.
-fn fewest_of_series(scene: &Scene, swing: &Swing) -> usize {
-    let curves = SwingCurves::new(swing, &scene.motion.omega);
-    let theta = curves.angle();
-    let most = theta.terms().len().min(MOST_TERMS);
-    let serves = |kept: usize| {
-        let sum = Sum::series(scene, swing, &theta, kept);
-        Approximate::new(&sum, &theta).angle() <= aim(scene, &theta)
-    };
-    let of_theta = first_serving(negligible_after(scene, &theta), most, serves);
-    let of_derivative = |output: &Output| match output {
-        Output::Velocity => negligible_after(scene, &curves.velocity()),
-        Output::Acceleration => negligible_after(scene, &curves.acceleration()),
-        _ => 0,
-    };
-    scene.outputs.iter().map(of_derivative).fold(of_theta, usize::max)
-}
-
-/// How many terms there are before one that is no more than twice what may be left out: with fewer its own harmonic is too
-/// much.
-fn negligible_after(scene: &Scene, curve: &Curve) -> usize {
-    let (terms, aim) = (curve.terms(), aim(scene, curve));
-    (1..terms.len()).find(|&kept| terms[kept].1.hi.abs() / 2.0 <= aim).unwrap_or(terms.len())
-}
-
-/// The least number from `least` on that serves, or `most`, by bisection: more are better.
-fn first_serving(least: usize, most: usize, serves: impl Fn(usize) -> bool) -> usize {
-    let (mut fails, mut found, mut step) = (least, least, 1);
-    while found < most && !serves(found) {
-        (fails, found, step) = (found, most.min(found + step), 2 * step);
-    }
-    while found > fails + 1 {
-        let middle = usize::midpoint(fails, found);
-        *(if serves(middle) { &mut found } else { &mut fails }) = middle;
-    }
-    found
-}
-
-/// The first number of terms from `smallest` on, of a few, that is planned: without overshoot an error may still be too
-/// near to it to be bounded.
-fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
-    let ask = |n: usize| plan(&Scene { goal: Goal::Terms(n), ..scene.clone() }, swing, Method::Fourier);
-    (smallest..=swing.most_useful_terms(scene.float.unit())).take(3).find(|&n| ask(n).is_ok())
-}
-
-/// The terms of Eq. 22 that are asked for, or the fewest that don't overshoot and come within the tolerance, by bisection:
-/// more terms are better. Where none are, one.
-fn fewest(scene: &Scene, swing: &Swing) -> usize {
-    let tol = match scene.goal {
-        Goal::Terms(n) => return n,
-        Goal::Tolerance(tol) => tol * OF_TRUNCATION,
-        Goal::Full => scene.float.unit() * swing.amplitude.to_f64(),
-    };
-    let Some(smallest) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
-    let analysis = swing.elliptic.fourier_analysis();
-    first_serving(smallest, MOST_CHOSEN, |n| analysis.supremum(n) < tol)
 }
 
 /// The part of what is allowed that a formula to be reproduced is wrong by counts before what it costs, where it is more than

@@ -7,7 +7,7 @@
 //! Beyond the lowest point y is negative, and the arcsine that of the mirror image: with σ = −1 in those pieces, z =
 //! (1 − σy)/2, and π and 4 change their signs. So both are numbers of the row.
 
-use super::{POWERS, Pieces, rounded};
+use super::{POWERS, Pieces, rounding_of_row};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
 use crate::program::rounding::Known;
@@ -88,26 +88,29 @@ impl Complement {
         let result = self.lower(&mut b, "result");
         let program = b.finish(vec![result]);
         let (before, after) = (program.up_to(REST), program.after_named(&[REST]));
-        let (half, y) = (self.sine.reduction.half(), Cosines::odd(&self.weights));
-        let pieces = self.sine.rows.len();
-        // A row and its mirror image are rounded alike.
+        let (pieces, half, unit) = (self.sine.rows.len(), self.sine.reduction.half(), self.sine.reduction.unit.hi);
+        let y = Cosines::odd(&self.weights);
+        let z_between = |index: usize, low: f64, high: f64| {
+            let remainder = (POWERS[0], Known::between(low, high));
+            let error = rounding_of_row(&before, &program.table[index], remainder) + 0.5 * self.truncation;
+            let [from, to] = [low, high].map(|remainder| index as f64 / pieces as f64 + remainder * unit);
+            let (least, most) = y.over(from, to).range(0);
+            Known::within(0.5 * (1.0 - most) - error, 0.5 * (1.0 - least) + error, error)
+        };
+        // Where z can't be told from 0 its root is wrong by one of its error, however narrow the cell, and halving would
+        // not end. So every cell has to tell it first; and a row of which one can't is bounded without that.
         let of_row = |index: usize| {
-            let row = &program.table[index];
-            let centre = index as f64 / pieces as f64;
-            let bound = |low: f64, high: f64, apart: bool| {
-                let error = rounded(&before, row, (POWERS[0], Known::between(low, high))) + 0.5 * self.truncation;
-                let [from, to] = [low, high].map(|remainder| centre + remainder * self.sine.reduction.unit.hi);
-                let (least, most) = y.over(from, to).range(0);
-                let known = Known::within(0.5 * (1.0 - most) - error, 0.5 * (1.0 - least) + error, error);
-                if apart && known.low <= 0.0 { f64::INFINITY } else { rounded(&after, row, (REST, known)) }
+            let halved = |apart: bool| {
+                by_halves([-half, half], CELLS, MOST_HALVED, |low, high| {
+                    let z = z_between(index, low, high);
+                    let told = !apart || z.low > 0.0;
+                    if told { rounding_of_row(&after, &program.table[index], (REST, z)) } else { f64::INFINITY }
+                })
             };
-            let halved =
-                |apart: bool| by_halves([-half, half], CELLS, MOST_HALVED, |low, high| bound(low, high, apart));
-            // Where z might be 0 a root is wrong by one of its error, however narrow the cell, and halving would end: less is
-            // known of the parts in which it can't be, if they are all there is.
             let apart = halved(true);
             if apart.is_finite() { apart } else { halved(false) }
         };
+        // A row and its mirror image are rounded alike.
         worst((0..=pieces / 2).map(of_row))
     }
 }

@@ -105,13 +105,13 @@ impl Pieces {
     /// are rounded alike.
     fn rounding_of(&self, program: &Program) -> f64 {
         let remainder = (POWERS[0], Known::between(-self.reduction.half(), self.reduction.half()));
-        worst(program.table[..=program.table.len() / 2].iter().map(|row| rounded(program, row, remainder)))
+        worst(program.table[..=program.table.len() / 2].iter().map(|row| rounding_of_row(program, row, remainder)))
     }
 }
 
 /// The norm of what a program's results are rounded by with the numbers of that row, given what is known of the node of
 /// that name.
-fn rounded(program: &Program, row: &[Double], (name, known): (&str, Known)) -> f64 {
+fn rounding_of_row(program: &Program, row: &[Double], (name, known): (&str, Known)) -> f64 {
     let number = |(id, node): (Id, &Node)| match node.op {
         Op::Entry { column, .. } => {
             let value = node.float.round(row[column].hi);

@@ -92,9 +92,9 @@ impl Whole {
         self.pieces.is_some() || self.sum_in_pieces().is_some()
     }
 
-    /// A reduction to its pieces, if both can be had.
+    /// A reduction to its pieces, the most that may be tried, if both can be had.
     pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
-        let of_sum = || self.sum_in_pieces().map(|_| SumInPieces::fewest_pieces());
+        let of_sum = || self.sum_in_pieces().map(|_| SumInPieces::most_pieces());
         reduction.in_pieces(self.pieces.as_ref().map(Piecewise::pieces).or_else(of_sum)? as f64)
     }
 

@@ -20,7 +20,7 @@ pub(super) struct SumInPieces {
     pieces: [OnceCell<Option<Piecewise>>; COUNTS.len()],
     /// What their series may be wrong by.
     negligible: f64,
-    /// 1/√z where z = (1 − y)/2 is least: by how much more θ̂ is wrong than y.
+    /// 1/√z where z = (1 − y)/2 is least: near y = 1 by so much more θ̂ is wrong than y, which is 1/√(z(1 − z)).
     slope: f64,
 }
 
@@ -42,8 +42,8 @@ impl SumInPieces {
         slope.is_finite().then(|| Self { weights, curve, pieces, negligible: limit / slope / 512.0, slope })
     }
 
-    pub(super) fn fewest_pieces() -> usize {
-        COUNTS[0]
+    pub(super) fn most_pieces() -> usize {
+        COUNTS[COUNTS.len() - 1]
     }
 
     fn piecewise(&self, index: usize) -> Option<&Piecewise> {
