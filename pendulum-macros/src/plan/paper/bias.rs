@@ -225,7 +225,8 @@ pub(super) const MOST_TERMS: usize = 400;
 const CELLS: u32 = 96;
 const MOST_HALVED: usize = 2000;
 
-fn supremum(phases: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64 {
+/// The largest bound of a function of the half wave between two phases.
+pub(super) fn supremum(phases: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64 {
     by_halves(phases, CELLS, MOST_HALVED, bound)
 }
 

@@ -30,7 +30,8 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         Method::Series => fewest_of_series(scene, swing),
         _ => 1,
     };
-    // Derivatives may need some terms more, as long as these help.
+    // Derivatives may need some terms more, as long as these take a tenth off what is reached; before anything is reached, a
+    // few are tried.
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
         let given = matches!(scene.goal, Goal::Terms(_));

@@ -18,7 +18,7 @@ impl Sum<'_> {
     /// the tolerance.
     pub(super) fn in_pieces(&self, wanted: &[Wanted]) -> Result<Plan, f64> {
         let mut task = Task::new(self.scene);
-        task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.aim(wanted, aim));
+        task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.restrict(aim, wanted));
         let bias = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
         let all = InPieces::all(&task, &self.reductions());
         let pieces = all.first().ok_or(f64::INFINITY)?;
@@ -36,7 +36,7 @@ impl Sum<'_> {
     }
 
     /// The sum in place of the whole curve, with what is left to it.
-    fn aim(&self, wanted: &Wanted, aim: &mut Aim) {
+    fn restrict(&self, aim: &mut Aim, wanted: &Wanted) {
         aim.curves = vec![wanted.curve.clone().first(self.weights.len())];
         // A sum has no logarithms.
         aim.power = 1;

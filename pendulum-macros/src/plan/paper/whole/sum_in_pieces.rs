@@ -6,9 +6,9 @@ use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::Curve;
 use crate::plan::kernel::{Core, Kernel};
+use crate::plan::paper::bias::supremum;
 use crate::plan::pieces::{Complement, Piecewise};
 use crate::plan::reduction::Reduction;
-use crate::supremum::by_halves;
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
 
@@ -27,17 +27,13 @@ pub(super) struct SumInPieces {
 /// The numbers of pieces of half a period that are tried.
 const COUNTS: [usize; 3] = [32, 64, 128];
 
-/// Cells of the half wave, and how many of them are halved: next to an overshoot z is as small within a thousandth of it.
-const CELLS: u32 = 96;
-const MOST_HALVED: usize = 1000;
-
 impl SumInPieces {
     /// For a sum of these weights that is nowhere 1, the pieces' series wrong by much less than makes `limit` of θ̂.
     pub(super) fn new(weights: &[Double], limit: f64) -> Option<Self> {
         let sum = Cosines::odd(weights);
         // Infinite, or no number, where z may be 0.
         let slope_between = |low: f64, high: f64| (0.5 * (1.0 - sum.over(low, high).range(0).1)).sqrt().recip();
-        let slope = by_halves([0.0, 0.5], CELLS, MOST_HALVED, slope_between);
+        let slope = supremum([0.0, 0.5], slope_between);
         let (weights, curve, pieces) = (weights.to_vec(), Curve::harmonics(weights), Default::default());
         slope.is_finite().then(|| Self { weights, curve, pieces, negligible: limit / slope / 512.0, slope })
     }
