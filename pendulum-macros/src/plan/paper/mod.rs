@@ -188,27 +188,43 @@ impl Sum<'_> {
         reductions
     }
 
-    /// Whether a phase is good enough for all outputs. Without a tolerance its error is to be of the order of the rounding.
-    /// Of a tolerance, one whose error is next to nothing until the end of a long horizon is to take no more than the
-    /// terms left out do.
+    /// Whether a phase is good enough for all outputs.
     fn serves(&self, wanted: &[Wanted], reduction: &Reduction) -> bool {
-        let fine = |wanted: &Wanted| {
-            let phase = wanted.phase_error(reduction);
-            match self.scene.goal {
-                Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
-                _ => phase <= 8.0 * self.scene.float.unit() * wanted.curve.size.largest,
-            }
-        };
-        wanted.iter().all(fine)
+        wanted.iter().all(|wanted| self.serves_one(wanted, reduction))
     }
 
-    /// The cheapest plan that is found; or the least error that was reached, in units of the tolerance.
+    /// Without a tolerance the phase's error is to be of the order of the rounding. Of a tolerance, one whose error is next to
+    /// nothing until the end of a long horizon is to take no more than the terms left out do.
+    fn serves_one(&self, wanted: &Wanted, reduction: &Reduction) -> bool {
+        let phase = wanted.phase_error(reduction);
+        match self.scene.goal {
+            Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
+            _ => phase <= 8.0 * self.scene.float.unit() * wanted.curve.size.largest,
+        }
+    }
+
+    /// The cheapest plan that is found; or the least error that was reached, in units of the tolerance. Next to an overshoot
+    /// θ̂ is as good as is allowed in pieces alone: where no phase that leads to them is good enough for all outputs, one is
+    /// taken that is for θ̂, since of the others nothing is promised.
     fn cheapest(&self, wanted: &[Wanted]) -> Result<Plan, Refusal> {
+        let (serving, others): (Vec<_>, Vec<_>) =
+            self.reductions().into_iter().partition(|reduction| self.serves(wanted, reduction));
+        let found = self.cheapest_by(&serving, wanted)?;
+        let Some(theta) = wanted.iter().find(|wanted| wanted.has_pieces()) else { return Ok(found) };
+        if rank_of(&found)[0] <= 1.0 {
+            return Ok(found);
+        }
+        let leads = |reduction: &Reduction| reduction.has_pieces() && self.serves_one(theta, reduction);
+        let in_pieces: Vec<Reduction> = others.into_iter().filter(leads).collect();
+        let other = self.cheapest_by(&in_pieces, wanted).ok();
+        Ok(other.filter(|other| rank_of(other) < rank_of(&found)).unwrap_or(found))
+    }
+
+    fn cheapest_by(&self, reductions: &[Reduction], wanted: &[Wanted]) -> Result<Plan, Refusal> {
         let mut closest = f64::INFINITY;
         let mut hopeless = Vec::new();
         let mut found: Option<Plan> = None;
-        let reductions = self.reductions();
-        for reduction in reductions.iter().filter(|reduction| self.serves(wanted, reduction)) {
+        for reduction in reductions {
             // A dearer reduction is worth a look only where it leads to pieces and a cheaper one didn't.
             if found.is_some() && !(reduction.has_pieces() && wanted.iter().any(Wanted::has_pieces)) {
                 continue;

@@ -457,3 +457,22 @@ fn moments_next_to_an_overshoot() {
         }
     }
 }
+
+/// Nor do other outputs, whose phases had better be from another origin, take them from it: next to an overshoot it was up to
+/// 10⁵ units of θ0 off then.
+#[test]
+fn theta_beside_other_outputs_next_to_an_overshoot() {
+    let motions =
+        ["3.107151, n = 10", "2.871106, n = 3", "2.841786, n = 2, t_max = 24", "-2.980102, n = 7, t_max = 10"];
+    for motion in motions {
+        let share = |outputs: &str| {
+            let text = format!("struct Motion; theta0 = {motion}, outputs = [theta{outputs}]");
+            plan(&scene(&text)).unwrap().parts[0].share
+        };
+        let alone = share("");
+        assert!(alone > 0.0 && alone <= 1.0, "{motion}: {alone}");
+        for outputs in [", velocity", ", position", ", position, acceleration", ", velocity, acceleration, position"] {
+            assert!(share(outputs) <= 1.0, "{motion}{outputs}: {}", share(outputs));
+        }
+    }
+}
