@@ -210,8 +210,8 @@ struct Readme;
 /// # What is promised
 /// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the
 /// horizon: truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation
-/// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂, within 8 ulp of θ0 as far as
-/// has been seen, and `MAX_ERROR` is proven to bound its distance from the exact motion over the horizon.
+/// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂, within 8 ulp of the amplitude
+/// as far as has been seen, unless the sum comes within 10⁻¹¹ of 1, and `MAX_ERROR` is proven to bound its distance from the exact motion over the horizon.
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of
 ///
