@@ -100,9 +100,10 @@ impl Real {
         Context { bits: self.0.precision() }
     }
 
-    /// Rounded to the precision of `context`, if that is less.
-    pub(crate) fn narrowed(self, context: Context) -> Self {
-        if self.0.precision() <= context.bits { self } else { Self(self.0.with_precision(context.bits).value()) }
+    /// Rounded to the precision of [`Context::settled`], if that is less: all that it might cancel with is told from it.
+    pub(crate) fn settled(self) -> Self {
+        let Context { bits } = Context::settled();
+        if self.0.precision() <= bits { self } else { Self(self.0.with_precision(bits).value()) }
     }
 
     pub(crate) fn is_zero(&self) -> bool {

@@ -11,7 +11,7 @@
 //! point, and absolutely (to the working precision) everywhere.
 
 use super::{Elliptic, NoMotion};
-use crate::exact::{Context, Real};
+use crate::exact::Real;
 
 /// θ and θ̇ at t = 0, mirrored if need be so that its conventional sign is positive.
 pub(super) struct State {
@@ -55,8 +55,10 @@ impl State {
         let excess = resolved.then_some(difference);
         let swings = excess.as_ref().is_some_and(Real::is_negative);
         let mirrored = if swings && !theta0.is_zero() { theta0.is_negative() } else { velocity0.is_negative() };
-        let [sine, cosine, speed] = [sine, cosine, speed].map(settled);
-        Ok(Self { mirrored, angle, sine, cosine, speed, rising, excess: excess.map(settled) })
+        // All that cancels has cancelled when the state is known: what follows needs no digits that only told it from
+        // others. What is emitted as it was given, an angle or ω, keeps them: rounded here first it would be rounded twice.
+        let [sine, cosine, speed] = [sine, cosine, speed].map(Real::settled);
+        Ok(Self { mirrored, angle, sine, cosine, speed, rising, excess: excess.map(Real::settled) })
     }
 
     /// w² − c²: negative for a swing, positive for a rotation, `None` on the separatrix.
@@ -90,12 +92,6 @@ impl State {
         let phase = ratio.ln_1p().scale(-1);
         if self.rising { phase } else { -phase }
     }
-}
-
-/// All that cancels has cancelled when the state is known: what follows needs no digits that only told it from others. What
-/// is emitted as it was given, an angle or ω, keeps them: rounded here first it would be rounded twice.
-fn settled(x: Real) -> Real {
-    x.narrowed(Context::settled())
 }
 
 /// Sine and cosine of half an angle in [0, π), the smaller of the two from its own small argument and the other by

@@ -4,7 +4,7 @@ mod elliptic;
 mod fourier;
 mod launch;
 
-use crate::exact::{Context, Real};
+use crate::exact::Real;
 pub(crate) use elliptic::Elliptic;
 use launch::State;
 
@@ -86,7 +86,7 @@ impl Motion {
     /// The regime is decided by k² = sin²(θ0/2) + (v0/2ω)² against 1, up to the resolution of the working precision.
     pub(crate) fn solve(theta0: &Real, velocity0: &Real, omega: &Real) -> Result<Self, NoMotion> {
         let state = State::new(theta0, velocity0, omega)?;
-        let rate = omega.clone().narrowed(Context::settled());
+        let rate = omega.clone().settled();
         let regime = match state.excess() {
             Some(excess) if excess.is_negative() => Regime::Swing(Swing::through(&state, &-excess, &rate)),
             Some(excess) => Regime::Rotation(Rotation::through(&state, &excess, &rate)),

@@ -117,8 +117,8 @@ impl Curve {
         let in_strip = self.heights().map(|height| (libm::asinh(2.0 * height), self.bound(height)));
         let arc = self.arc;
         let between_poles = self.pulses.into_iter().flat_map(move |pulses| {
-            let angles = TOWARDS_POLES.map(|part| part * pulses.parameter_of_poles(arc));
-            angles.map(|angle| (angle, pulses.bound(arc, angle)))
+            let parameters = TOWARDS_POLES.map(|part| part * pulses.parameter_of_poles(arc));
+            parameters.map(|parameter| (parameter, pulses.bound(arc, parameter)))
         });
         in_strip.into_iter().chain(between_poles)
     }

@@ -82,8 +82,8 @@ impl<'a> Sum<'a> {
 
     /// The amplitude times a cosine.
     fn of_one(scene: &'a Scene, swing: &'a Swing, method: Method) -> Self {
-        let (omega, context) = (scene.motion.omega.clone(), Context::settled());
-        let rate = if method == Method::SmallAngle { omega.narrowed(context) / context.pi() } else { swing.rate() };
+        let of_small_angles = || scene.motion.omega.clone().settled() / Context::settled().pi();
+        let rate = if method == Method::SmallAngle { of_small_angles() } else { swing.rate() };
         Self::of_weights(scene, swing, method, rate, vec![swing.amplitude.to_double()])
     }
 
@@ -210,10 +210,10 @@ impl Sum<'_> {
         let (serving, others): (Vec<_>, Vec<_>) =
             self.reductions().into_iter().partition(|reduction| self.serves(wanted, reduction));
         let found = self.cheapest_by(&serving, wanted)?;
-        let Some(theta) = wanted.iter().find(|wanted| wanted.has_pieces()) else { return Ok(found) };
         if rank_of(&found)[0] <= 1.0 {
             return Ok(found);
         }
+        let Some(theta) = wanted.iter().find(|wanted| wanted.has_pieces()) else { return Ok(found) };
         let leads = |reduction: &Reduction| reduction.has_pieces() && self.serves_one(theta, reduction);
         let in_pieces: Vec<Reduction> = others.into_iter().filter(leads).collect();
         let other = self.cheapest_by(&in_pieces, wanted).ok();

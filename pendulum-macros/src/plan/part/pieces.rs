@@ -21,8 +21,7 @@ impl Aim {
 
     /// About how many terms each of so many pieces of each curve takes; `None` where the phase leaves nothing.
     pub(in crate::plan) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<Vec<usize>> {
-        let left =
-            Some(self.truncation_of_each(self.limit - self.size.phase_error(reduction))).filter(|&left| left > 0.0)?;
+        let left = Some(self.truncation_of_each(self.left(reduction))).filter(|&left| left > 0.0)?;
         let of = |curve: &Curve| {
             let terms = |left: f64| Piecewise::estimate(curve, parts, left);
             // Of logarithms the coefficients fall off with their number besides.

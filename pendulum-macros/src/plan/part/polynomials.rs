@@ -222,7 +222,7 @@ impl Aim {
     }
 
     /// What a reduction leaves of the limit.
-    fn left(&self, reduction: &Reduction) -> f64 {
+    pub(super) fn left(&self, reduction: &Reduction) -> f64 {
         self.limit - self.size.phase_error(reduction)
     }
 

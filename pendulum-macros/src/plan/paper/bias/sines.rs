@@ -61,16 +61,15 @@ impl Sines {
     /// large that cancels.
     pub(super) fn slopes_apart(&self, low: f64, high: f64) -> f64 {
         let [y, whole, rest, theta] = [&self.ours, &self.whole, &self.rest, &self.theta].map(|sum| sum.over(low, high));
-        let within = |(low, high): (f64, f64), order: usize| (low - self.omitted[order], high + self.omitted[order]);
-        let (sines, wholes) = (y.range(0), within(whole.range(0), 0));
+        let within = |(low, high): (f64, f64), omitted: f64| (low - omitted, high + omitted);
+        let (sines, wholes) = (y.range(0), within(whole.range(0), self.omitted[0]));
         if sines.1.max(wholes.1) >= 1.0 || sines.0.min(wholes.0) <= -1.0 {
             return f64::INFINITY;
         }
         let tangent = |y: f64, whole: f64| libm::tan(0.5 * (libm::asin(y) + libm::asin(whole)));
         let tangents = (tangent(sines.0, wholes.0), tangent(sines.1, wholes.1));
-        let [rest, first] = [0, 1].map(|order| within(rest.range(order), order));
-        let (least, most) = theta.range(1);
-        let slopes = (least - self.omitted_slope, most + self.omitted_slope);
+        let [rest, first] = [0, 1].map(|order| within(rest.range(order), self.omitted[order]));
+        let slopes = within(theta.range(1), self.omitted_slope);
         let second = products(products(slopes, rest), tangents);
         let most = (2.0 * first.0 + second.0).abs().max((2.0 * first.1 + second.1).abs());
         most / ((1.0 - y.largest(0)) * (1.0 + y.largest(0))).sqrt()
