@@ -2,7 +2,6 @@
 
 use super::arc::Arc;
 use super::curve::{Curve, Curves, Size};
-use super::passage;
 use super::reduction::Reduction;
 use crate::parse::Output;
 use crate::scene::{Goal, Scene};
@@ -84,8 +83,8 @@ impl Aim {
         self.truncation = self.floor();
     }
 
-    /// As [`Size::phase_error`] for a passage, which rounds w = phase·rate besides.
-    pub(super) fn passage_error(&self, reduction: &Reduction) -> f64 {
-        self.size.phase_error(reduction) + self.size.moment * passage::RELATIVE_ERROR
+    /// As [`Size::phase_error`] for a passage, which rounds w = phase·rate besides, by so much of itself.
+    pub(super) fn passage_error(&self, reduction: &Reduction, rounding: f64) -> f64 {
+        self.size.phase_error(reduction) + self.size.moment * rounding
     }
 }

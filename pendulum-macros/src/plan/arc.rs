@@ -43,6 +43,12 @@ impl Arc {
         self.centre + sigma * self.stretch
     }
 
+    /// Where in it, from −½ to ½, an anchor is, if there is one.
+    pub(super) fn anchor(self) -> Option<f64> {
+        let sigma = (self.centre.hi.round() - self.centre.hi) / self.stretch.hi;
+        (sigma.abs() <= 0.5).then_some(sigma)
+    }
+
     /// The number of halves of an anchor in its centre, if it is that of a symmetry.
     pub(super) fn halves(self) -> Option<i64> {
         (self.symmetric && is_half(self.centre)).then_some((2.0 * self.centre.hi) as i64)

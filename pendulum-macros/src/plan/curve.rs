@@ -138,10 +138,11 @@ impl Curve {
         self.arc != Arc::WHOLE
     }
 
-    /// About the largest magnitude in an arc.
+    /// About the largest magnitude in an arc: an angle's is that at one of its ends, or at a turning point between them.
     pub(crate) fn largest_met(&self) -> Option<f64> {
         let at = |sigma: f64| self.at(Double::new(sigma)).hi.abs();
-        self.is_arc().then(|| at(0.0).max(at(-0.5)).max(at(0.5)))
+        let of_anchor = self.arc.anchor().map_or(0.0, at);
+        self.is_arc().then(|| at(0.0).max(at(-0.5)).max(at(0.5)).max(of_anchor))
     }
 
     /// The mirror image.

@@ -50,7 +50,7 @@ impl Kernel {
     /// The norm of the rounding of its results over the whole range of the phase, taken as exact, without that of turns;
     /// some number above `cap` as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
-        self.core.rounding(reduction, cap) + self.finish.rounding(reduction.float)
+        self.finish.rounding(self.core.rounding(reduction, cap), reduction.float)
     }
 
     /// Of what isn't an angle that takes a finish.

@@ -23,7 +23,6 @@ pub(super) struct Task {
     /// The passage through the lowest point; absent where the nome makes its series converge slowly, or a method is asked
     /// for.
     passage: Option<Orbit>,
-    pub(super) rotates: bool,
     /// Whether turns are added to an angle, or taken off: of all of a rotation, not of an arc.
     pub(super) turning: bool,
     /// The most turns within the horizon, each from one anchor to the next.
@@ -64,7 +63,7 @@ impl Task {
         // The turn that passes the lowest point at t = 0 began at the top numbered 0.
         let launch = &rotation.launch + rotation.launch.context().ratio(1, 2);
         let passage = Orbit::new(&scene.motion, &rotation.elliptic, -1.0, direction);
-        Self { passage, rotates: true, turning: true, ..Self::whole(scene, aims, rotation.rate(), launch, direction) }
+        Self { passage, turning: true, ..Self::whole(scene, aims, rotation.rate(), launch, direction) }
     }
 
     fn separatrix(scene: &Scene, separatrix: &Separatrix) -> Self {
@@ -86,18 +85,7 @@ impl Task {
 
     fn whole(scene: &Scene, aims: Vec<Aim>, rate: Real, launch: Real, direction: f64) -> Self {
         let (met, turns) = (Met::within(scene, &rate, &launch), scene.horizon() * rate.to_f64() + 2.0);
-        Self {
-            aims,
-            rate,
-            launch,
-            direction,
-            passage: None,
-            rotates: false,
-            turning: false,
-            turns,
-            met,
-            unreduced: None,
-        }
+        Self { aims, rate, launch, direction, passage: None, turning: false, turns, met, unreduced: None }
     }
 
     /// The same over no more than the horizon meets, where that is less than from one anchor to the next.
@@ -126,7 +114,6 @@ impl Task {
             launch: context.integer(0),
             direction: 1.0,
             passage: None,
-            rotates: self.rotates,
             turning: false,
             turns: 0.0,
             met: None,

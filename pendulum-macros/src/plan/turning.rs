@@ -1,12 +1,12 @@
 //! What becomes of an angle: that of a rotation is wrapped to [−π, π), or gets its turns.
 
-use super::reduction::Reduction;
+use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use crate::parse::Float;
 use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// What becomes of what is computed of the phase.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,12 +31,13 @@ impl Finish {
         }
     }
 
-    /// What it rounds by, without turns.
-    pub(super) fn rounding(&self, float: Float) -> f64 {
+    /// What an angle is rounded by that was by so much before, without turns.
+    pub(super) fn rounding(&self, angle: f64, float: Float) -> f64 {
         match self {
-            Self::Nothing | Self::Turning(_) => 0.0,
-            Self::Within => rounding_within(float),
-            Self::Wrapped => rounding_modulo(float),
+            Self::Nothing | Self::Turning(_) => angle,
+            // It leads away from no angle but one between the largest number that it may be and π itself.
+            Self::Within => angle.max(Double::PI.hi - below_half_turn(float) + Double::PI.lo),
+            Self::Wrapped => angle + rounding_modulo(float),
         }
     }
 
@@ -49,9 +50,9 @@ impl Finish {
 /// What is added to the angle of the latest passage.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turning {
-    /// Whether the angle is the periodic part of that from the top, which 2π·phase completes, not that from the lowest
-    /// point.
-    pub(crate) from_top: bool,
+    /// The largest of the angle, if it is the periodic part of that from the top, which 2π·phase completes, not that from
+    /// the lowest point.
+    pub(crate) from_top: Option<f64>,
     /// Anchors per unit of the reduced phase.
     pub(crate) unit: Double,
     /// Whether the result is wrapped; otherwise the turns are added.
@@ -68,8 +69,8 @@ const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         let angle = match (self.from_top, variables.side) {
-            (false, _) => angle,
-            (true, Some(side)) => {
+            (None, _) => angle,
+            (Some(_), Some(side)) => {
                 // Uniform rotation from the lowest point is 2πz, without any half turn to be taken off.
                 let opposite = b.constant(-1.0);
                 let opposite = b.mul(opposite, variables.magnitude);
@@ -77,8 +78,8 @@ impl Turning {
                 let mean = self.mean(b, z);
                 b.add(mean, angle)
             }
-            (true, None) if self.wrapped => self.other_side(b, variables, angle),
-            (true, None) => {
+            (Some(_), None) if self.wrapped => self.other_side(b, variables, angle),
+            (Some(_), None) => {
                 let mean = self.mean(b, variables.distance);
                 let angle = b.add(mean, angle);
                 let half = b.exact(Double::PI.scale(self.direction));
@@ -90,8 +91,7 @@ impl Turning {
 
     /// 2π·phase.
     fn mean(&self, b: &mut Builder, phase: Id) -> Id {
-        let turn = Double::PI * self.unit * (2.0 * self.direction);
-        let turn = b.exact(turn);
+        let turn = b.exact(self.turn());
         b.mul(phase, turn)
     }
 
@@ -124,57 +124,82 @@ impl Turning {
         b.convert(sum, float)
     }
 
-    /// The rounding of the sums: half an ulp of the largest values.
+    /// What it rounds by: half an ulp of the largest values, and what constants stand for.
     fn own_rounding(&self, reduction: &Reduction) -> f64 {
         let float = reduction.float;
         if self.wrapped {
-            // The mean and its constant, two sums, a turn, and the distance from π of the largest number below it.
-            return 7.0 * half_ulp(3.2, float);
+            return self.rounding_from_lowest(reduction) + rounding_modulo(float);
         }
-        // The mean and its constant, the sum with it, π's constant and the sum with that; the product of the turns with
-        // the first word of 2π, and the last sum. At last the conversion to `f32`; in `f64`, which needs none, as much is
-        // more than the product with the second word and its sum are rounded by.
-        let largest = 7.0 * (self.turns + 1.0);
+        // The product of the turns with the first word of 2π, and the last sum. At last the conversion to `f32`; in `f64`,
+        // which needs none, as much is more than the product with the second word and its sum are rounded by.
+        let largest = 7.0 * (self.turns + 1.0) + 1.0;
         // So many are a rounded sum of a multiple of 8, the others, and the first number.
         let counted = if self.turns < EXACT_TURNS { 0.0 } else { 14.0 * half_ulp(self.turns + 1.0, Float::F64) };
-        let sums = 5.0 * half_ulp(6.3, float) + 2.0 * half_ulp(largest, Float::F64) + counted;
-        sums + half_ulp(largest, float)
+        let turns = 2.0 * half_ulp(largest, Float::F64) + counted + half_ulp(largest, float);
+        self.rounding_from_lowest(reduction) + turns
+    }
+
+    /// That of the angle from the lowest point, made of that from the top: of the mean, up to half a turn, its constant and
+    /// product, and the sum with it, in which no more than the periodic part is lost; from the top itself half a turn, too,
+    /// and the sum with that, which turns may leave as it is.
+    fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
+        let Some(periodic) = self.from_top else { return 0.0 };
+        let float = reduction.float;
+        let of_half_turn = half_ulp(3.2, float);
+        let mean = of_half_turn + 0.501 * rest(self.turn(), float) / self.unit.hi;
+        let sum = of_half_turn.min(periodic);
+        let half = match reduction.origin {
+            Origin::Lowest => 0.0,
+            Origin::Anchor => rest(Double::PI, float) + half_ulp(if self.wrapped { 3.2 } else { 6.3 }, float),
+        };
+        mean + sum + half
+    }
+
+    /// A turn per unit of the phase.
+    fn turn(&self) -> Double {
+        Double::PI * self.unit * (2.0 * self.direction)
     }
 }
 
+/// What a constant is rounded by.
+fn rest(constant: Double, float: Float) -> f64 {
+    (constant.hi - float.round(constant.hi)).abs() + constant.lo.abs()
+}
+
 /// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
-/// or after.
+/// or after. Both differences are exact, and never are both taken.
 fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let (half, minus) = (b.constant(PI), b.constant(-PI));
-    let turn = Double::PI * 2.0;
-    let turn = b.exact(turn);
+    let turn = b.exact(Double::PI * 2.0);
     let back = b.sub(angle, turn);
     let angle = b.push(Op::Select { a: angle, b: half, then: angle, otherwise: back });
     b.name(angle, "angle");
     let forth = b.add(angle, turn);
     let angle = b.push(Op::Select { a: angle, b: minus, then: forth, otherwise: angle });
     b.name(angle, "angle");
-    // Rounding may put it on the wrong end.
-    let most = below_half_turn(b.float());
-    between(b, angle, if b.float() == Float::F64 { -PI } else { -most }, most)
+    match b.float() {
+        Float::F64 => angle,
+        // The `PI` of `f32` is above π.
+        Float::F32 => {
+            let least = b.constant(-below_half_turn(Float::F32));
+            b.push(Op::Max { limit: least, x: angle })
+        }
+    }
 }
 
-/// What [`modulo_turn`] rounds by: the sum with a turn, the turn's own rounding, and the distance from π of the largest
-/// number below it.
+/// What [`modulo_turn`] changes: by what a turn is rounded, or from −`PI` of `f32` to the next number, an ulp.
 fn rounding_modulo(float: Float) -> f64 {
-    3.0 * half_ulp(TAU, float)
-}
-
-/// What [`within_half_turn`] changes: from the largest number that it may be to π itself it is 0.63 units of π in `f32`,
-/// 1.27 in `f64`; less than this and the rounding of the angle's own last sum, half a unit.
-fn rounding_within(float: Float) -> f64 {
-    2.0 * half_ulp(PI, float)
+    let turn = rest(Double::PI * 2.0, float);
+    if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(3.2, float)) }
 }
 
 /// The nearest number from above −π to below π: of mirror images the same.
 fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
     let most = below_half_turn(b.float());
-    between(b, angle, -most, most)
+    let (most, least) = (b.constant(most), b.constant(-most));
+    let angle = b.push(Op::Min { limit: most, x: angle });
+    b.name(angle, "angle");
+    b.push(Op::Max { limit: least, x: angle })
 }
 
 /// The largest number below the `PI` of `f64`, so that results are less than π as users write it, too.
@@ -191,13 +216,6 @@ pub(crate) fn is_wrapped(angle: f64) -> bool {
     (-PI..PI).contains(&angle)
 }
 
-fn between(b: &mut Builder, angle: Id, least: f64, most: f64) -> Id {
-    let (most, least) = (b.constant(most), b.constant(least));
-    let angle = b.push(Op::Min { limit: most, x: angle });
-    b.name(angle, "angle");
-    b.push(Op::Max { limit: least, x: angle })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -212,18 +230,92 @@ mod tests {
         (turning.clone(), plan)
     }
 
-    /// Half units in the last place: 2⁻⁵¹ up to 6.3 (2⁻²² in `f32`), 2⁻⁵² up to 3.2; of 7·1001 = 7007 they are 2⁻⁴¹ and
-    /// 2⁻¹².
+    #[track_caller]
+    fn assert_near(found: f64, expected: f64, relative: f64) {
+        assert!((found / expected - 1.0).abs() <= relative, "{found:e}, not {expected:e}");
+    }
+
+    /// Half units in the last place are 2⁻⁵² up to 4 (2⁻²³ in `f32`), 2⁻⁵¹ up to 8; of 7·1001 + 1 they are 2⁻⁴¹ and 2⁻¹².
+    /// The `f64` of 2π is 2.449·10⁻¹⁶ below it, the `f32` 1.7485·10⁻⁷ above. From the top the mean is a product, the sums
+    /// with it and with half a turn.
     #[test]
     fn rounding_of_turns() {
-        for (text, expected) in [
-            ("tol = 1e-6, t_max = 10, float = f64", 5.0 * 2f64.powi(-51) + 3.0 * 2f64.powi(-41)),
-            ("tol = 1e-2, t_max = 10, float = f32", 5.0 * 2f64.powi(-22) + 2.0 * 2f64.powi(-41) + 2f64.powi(-12)),
-            ("tol = 1e-6, t_max = 10, outputs = [wrapped]", 7.0 * 2f64.powi(-52)),
+        let [single, double] = [1.7485e-7, 2.4493e-16];
+        for (text, origin, expected) in [
+            (
+                "tol = 1e-6, t_max = 10, float = f64",
+                Origin::Anchor,
+                4.0 * 2f64.powi(-52) + double + 3.0 * 2f64.powi(-41),
+            ),
+            (
+                "tol = 1e-2, t_max = 10, float = f32",
+                Origin::Anchor,
+                4.0 * 2f64.powi(-23) + single + 2.0 * 2f64.powi(-41) + 2f64.powi(-12),
+            ),
+            ("tol = 1e-6, t_max = 10, outputs = [wrapped]", Origin::Anchor, 3.0 * 2f64.powi(-52) + 2.0 * double),
+            ("tol = 1e-2, t_max = 10, outputs = [wrapped], float = f32", Origin::Anchor, 5.0 * 2f64.powi(-23) + single),
+            ("outputs = [wrapped], float = f32", Origin::Lowest, 4.0 * 2f64.powi(-23) + 0.5 * single),
         ] {
             let (turning, plan) = rotation(text);
+            assert_eq!(plan.reduction.origin, origin, "{text}");
             let turning = Turning { turns: 1000.0, ..turning };
-            assert_eq!(turning.own_rounding(&plan.reduction), expected, "{text}");
+            assert_near(turning.own_rounding(&plan.reduction), expected, 1e-3);
+        }
+    }
+
+    /// Of an angle of which next to nothing is periodic no more than that is lost in the sum with the mean.
+    #[test]
+    fn rounding_of_next_to_uniform_rotations() {
+        let (turning, plan) = rotation("outputs = [wrapped], float = f32");
+        let uniform = Turning { from_top: Some(1e-12), ..turning.clone() };
+        let lost = turning.own_rounding(&plan.reduction) - uniform.own_rounding(&plan.reduction);
+        assert_near(lost, 2f64.powi(-23), 1e-3);
+    }
+
+    /// The numbers next to half a turn.
+    fn next_to_half_a_turn(float: Float) -> impl Iterator<Item = f64> {
+        let ulp = 2.0 * half_ulp(PI, float);
+        (-20..=20).flat_map(move |i| [1.0, -1.0].map(|sign| sign * (float.round(PI) + f64::from(i) * ulp)))
+    }
+
+    fn finished(finish: &Finish, float: Float, angle: f64) -> Double {
+        let mut b = Builder::new(float);
+        let t = b.input();
+        let result = if *finish == Finish::Within { within_half_turn(&mut b, t) } else { modulo_turn(&mut b, t) };
+        let result = b.finish(vec![result]).run(angle)[0];
+        assert!(is_wrapped(result), "{result} of {angle}");
+        Double::new(result)
+    }
+
+    /// A turn more or less changes an angle by no more than is said, and some by as much.
+    #[test]
+    fn what_turns_change() {
+        for (float, most) in [(Float::F64, 2.4493e-16), (Float::F32, 2f64.powi(-22))] {
+            let changes = next_to_half_a_turn(float).map(|angle| {
+                let change = finished(&Finish::Wrapped, float, angle) - Double::new(angle);
+                let turns = (change.hi / (2.0 * PI)).round();
+                (change - Double::PI * (2.0 * turns)).hi.abs()
+            });
+            let change = changes.fold(0.0, f64::max);
+            assert_near(change, most, 1e-4);
+            assert_near(change, Finish::Wrapped.rounding(0.0, float), 1e-4);
+        }
+    }
+
+    /// So does what holds an angle within half a turn, that is itself as far beyond as it may be.
+    #[test]
+    fn what_staying_within_half_a_turn_changes() {
+        for (float, most) in [(Float::F64, 5.6655e-16), (Float::F32, 1.5099e-7)] {
+            let mut largest = 0_f64;
+            for angle in next_to_half_a_turn(float) {
+                let beyond = (Double::new(angle.abs()) - Double::PI).hi > 0.0;
+                let exact = if beyond { Double::PI * angle.signum() } else { Double::new(angle) };
+                let before = (exact - Double::new(angle)).hi.abs();
+                let after = (exact - finished(&Finish::Within, float, angle)).hi.abs();
+                assert!(after <= Finish::Within.rounding(before, float), "{angle}");
+                largest = largest.max(after);
+            }
+            assert_near(largest, most, 1e-4);
         }
     }
 

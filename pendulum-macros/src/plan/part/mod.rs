@@ -135,8 +135,9 @@ impl Aim {
         let finish = if task.turning && self.output.is_angle() {
             let (direction, turns) = (task.direction, task.turns);
             let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
-            Finish::Turning(Turning { from_top: from_top.is_some(), unit, wrapped, direction, turns })
-        } else if wrapped && self.largest_angle(task) + self.limit >= PI.next_down() {
+            let from_top = from_top.map(|_| self.curves[0].bound(0.0));
+            Finish::Turning(Turning { from_top, unit, wrapped, direction, turns })
+        } else if wrapped && self.largest_angle() + self.limit >= PI.next_down() {
             if self.passes_top() { Finish::Wrapped } else { Finish::Within }
         } else {
             Finish::Nothing
@@ -144,10 +145,9 @@ impl Aim {
         Kernel { core, finish }
     }
 
-    /// The largest that is met: of a rotation's arc that at one of its ends.
-    fn largest_angle(&self, task: &Task) -> f64 {
-        let of_arc = self.curves.first().filter(|_| task.rotates).and_then(Curve::largest_met);
-        of_arc.unwrap_or(self.size.largest)
+    /// The largest that is met.
+    fn largest_angle(&self) -> f64 {
+        self.curves.first().and_then(Curve::largest_met).unwrap_or(self.size.largest)
     }
 
     /// Whether an arc leads over the top.

@@ -35,7 +35,8 @@ impl Aim {
         let factor = orbit.factor(self.output).hi;
         let mut limit = self.limit.min(self.truncation) / factor;
         let distances = task.distances_from_lowest(reduction);
-        self.first_kept(reduction, self.passage_error(reduction), most, |_| {
+        let phase = self.passage_error(reduction, orbit.rounding_of_exponent());
+        self.first_kept(reduction, phase, most, |_| {
             let left = limit;
             limit *= 0.125;
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {

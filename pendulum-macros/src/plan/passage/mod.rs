@@ -94,9 +94,6 @@ enum Images {
 /// E below 2 to minus this is nothing beside the roundings of 1.
 const NEGLIGIBLE_BINADE: i32 = 24;
 
-/// What the rounding of w adds, relative to w: the rate's, and the product's.
-pub(super) const RELATIVE_ERROR: f64 = 2.001 * Float::F64.unit();
-
 impl Orbit {
     /// w = (πK/K′)·phase, in units of ln 2; `None` where q′ is too large.
     pub(crate) fn new(motion: &Motion, elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Self> {
@@ -119,6 +116,11 @@ impl Orbit {
     /// The same by phases in units of so many anchors.
     pub(crate) fn in_units(&self, unit: Double) -> Self {
         Self { rate: self.rate * unit, ..self.clone() }
+    }
+
+    /// What the rounding of w adds, relative to w: the rate's, and the product's.
+    pub(crate) fn rounding_of_exponent(&self) -> f64 {
+        (self.rate.lo / self.rate.hi).abs() + 1.001 * Float::F64.unit()
     }
 
     /// What an output is a multiple of.

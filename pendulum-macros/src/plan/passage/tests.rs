@@ -112,7 +112,7 @@ fn bounds_are_kept_and_tight() {
                 let (kernel, bound, seen) = trial.errors(output, limit);
                 let about = format!("{text} {output:?} {limit:e}: {seen:e} of {bound:e}");
                 // Not in the bound: the rounding of w, which counts with the phase, and that of the exact value.
-                let beside = 1.33 * RELATIVE_ERROR + Float::F64.unit();
+                let beside = 1.33 * trial.orbit.rounding_of_exponent() + Float::F64.unit();
                 assert!(seen <= bound + beside && bound <= 9.0 * seen, "{about}");
                 let left = 5.0 * trial.orbit.q().powi(6);
                 assert!(bound <= limit + left + unit * 110.0, "{about}");

@@ -5,7 +5,7 @@ use super::{LINEAR_HALF, Origin, Reduction, Scheme, is_half};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Float;
-use crate::program::rounding::half_ulp;
+use crate::program::rounding::{half_ulp, is_power_of_two};
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
@@ -267,7 +267,7 @@ impl<'a> Clock<'a> {
     }
 
     /// The time of the separatrix, `rate` being ω and `launch` the phase ωt from the lowest point. Rounded are R, the
-    /// product and, with a launch, two differences.
+    /// product, unless with a power of two, and, with a launch, two differences; of `f32` all but the last in `f64`.
     pub(crate) fn linear(&self) -> Reduction {
         // So that t₀ overflows for no R, and its second word doesn't underflow where that matters.
         let power = match exponent(self.rate.to_f64()) {
@@ -282,16 +282,18 @@ impl<'a> Clock<'a> {
         let cap = 2.0 * (LINEAR_HALF + launch) / self.rate.to_f64();
         let (passed, times) = (-(self.launch / rate), libm::exp2(power as f64));
         let scheme = Scheme::Linear { rate: rate.hi, passed, times, half };
-        let roundings = match self.float {
-            Float::F64 if launch == 0.0 => 2.0,
-            Float::F64 => 4.0,
-            // In `f64`, but for the last.
-            Float::F32 => 1.0,
+        let product = if is_power_of_two(rate.hi) { 0.0 } else { 1.0 };
+        let of_rate = (rate.lo / rate.hi).abs() / Float::F64.unit();
+        let roundings = match (product + of_rate, self.float) {
+            (roundings, Float::F64) if launch == 0.0 => roundings,
+            (roundings, Float::F64) => roundings + 2.0,
+            (0.0, Float::F32) if launch == 0.0 => 0.0,
+            (_, Float::F32) => 1.0,
         };
         Reduction {
             launch: self.launch,
             error: (launch + 1.0) * 2f64.powi(-74),
-            relative_error: (roundings + 0.001) * self.float.unit(),
+            relative_error: if roundings == 0.0 { 0.0 } else { (roundings + 0.001) * self.float.unit() },
             // Infinite times are seen by it, too.
             cap: Some(cap.min(self.float.largest())),
             ..Reduction::exact(scheme, Origin::Lowest, self.float)

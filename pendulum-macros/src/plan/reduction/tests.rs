@@ -342,3 +342,27 @@ fn the_separatrix() {
         }
     }
 }
+
+/// A rate that is a number of the type isn't rounded, nor is a product with a power of two; 2.1 is
+/// off by 0.2 of a unit at least.
+#[test]
+fn what_the_separatrix_rounds() {
+    let context = Context::for_digits(60);
+    for (float, rate, launch, expected) in [
+        (Float::F64, "2.5", "0", 1.0..1.01),
+        (Float::F64, "0.25", "0", 0.0..0.01),
+        (Float::F64, "2.1", "0", 1.2..2.01),
+        (Float::F64, "0.25", "0.3", 2.0..2.01),
+        (Float::F64, "2.5", "0.3", 3.0..3.01),
+        (Float::F32, "0.25", "0", 0.0..0.01),
+        (Float::F32, "2.5", "0", 1.0..1.01),
+        (Float::F32, "0.25", "0.3", 1.0..1.01),
+    ] {
+        let [rate, launch] = [rate, launch].map(|number| context.decimal(number).unwrap());
+        let clock = Clock { rate: &rate, launch: launch.to_double(), horizon: 9.0, float };
+        let roundings = clock.linear().relative_error / float.unit();
+        assert!(expected.contains(&roundings), "{float:?} {}: {roundings}", rate.to_f64());
+        let mut trial = Trial { reduction: clock.linear(), rate: rate.clone(), launch, horizon: 9.0, worst: 0.0 };
+        trial.run(&mut Random::new(5), 60);
+    }
+}

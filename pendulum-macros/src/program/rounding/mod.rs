@@ -175,7 +175,9 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
         Op::Widen(x) => known[x].passed_on(),
         Op::Narrow(x) => {
             let Known { low, high, error, .. } = known[x];
-            Known::result(rounded((low, high), float), error, half_ulp(known[x].magnitude(), float))
+            let within = |most| low.abs().max(high.abs()) <= most;
+            let (low, high) = rounded((low, high), float);
+            Known::result((low, high), error, rounding(low, high, within, float))
         }
     }
 }
@@ -189,18 +191,19 @@ fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
 /// most the smaller one.
 fn sum(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded((a.low + b.low, a.high + b.high), float);
-    let exact = || is_exact(two_sum(a.low, b.low), float) && is_exact(two_sum(a.high, b.high), float);
-    let of_intervals = || rounding(low, high, exact, float).min(a.magnitude()).min(b.magnitude());
+    let ends = [(a.low, b.low), (a.high, b.high)];
+    let reach = |most| ends.into_iter().all(|(x, y)| is_within(two_sum(x, y), most));
+    let of_intervals = || rounding(low, high, reach, float).min(a.magnitude()).min(b.magnitude());
     Known::result((low, high), a.error + b.error, of_numbers(a, b, two_sum, float).unwrap_or_else(of_intervals))
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded(a.corners(b, |x, y| x * y), float);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
-    let exact = || ends.into_iter().all(|(x, y)| is_exact(two_prod(x, y), float));
+    let reach = |most| ends.into_iter().all(|(x, y)| is_within(two_prod(x, y), most));
     let power = |x: Known| x.is_number() && x.error == 0.0 && is_power_of_two(x.low.abs());
     let local = match (power(a), power(b)) {
-        (false, false) => of_numbers(a, b, two_prod, float).unwrap_or_else(|| rounding(low, high, exact, float)),
+        (false, false) => of_numbers(a, b, two_prod, float).unwrap_or_else(|| rounding(low, high, reach, float)),
         (true, _) if a.low.abs() >= 1.0 => 0.0,
         (_, true) if b.low.abs() >= 1.0 => 0.0,
         // Nothing but what may underflow.
@@ -215,9 +218,9 @@ fn of_numbers(a: Known, b: Known, operation: fn(f64, f64) -> (f64, f64), float: 
     (a.is_number() && b.is_number()).then(lost).filter(|lost| lost.is_finite())
 }
 
-/// Whether a result in two words is one of the type.
-fn is_exact((result, rest): (f64, f64), float: Float) -> bool {
-    rest == 0.0 && float.round(result) == result
+/// Whether a result in two words is no larger than `most`.
+fn is_within((result, rest): (f64, f64), most: f64) -> bool {
+    result.abs() < most || (result.abs() == most && rest * result <= 0.0)
 }
 
 /// How much of a result in two words rounding takes.
@@ -233,12 +236,11 @@ fn square(x: Known, float: Float) -> Known {
     Known { low: least, ..product }
 }
 
-/// The rounding of results between `low` and `high`, if these are the ends of the exact ones; else of all that may be
-/// rounded to them.
-fn rounding(low: f64, high: f64, exact: impl FnOnce() -> bool, float: Float) -> f64 {
+/// The rounding to results between `low` and `high`. Up to a power of two the binade below counts, if the exact results
+/// are `within` it; else what may be rounded to it from above.
+fn rounding(low: f64, high: f64, within: impl FnOnce(f64) -> bool, float: Float) -> f64 {
     let magnitude = low.abs().max(high.abs());
-    // Up to a power of two the binade below counts.
-    half_ulp(if is_power_of_two(magnitude) && exact() { magnitude / 2.0 } else { magnitude }, float)
+    half_ulp(if is_power_of_two(magnitude) && within(magnitude) { magnitude / 2.0 } else { magnitude }, float)
 }
 
 fn quotient(a: Known, b: Known, float: Float) -> Known {
@@ -266,7 +268,7 @@ fn root(x: Known, float: Float) -> Known {
     Known::result((low * (1.0 - 1e-6), high * (1.0 + 1e-6)), inherited, local)
 }
 
-fn is_power_of_two(x: f64) -> bool {
+pub(crate) fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x.to_bits() & ((1 << 52) - 1) == 0
 }
 
