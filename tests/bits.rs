@@ -124,6 +124,12 @@ fn generated() -> String {
         f32 theta { theta0 = 0.999999π }
         f64 theta { theta0 = 7π/8, tol = 1e-3 }
         f64 velocity { theta0 = 1, velocity0 = 1, tol = 1e-9 }
+        f64 wrapped { velocity0 = 2.5 }
+        f32 wrapped { theta0 = 1, velocity0 = -3, tol = 1e-4 }
+        f64 theta { velocity0 = 40, tol = 1e-9, t_max = 1000 }
+        f64 wrapped { theta0 = 3.14159, tol = 1e-3 }
+        f64 position { velocity0 = 2 }
+        f32 wrapped { velocity0 = -2, tol = 1e-3 }
     }
 }
 
