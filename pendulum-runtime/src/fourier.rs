@@ -59,6 +59,7 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
     }
 
     /// b₁, b₃, …, b₂ₙ₋₁, dimensionless (Eq. 20), each rounded once. They approach 1, 0, 0, … as θ0 → 0.
+    #[must_use]
     pub fn coefficients(&self) -> [F; N] {
         self.coefficients.map(F::narrow)
     }
@@ -66,6 +67,7 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
     /// θ̂(t), rad. NaN for NaN and ±∞.
     ///
     /// One sine of the reduced phase; the harmonics follow by Clenshaw's recurrence in sin² w.
+    #[must_use]
     #[inline]
     pub fn theta(&self, t: F) -> F {
         let Shape::Swing(_, phase) = &self.motion.shape else {
@@ -88,6 +90,7 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
     ///
     /// What rounding adds isn't in it: a few units in the last place of θ0, and as many times more as the arcsine is
     /// steep, 1/cos(θ̂/2) at the turning point.
+    #[must_use]
     pub fn max_error(&self) -> F {
         F::narrow_up(self.max_error)
     }

@@ -85,23 +85,27 @@ impl<F: Scalar> Pendulum<F> {
     }
 
     /// ω, the rate of small oscillations, rad per unit of t, as it was given.
+    #[must_use]
     pub fn omega(&self) -> F {
         F::narrow(self.motion.omega)
     }
 
     /// θ(t), rad; turns counted, so that a rotation grows without bound.
+    #[must_use]
     #[inline]
     pub fn theta(&self, t: F) -> F {
         F::narrow(t.evaluate(&self.motion, |motion, t| motion.angle(&motion.at(t))))
     }
 
     /// θ̇(t), rad per unit of t.
+    #[must_use]
     #[inline]
     pub fn velocity(&self, t: F) -> F {
         F::narrow(t.evaluate(&self.motion, |motion, t| motion.velocity_at(&motion.at(t))))
     }
 
     /// (θ(t), θ̇(t)), sharing one phase reduction.
+    #[must_use]
     #[inline]
     pub fn state(&self, t: F) -> (F, F) {
         let (theta, velocity) = t.evaluate(&self.motion, |motion, t| {
@@ -112,12 +116,14 @@ impl<F: Scalar> Pendulum<F> {
     }
 
     /// θ̈(t) = −ω² sin θ(t), rad per unit of t squared.
+    #[must_use]
     #[inline]
     pub fn acceleration(&self, t: F) -> F {
         F::narrow(t.evaluate(&self.motion, |motion, t| motion.acceleration(&motion.at(t))))
     }
 
     /// The bob, (sin θ, −cos θ), in units of the length, y upward; computed without θ and without an arctangent.
+    #[must_use]
     #[inline]
     pub fn position(&self, t: F) -> (F, F) {
         let (x, y) = t.evaluate(&self.motion, |motion, t| motion.position(&motion.at(t)));
@@ -126,6 +132,7 @@ impl<F: Scalar> Pendulum<F> {
 
     /// θ(t) less its whole turns, in [−π, π): keeps its digits however far a rotation has gone. `f64`'s `PI` is less
     /// than π and may be a result; `f32`'s, which is more, is none.
+    #[must_use]
     #[inline]
     pub fn wrapped(&self, t: F) -> F {
         F::narrow_angle(t.evaluate(&self.motion, |motion, t| motion.wrapped(&motion.at(t))))
@@ -162,50 +169,59 @@ impl<F: Scalar> Pendulum<F> {
     }
 
     /// T = 4K/ω of a swing, 2π/ω at rest, the time of one turn of a rotation, ∞ on the separatrix.
+    #[must_use]
     pub fn period(&self) -> F {
         F::narrow_or_infinite(self.motion.period())
     }
 
     /// The largest |θ| from the vertical: |θ0| of a swing, 0 at rest, π on the separatrix, ∞ for a rotation.
+    #[must_use]
     pub fn amplitude(&self) -> F {
         F::narrow_or_infinite(self.motion.amplitude)
     }
 
     /// The elliptic modulus k: sin(θ0/2) of a swing, 1 on the separatrix, κ = 2ω/v0 < 1 of a rotation that passes the
     /// bottom at v0.
+    #[must_use]
     pub fn modulus(&self) -> F {
         F::narrow(self.motion.moduli.k.to_f64())
     }
 
     /// The complementary modulus k′ = √(1 − k²): cos(θ0/2) of a swing, 0 on the separatrix. Near the top, where k rounds
     /// to 1, it tells motions from each other.
+    #[must_use]
     pub fn complementary_modulus(&self) -> F {
         F::narrow(self.motion.moduli.kc.to_f64())
     }
 
     /// The nome q = exp(−πK′/K) of the modulus; 1 on the separatrix.
+    #[must_use]
     pub fn nome(&self) -> F {
         F::narrow(self.motion.nome())
     }
 
     /// K, the complete elliptic integral of the modulus: the quarter period of a swing in units of 1/ω
     /// (T = 4K/ω); ∞ on the separatrix. One turn of a rotation takes 2κK/ω.
+    #[must_use]
     pub fn quarter_period(&self) -> F {
         F::narrow_or_infinite(self.motion.quarter_period())
     }
 
     /// K′, the complete elliptic integral of the complementary modulus; ∞ at rest.
+    #[must_use]
     pub fn complementary_quarter_period(&self) -> F {
         F::narrow_or_infinite(self.motion.complementary_quarter_period())
     }
 
     /// What the pendulum does for all time.
+    #[must_use]
     pub fn regime(&self) -> Regime {
         self.motion.regime
     }
 
     /// The energy per unit of mass and length squared in units of ω², θ̇²/(2ω²) + 1 − cos θ: below 2 a swing, above a
     /// rotation; ∞ where that is larger than any number.
+    #[must_use]
     pub fn energy(&self) -> F {
         F::narrow_or_infinite(self.motion.energy())
     }
@@ -215,6 +231,7 @@ impl<F: Scalar> Pendulum<F> {
     ///
     /// Its period is short by a fraction θ0²/16, so its error grows with t: at 10° 0.9 % of θ0 within one period, 12 %
     /// within ten.
+    #[must_use]
     pub fn small_angle(&self, t: F) -> F {
         F::narrow(self.motion.small_angle(t.widen()))
     }
@@ -222,6 +239,7 @@ impl<F: Scalar> Pendulum<F> {
     /// The harmonic approximation θ0 cos(2πt/T) with the exact period (Eq. 17), with the phase of the initial state.
     ///
     /// NaN for rotation and separatrix.
+    #[must_use]
     pub fn harmonic(&self, t: F) -> F {
         F::narrow(self.motion.harmonic(t.widen()))
     }
