@@ -12,8 +12,8 @@
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
 /// * phase s: exact products with the rate in 2 words, wrong by at most 5.3e-8 half periods
-/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 4.689e-7 rad, proven: 3.0e-7 of truncation, 1.7e-7 of phase, 5.2e-16 of evaluation; 27 operations
-/// * acceleration: polynomial of 7 terms in s² (shifted), coefficients adapted; error ≤ 6.430e-7 rad·ω², proven: 4.7e-7 of truncation, 1.7e-7 of phase, 6.6e-16 of evaluation; 31 operations
+/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 4.688e-7 rad, proven: 3.0e-7 of truncation, 1.7e-7 of phase, 5.2e-16 of evaluation; 27 operations
+/// * acceleration: polynomial of 7 terms in s² (shifted), coefficients adapted; error ≤ 6.428e-7 rad·ω², proven: 4.7e-7 of truncation, 1.7e-7 of phase, 6.6e-16 of evaluation; 31 operations
 ///
 /// Not chosen:
 ///
@@ -65,9 +65,9 @@ impl Pushed {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 27;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 4.688763899223701e-7;
+    pub const MAX_ERROR: f64 = 4.6879667891274347e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 6.430283452285981e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 6.428471204973055e-7;
     /// θ(t), rad; NaN if t is not finite. 27 operations.
     #[inline(always)]
     #[must_use]

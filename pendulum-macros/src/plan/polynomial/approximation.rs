@@ -177,23 +177,19 @@ impl Approximation {
     /// The error of the polynomial with `terms` coefficients, on the interval widened by `overshoot` (in s); of a phase
     /// that leaves a leeway, beyond what its error takes.
     ///
-    /// Beyond the end u = cosh η, η up to that of [`ellipse_of`], and Tⱼ = cosh jη is between 1 + (jη)²/2 + (jη)⁴/24 and
-    /// that and (jη)⁶/720·cosh jη: of the first two powers the sums count with their signs, which cancel next to poles.
+    /// Beyond the end the curve is steepest, and nothing is spared.
     pub(crate) fn truncation(&self, terms: usize, overshoot: f64) -> f64 {
-        let shortened = self.shortened(terms, overshoot);
-        let left = || shortened.left.iter().zip(shortened.first..).map(|(c, j)| (c, j as f64));
+        let Shortened { left, first, suprema, .. } = &*self.shortened(terms, overshoot);
         let ellipse = ellipse_of(overshoot);
-        let [second, fourth] = [2, 4].map(|n| left().map(|(c, j)| c * j.powi(n)).sum::<f64>().abs());
-        let higher = left().map(|(c, j)| (c.abs(), j * ellipse)).map(|(c, x)| c * x.powi(6) / 720.0 * at_most_cosh(x));
-        let beyond = ellipse.powi(2) / 2.0 * second + ellipse.powi(4) / 24.0 * fourth + higher.sum::<f64>();
-        let whole: f64 = left().map(|(c, j)| c.abs() * at_most_cosh(j * ellipse)).sum();
+        let whole: f64 = left.iter().zip(*first..).map(|(c, j)| c.abs() * at_most_cosh(j as f64 * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
-        let Shortened { left: coefficients, first, suprema, .. } = &*shortened;
-        let supremum = || tail::supremum(coefficients, *first, self.weights(), reach);
-        let within = suprema.get(reach, supremum);
-        let weight = self.weight(overshoot);
-        // At the end the curve is steepest, and nothing is spared.
-        (whole * weight).min(within * self.gain(overshoot) + beyond * weight) + self.least_truncation(overshoot)
+        let within = suprema.get(reach, || tail::supremum(left, *first, self.weights(), reach));
+        let beyond = if overshoot > 0.0 {
+            tail::supremum_beyond(left, *first, ellipse) * self.weight_beyond(overshoot)
+        } else {
+            0.0
+        };
+        (whole * self.weight(overshoot)).min(within.max(beyond)) + self.least_truncation(overshoot)
     }
 
     /// What an error counts within an anchor.
@@ -241,13 +237,11 @@ impl Approximation {
         odd / self.pole.map_or(1.0, |pole| pole.least(phase)) * (1.0 + 1e-12)
     }
 
-    /// How much more than at the end of the interval that is beyond it.
-    fn gain(&self, overshoot: f64) -> f64 {
-        let overshoot = overshoot.max(0.0);
+    /// The same where phases overshoot the interval.
+    fn weight_beyond(&self, overshoot: f64) -> f64 {
         let phase = 0.5 + overshoot;
-        let odd = if self.parity == Parity::Odd { 2.0 * phase } else { 1.0 };
-        let least = |pole: Pole, phase: f64| pole.least_between(0.25, phase * phase);
-        odd * self.pole.map_or(1.0, |pole| least(pole, 0.5) / least(pole, phase))
+        let odd = if self.parity == Parity::Odd { phase } else { 1.0 };
+        odd / self.pole.map_or(1.0, |pole| pole.least_between(0.25, phase * phase)) * (1.0 + 1e-12)
     }
 
     /// The fewest terms, at least two, whose truncation error is at most `limit`.
@@ -309,7 +303,7 @@ fn ellipse_of(overshoot: f64) -> f64 {
 }
 
 /// cosh x, or hardly more: 1 + x²/2 + x⁴/24·cosh x where x is small, as nearly always.
-fn at_most_cosh(x: f64) -> f64 {
+pub(super) fn at_most_cosh(x: f64) -> f64 {
     if x < 0.1 { 1.0 + 0.5005 * x * x } else { libm::cosh(x) }
 }
 

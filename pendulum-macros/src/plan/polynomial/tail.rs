@@ -1,6 +1,7 @@
 //! The supremum of what dropping coefficients leaves out. Their magnitudes add up to half as much again, where poles have
 //! made those vanish that were by far the largest.
 
+use super::approximation::at_most_cosh;
 use super::weight::Weight;
 use crate::supremum::worst;
 use std::f64::consts::PI;
@@ -53,6 +54,30 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach
     });
     worst(bounds)
 }
+
+/// Bounds |Σ cⱼTⱼ(u)| beyond the end, where u = cosh η, η from 0 to `ellipse`, and Tⱼ = cosh jη: by its values at some η
+/// and, as above, its second derivative, Σ j²cⱼ cosh jη, and the fourth.
+pub(super) fn supremum_beyond(coefficients: &[f64], first: usize, ellipse: f64) -> f64 {
+    let degrees = || (first..).map(|j| j as f64);
+    let highest = (first + coefficients.len()) as f64;
+    // The highest term bends little within each.
+    let cells = (2.0 * highest * ellipse).ceil().clamp(1.0, MOST_BEYOND) as u32;
+    let step = ellipse / f64::from(cells);
+    let eighth = step * step / 8.0;
+    let second: Vec<f64> = coefficients.iter().zip(degrees()).map(|(c, j)| j * j * c).collect();
+    let fourth: f64 = second.iter().zip(degrees()).map(|(c, j)| j * j * c.abs() * at_most_cosh(j * ellipse)).sum();
+    let at = |index: u32| {
+        let u = libm::cosh(step * f64::from(index));
+        [coefficients, &second].map(|coefficients| sum(coefficients, first, u).abs())
+    };
+    let points: Vec<[f64; 2]> = (0..=cells).map(at).collect();
+    let largest = |order: usize, pair: &[[f64; 2]]| worst([pair[0][order], pair[1][order]]);
+    let bounds = points.windows(2).map(|pair| largest(0, pair) + eighth * (largest(1, pair) + eighth * fourth));
+    worst(bounds) * (1.0 + 1e-9)
+}
+
+/// Parts at most that what is beyond the end is cut into.
+const MOST_BEYOND: f64 = 16.0;
 
 /// Bounds of so many times what the sum is at the angles need be no nearer.
 const CLOSE: f64 = 1.01;
@@ -137,6 +162,21 @@ mod tests {
             let seen = met.map(|u| sum(&coefficients, 189, u).abs()).fold(0.0, f64::max);
             let bound = supremum(&coefficients, 189, Weight { pole: None, parity: Parity::Even, leeway: None }, reach);
             assert!(seen > 1.9 && seen <= bound && bound < 1.6 * seen, "{reach}: {bound} for {seen}");
+        }
+    }
+
+    /// Beyond the end, too, where terms grow and cancel as before.
+    #[test]
+    fn suprema_beyond_the_end() {
+        let level: Vec<f64> = (0..20).map(|j: i32| (-0.7_f64).powi(j)).collect();
+        for (coefficients, first) in [(vec![1.0], 2), (vec![1.0, 1.0, -0.5], 6), (vec![0.1, -1.0, 0.8], 20), (level, 3)]
+        {
+            for ellipse in [0.0, 1e-6, 1e-3, 0.1, 0.3] {
+                let at = |i: u32| sum(&coefficients, first, libm::cosh(ellipse * f64::from(i) / 1e4)).abs();
+                let seen = (0..=10_000).map(at).fold(0.0, f64::max);
+                let bound = supremum_beyond(&coefficients, first, ellipse);
+                assert!(seen <= bound && bound < 1.1 * seen, "{first} {ellipse}: {bound} for {seen}");
+            }
         }
     }
 
