@@ -79,8 +79,9 @@ fn tightness(text: &str, random: &mut Random, density: usize) -> Option<f64> {
     let (scene, plan) = planned(text)?;
     let (error, bound) = (largest_error(text, &scene, &plan, random, density), plan.parts[0].bound.total());
     let covered = match (scene.goal, scene.float) {
-        (Goal::Tolerance(tol), Float::F64) => tol >= 1e-12,
-        (Goal::Tolerance(tol), Float::F32) => tol >= 1e-5,
+        // A tolerance is rounded down.
+        (Goal::Tolerance(tol), Float::F64) => tol > 0.999e-12,
+        (Goal::Tolerance(tol), Float::F32) => tol > 0.999e-5,
         _ => false,
     };
     covered.then_some(bound / error)
