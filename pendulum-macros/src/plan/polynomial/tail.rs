@@ -165,12 +165,14 @@ mod tests {
         }
     }
 
-    /// Beyond the end, too, where terms grow and cancel as before.
+    /// Beyond the end, too, where terms grow and cancel as before: of the last there is a summit in between.
     #[test]
     fn suprema_beyond_the_end() {
         let level: Vec<f64> = (0..20).map(|j: i32| (-0.7_f64).powi(j)).collect();
-        for (coefficients, first) in [(vec![1.0], 2), (vec![1.0, 1.0, -0.5], 6), (vec![0.1, -1.0, 0.8], 20), (level, 3)]
-        {
+        let mut summit = vec![0.0; 9];
+        (summit[0], summit[8]) = (1.0, -0.02);
+        let sums = [(vec![1.0], 2), (vec![1.0, 1.0, -0.5], 6), (vec![0.1, -1.0, 0.8], 20), (level, 3), (summit, 2)];
+        for (coefficients, first) in sums {
             for ellipse in [0.0, 1e-6, 1e-3, 0.1, 0.3] {
                 let at = |i: u32| sum(&coefficients, first, libm::cosh(ellipse * f64::from(i) / 1e4)).abs();
                 let seen = (0..=10_000).map(at).fold(0.0, f64::max);
