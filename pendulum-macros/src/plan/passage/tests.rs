@@ -263,3 +263,18 @@ fn passages_in_other_units() {
     }
     assert!(units > 0);
 }
+
+/// The product with a rate in two words, of phases: never more than is said, and nearly as much.
+#[test]
+fn what_the_exponent_is_rounded_by() {
+    for text in ["theta0 = π - 1e-3", "theta0 = π - 1e-9", "velocity0 = 6.001"] {
+        let orbit = Trial::new(text, "f64").orbit;
+        let relative = |i: u32| {
+            let z = 0.5 * f64::from(i) / 100_003.0;
+            let exact = orbit.rate * z;
+            ((exact - Double::new(orbit.rate.hi * z)).hi / exact.hi).abs()
+        };
+        let (seen, bound) = (largest((1..=100_003).map(relative), 1.0), orbit.rounding_of_exponent());
+        assert!(seen <= bound && bound < 1.02 * seen, "{text}: {seen:e} of {bound:e}");
+    }
+}
