@@ -232,16 +232,18 @@ impl Approximation {
 
     /// What an error of the polynomial is multiplied with in the value, at most.
     pub(super) fn weight(&self, overshoot: f64) -> f64 {
-        let phase = 0.5 + overshoot;
-        let odd = if self.parity == Parity::Odd { phase } else { 1.0 };
-        odd / self.pole.map_or(1.0, |pole| pole.least(phase)) * (1.0 + 1e-12)
+        self.weight_from(0.0, overshoot)
     }
 
     /// The same where phases overshoot the interval.
     fn weight_beyond(&self, overshoot: f64) -> f64 {
+        self.weight_from(0.25, overshoot)
+    }
+
+    /// The same of phases whose square is at least `low`.
+    fn weight_from(&self, low: f64, overshoot: f64) -> f64 {
         let phase = 0.5 + overshoot;
-        let odd = if self.parity == Parity::Odd { phase } else { 1.0 };
-        odd / self.pole.map_or(1.0, |pole| pole.least_between(0.25, phase * phase)) * (1.0 + 1e-12)
+        self.weights().between(low, phase * phase) * (1.0 + 1e-12)
     }
 
     /// The fewest terms, at least two, whose truncation error is at most `limit`.
