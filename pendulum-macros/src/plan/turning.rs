@@ -146,11 +146,11 @@ impl Turning {
         let Some(periodic) = self.from_top else { return 0.0 };
         let float = reduction.float;
         let of_half_turn = half_ulp(3.2, float);
-        let mean = of_half_turn + 0.501 * rest(self.turn(), float) / self.unit.hi;
+        let mean = of_half_turn + 0.501 * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = of_half_turn.min(periodic);
         let half = match reduction.origin {
             Origin::Lowest => 0.0,
-            Origin::Anchor => rest(Double::PI, float) + half_ulp(if self.wrapped { 3.2 } else { 6.3 }, float),
+            Origin::Anchor => float.rest(Double::PI).abs() + half_ulp(if self.wrapped { 3.2 } else { 6.3 }, float),
         };
         mean + sum + half
     }
@@ -159,11 +159,6 @@ impl Turning {
     fn turn(&self) -> Double {
         Double::PI * self.unit * (2.0 * self.direction)
     }
-}
-
-/// What a constant is rounded by.
-fn rest(constant: Double, float: Float) -> f64 {
-    (constant.hi - float.round(constant.hi)).abs() + constant.lo.abs()
 }
 
 /// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
@@ -189,7 +184,7 @@ fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
 
 /// What [`modulo_turn`] changes: by what a turn is rounded, or from −`PI` of `f32` to the next number, an ulp.
 fn rounding_modulo(float: Float) -> f64 {
-    let turn = rest(Double::PI * 2.0, float);
+    let turn = float.rest(Double::PI * 2.0).abs();
     if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(3.2, float)) }
 }
 

@@ -31,8 +31,7 @@ impl Builder {
 
     /// The number of the float nearest to `value`, whose distance from it is kept.
     pub(crate) fn exact(&mut self, value: Double) -> Id {
-        let rounded = self.float.round(value.hi);
-        self.push(Op::Constant { value: rounded, rest: (value.hi - rounded) + value.lo })
+        self.push(Op::Constant { value: self.float.round(value.hi), rest: self.float.rest(value) })
     }
 
     /// A number that stands for something within `slack` of it.

@@ -1,6 +1,7 @@
 //! What rounding depends on.
 
 use crate::parse::Float;
+use pendulum_runtime::double::Double;
 use std::ops::RangeInclusive;
 
 impl Float {
@@ -52,6 +53,11 @@ impl Float {
             Self::F64 => x,
             Self::F32 => f64::from(x as f32),
         }
+    }
+
+    /// What rounding to this type leaves of x.
+    pub(crate) fn rest(self, x: Double) -> f64 {
+        (x.hi - self.round(x.hi)) + x.lo
     }
 
     /// A number of the type that is not below `x`.
