@@ -63,6 +63,10 @@ pub(crate) struct Turning {
     pub(crate) turns: f64,
 }
 
+/// Half a turn and what a tolerance, which is at most 0.1, leaves beyond it: of the same binade as π, and twice as much as
+/// 2π.
+const HALF_TURN: f64 = PI + 0.1;
+
 /// Below this, 2⁵², the number of turns is exact, halves of them included.
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 
@@ -145,12 +149,16 @@ impl Turning {
     fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
         let Some(periodic) = self.from_top else { return 0.0 };
         let float = reduction.float;
-        let of_half_turn = half_ulp(3.2, float);
-        let mean = of_half_turn + 0.501 * float.rest(self.turn()).abs() / self.unit.hi;
+        let of_half_turn = half_ulp(HALF_TURN, float);
+        // In anchors, and by four units more of `f32`.
+        let farthest = (0.5 + reduction.overshoot.max(0.0)) * 1.000_001;
+        let mean = of_half_turn + farthest * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = of_half_turn.min(periodic);
         let half = match reduction.origin {
             Origin::Lowest => 0.0,
-            Origin::Anchor => float.rest(Double::PI).abs() + half_ulp(if self.wrapped { 3.2 } else { 6.3 }, float),
+            Origin::Anchor => {
+                float.rest(Double::PI).abs() + half_ulp(if self.wrapped { HALF_TURN } else { 2.0 * HALF_TURN }, float)
+            }
         };
         mean + sum + half
     }
@@ -185,7 +193,7 @@ fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
 /// What [`modulo_turn`] changes: by what a turn is rounded, or from −`PI` of `f32` to the next number, an ulp.
 fn rounding_modulo(float: Float) -> f64 {
     let turn = float.rest(Double::PI * 2.0).abs();
-    if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(3.2, float)) }
+    if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(HALF_TURN, float)) }
 }
 
 /// The nearest number from above −π to below π: of mirror images the same.

@@ -12,6 +12,10 @@ use crate::program::rounding::UNDERFLOW;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 
+/// By how much p exceeds what it is of exact phases, at most: by 4 units of `f32` of the phase itself, its square and a
+/// map's image.
+const ROUNDED_PHASES: f64 = 1e-6;
+
 /// So many terms of an approximation, for the phase of a reduction.
 #[derive(Clone, Copy)]
 pub(crate) struct Truncated<'a> {
@@ -138,19 +142,33 @@ impl Truncated<'_> {
 
     /// The variable of a form, which shifts p by so much.
     fn variable(&self, form: Form, shift: f64) -> Variable {
+        let beyond = self.beyond();
         if form == Form::Normalised {
             // 8p − 1.
-            return Variable { shift: -Double::ONE, area: Double::new(0.125), reach: 1.01 };
+            return Variable { shift: -Double::ONE, area: Double::new(0.125), reach: 1.0 + 8.0 * beyond };
         }
-        let (area, quarter) = (self.area(), self.quarter());
+        let area = self.area();
+        let farthest = (0.25 + beyond) / area.hi;
         if shift == 0.0 {
-            return Variable { shift: Double::ZERO, area, reach: quarter * 1.01 };
+            return Variable { shift: Double::ZERO, area, reach: farthest };
         }
         // A number of the type of the results, so that it is exact: over an arc its sum with half the arc is.
-        let is_arc = self.approximation.parity() == Parity::Neither;
-        let half = if is_arc { Double::new(0.5) / self.reduction.unit } else { Double::ZERO };
+        let half = if self.is_arc() { Double::new(0.5) / self.reduction.unit } else { Double::ZERO };
         let shift = Double::new(self.reduction.float.round((half + Double::new(shift) / area).hi)) - half;
-        Variable { shift, area, reach: shift.hi.abs().max((shift.hi + quarter).abs()) * 1.01 }
+        let nearest = if self.is_arc() { beyond / area.hi } else { 0.0 };
+        Variable { shift, area, reach: (shift.hi - nearest).abs().max((shift.hi + farthest).abs()) }
+    }
+
+    /// By how much p, or its image, exceeds ¼ at most: and, over an arc, is below 0.
+    fn beyond(&self) -> f64 {
+        let overshoot = self.reduction.overshoot.max(0.0);
+        let beyond = if self.is_arc() { 0.25 * overshoot } else { overshoot * (1.0 + overshoot) };
+        // A map's slope is largest at 0 and decreases; at ¼ it is below 1.
+        beyond + ROUNDED_PHASES
+    }
+
+    fn is_arc(&self) -> bool {
+        self.approximation.parity() == Parity::Neither
     }
 
     /// p per unit of the polynomial's variable.
