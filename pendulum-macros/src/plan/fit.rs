@@ -38,8 +38,8 @@ impl Fit {
         // So many that their error doesn't blur the bound where the last term is far below the limit. Of more than 200,
         // which no plan needs, the error says what is left.
         let points = points_for(bound, rho, limit * 2f64.powi(-16)).clamp(4.0, 200.0) as usize;
-        let error = interpolation_error(bound, rho, points) + lebesgue(points) * 2f64.powi(-94) * bound;
-        let series = CosineTable::new(points).interpolant(|u| function((u + Double::ONE) * (0.5 * end)));
+        let (series, rounding) = CosineTable::new(points).interpolant(|u| function((u + Double::ONE) * (0.5 * end)));
+        let error = interpolation_error(bound, rho, points) + lebesgue(points) * 2f64.powi(-94) * bound + rounding;
         let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error;
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
         let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));

@@ -44,9 +44,10 @@ impl Piecewise {
         let Interpolation { points, error, .. } = enough_points(curve, pieces, negligible)?;
         let table = CosineTable::new(points);
         let series = |index: usize| table.interpolant(|u| curve.at(phase(pieces, index, u)));
+        let (series, rounding): (_, Vec<f64>) = (0..=pieces / 2).map(series).unzip();
         Some(Self {
-            series: (0..=pieces / 2).map(series).collect(),
-            error: error + curve.omitted() + lebesgue(points) * curve.rounding(),
+            series,
+            error: error + curve.omitted() + lebesgue(points) * curve.rounding() + worst(rounding),
             parity: curve.parity(),
             alternates: curve.is_antiperiodic(),
             met: None,

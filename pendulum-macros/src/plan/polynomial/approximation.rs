@@ -131,11 +131,12 @@ impl Approximation {
             let value = pole.map_or(Double::ONE, |pole| pole.at(u)) * curve.at(s);
             if curve.parity() == Parity::Odd { value / s } else { value }
         };
-        let mut series = CosineTable::new(points).interpolant(sample);
+        let (mut series, rounding) = CosineTable::new(points).interpolant(sample);
         // Terms that the sum omits change the value itself, which an error of the series does by half as much at most where
         // the curve is odd.
-        let mut remainder =
-            error + (2.0 * curve.omitted() + missed(curve, points)) * pole.map_or(1.0, |pole| pole.most(0.5));
+        let mut remainder = error
+            + rounding
+            + (2.0 * curve.omitted() + missed(curve, points)) * pole.map_or(1.0, |pole| pole.most(0.5));
         // What is far below the aim isn't worth carrying.
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
