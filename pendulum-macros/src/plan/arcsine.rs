@@ -1,7 +1,7 @@
 //! 2·arcsin y for 0 ≤ y < 1 by a polynomial fitted to the range that occurs.
 //!
-//! arcsin √z/√z is analytic in z but for the cut [1, ∞), and bounded by π/2 for |z| ≤ 1. On z ∈ [0, Z] its Chebyshev
-//! interpolant converges with (ρ + 1/ρ)/2 = 2/Z − 1. Up to a largest y of √0.4 it serves directly, with z = y². Beyond,
+//! arcsin √c/√c is analytic in c but for the cut [1, ∞), and bounded by π/2 for |c| ≤ 1. On c ∈ [0, C] its Chebyshev
+//! interpolant converges with (ρ + 1/ρ)/2 = 2/C − 1. Up to a largest y of √0.4 it serves directly, with c = y². Beyond,
 //! 2 arcsin y = π − 4 arcsin x, x² = (1 − y)/2 ≤ ½, serves for all y: the choice between two formulas would be a branch
 //! that data can mispredict, and costs more than the terms that it saves.
 
@@ -13,12 +13,12 @@ use std::f64::consts::FRAC_PI_2;
 /// The polynomial, and whether the arcsine is that of the complement.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Arcsine {
-    /// arcsin √z/√z.
+    /// arcsin √c/√c.
     ratio: Fit,
     complement: bool,
 }
 
-/// The largest z for which one polynomial is the cheaper way.
+/// The largest c for which one polynomial is the cheaper way.
 const DIRECT: f64 = 0.4;
 
 impl Arcsine {
@@ -46,24 +46,24 @@ impl Arcsine {
         }
         let (one, half) = (b.constant(1.0), b.constant(0.5));
         let rest = b.sub(one, y);
-        let z = b.mul(rest, half);
-        b.name(z, "z");
+        let c = b.mul(rest, half);
+        b.name(c, "c");
         let (pi, four) = (b.exact(Double::PI.scale(sign)), b.constant(4.0 * sign));
-        self.lower_of_complement(b, z, [pi, four])
+        self.lower_of_complement(b, c, [pi, four])
     }
 
-    /// Emits sign·(π − 4 arcsin √z), given π and 4 with that sign.
-    pub(crate) fn lower_of_complement(&self, b: &mut Builder, z: Id, [pi, four]: [Id; 2]) -> Id {
-        let root = b.push(Op::Root(z));
+    /// Emits sign·(π − 4 arcsin √c), given π and 4 with that sign.
+    pub(crate) fn lower_of_complement(&self, b: &mut Builder, c: Id, [pi, four]: [Id; 2]) -> Id {
+        let root = b.push(Op::Root(c));
         b.name(root, "root");
-        let ratio = self.ratio(b, z);
+        let ratio = self.ratio(b, c);
         let single = b.mul(root, ratio);
         let fourfold = b.mul(single, four);
         b.sub(pi, fourfold)
     }
 
-    fn ratio(&self, b: &mut Builder, z: Id) -> Id {
-        self.ratio.lower(b, z, &["z", "z2", "z4", "z8", "z16", "z32", "z64", "z128"])
+    fn ratio(&self, b: &mut Builder, c: Id) -> Id {
+        self.ratio.lower(b, c, &["c", "c2", "c4", "c8", "c16", "c32", "c64", "c128"])
     }
 
     pub(crate) fn terms(&self) -> usize {
@@ -71,18 +71,18 @@ impl Arcsine {
     }
 }
 
-/// The polynomial for 0 ≤ z ≤ `end`.
+/// The polynomial for 0 ≤ c ≤ `end`.
 fn ratio_to(end: f64, limit: f64) -> Fit {
     // To few bits, so that the change of variable is exact.
     let end = f64::from(end as f32);
     Fit::new(&Domain::reaching(end, end - 1.0, FRAC_PI_2), limit, ratio)
 }
 
-/// arcsin √z/√z = Σ (2j)!/(4ʲ j!² (2j + 1)) zʲ, for 0 ≤ z < 1.
-fn ratio(z: Double) -> Double {
+/// arcsin √c/√c = Σ (2j)!/(4ʲ j!² (2j + 1)) cʲ, for 0 ≤ c < 1.
+fn ratio(c: Double) -> Double {
     let (mut weight, mut sum, mut j) = (Double::ONE, Double::ONE, 0.0);
     while weight.hi > 1e-34 {
-        weight = weight * z * (2.0 * j + 1.0) / (2.0 * j + 2.0);
+        weight = weight * c * (2.0 * j + 1.0) / (2.0 * j + 2.0);
         j += 1.0;
         sum = sum + weight / (2.0 * j + 1.0);
     }

@@ -202,8 +202,10 @@ impl Program {
         constants && self.table.iter().flatten().all(|entry| entry.hi.is_finite() && entry.lo.is_finite())
     }
 
-    /// The node of this name, if the program has one.
+    /// The node of this name, if the program has one: of the names that analyses ask for, one at most.
     pub(crate) fn named(&self, name: &str) -> Option<Id> {
+        let all = || self.nodes.iter().filter(|node| node.name == Some(name));
+        assert!(cfg!(not(test)) || all().count() <= 1, "several nodes are called {name}");
         self.nodes.iter().position(|node| node.name == Some(name))
     }
 }

@@ -1,10 +1,10 @@
-//! 2 arcsin y where y, a curve in pieces, comes near 1: π − 4 arcsin √z with z = (1 − y)/2.
+//! 2 arcsin y where y, a curve in pieces, comes near 1: π − 4 arcsin √c with c = (1 − y)/2.
 //!
 //! What y is wrong by, half a unit of rounding of 1 at least, the arcsine multiplies by 2/√(1 − y²). The powers of a
-//! piece make z itself, wrong by units of its own and of what it changes by in the piece; and that the arcsine multiplies by
-//! no more than 2/√(z(1 − z)), of which the product with z is small where z is.
+//! piece make c itself, wrong by units of its own and of what it changes by in the piece; and that the arcsine multiplies by
+//! no more than 2/√(c(1 − c)), of which the product with c is small where c is.
 //!
-//! Beyond the lowest point y is negative, and the arcsine that of the mirror image: with σ = −1 in those pieces, z =
+//! Beyond the lowest point y is negative, and the arcsine that of the mirror image: with σ = −1 in those pieces, c =
 //! (1 − σy)/2, and π and 4 change their signs. So both are numbers of the row.
 
 use super::{POWERS, Pieces, rounding_of_row};
@@ -28,8 +28,8 @@ pub(crate) struct Complement {
     weights: Vec<Double>,
 }
 
-/// The name of z.
-const REST: &str = "z";
+/// The name of c.
+const REST: &str = "c";
 
 /// How the remainder's range is divided for the analysis of the rounding, and how many parts of it are halved.
 const CELLS: u32 = 4;
@@ -60,21 +60,21 @@ impl Complement {
 
     /// Emits it, with a phase of its own.
     pub(crate) fn lower(&self, b: &mut Builder, name: &'static str) -> Id {
-        let (z, signed, magic) = self.sine.looked_up(b, &self.rows());
-        b.name(z, REST);
-        let angle = self.arcsine.lower_of_complement(b, z, [signed[0], signed[1]]);
+        let (c, signed, magic) = self.sine.looked_up(b, &self.rows());
+        b.name(c, REST);
+        let angle = self.arcsine.lower_of_complement(b, c, [signed[0], signed[1]]);
         b.name(angle, name);
         self.sine.alternate(b, angle, magic)
     }
 
-    /// The powers of z, and π and 4 with their sign.
+    /// The powers of c, and π and 4 with their sign.
     fn rows(&self) -> Vec<Vec<Double>> {
         let last = self.sine.rows.len() / 2;
         let row = |(index, powers): (usize, &Vec<Double>)| {
             let sign = if index <= last { 1.0 } else { -1.0 };
-            let rest = |(power, c): (usize, &Double)| {
+            let rest = |(power, of_y): (usize, &Double)| {
                 let one = if power == 0 { Double::ONE } else { Double::ZERO };
-                (one - *c * sign) * 0.5
+                (one - *of_y * sign) * 0.5
             };
             let signed = [Double::PI, Double::new(4.0)].map(|x| x * (sign * self.direction));
             powers.iter().enumerate().map(rest).chain(signed).collect()
@@ -90,21 +90,21 @@ impl Complement {
         let (before, after) = (program.up_to(REST), program.after_named(&[REST]));
         let (pieces, half, unit) = (self.sine.rows.len(), self.sine.reduction.half(), self.sine.reduction.unit.hi);
         let y = Cosines::odd(&self.weights);
-        let z_between = |index: usize, low: f64, high: f64| {
+        let rest_between = |index: usize, low: f64, high: f64| {
             let remainder = (POWERS[0], Known::between(low, high));
             let error = rounding_of_row(&before, &program.table[index], remainder) + 0.5 * self.truncation;
             let [from, to] = [low, high].map(|remainder| index as f64 / pieces as f64 + remainder * unit);
             let (least, most) = y.over(from, to).range(0);
             Known::within(0.5 * (1.0 - most) - error, 0.5 * (1.0 - least) + error, error)
         };
-        // Where z can't be told from 0 its root is wrong by one of its error, however narrow the cell, and halving would
+        // Where c can't be told from 0 its root is wrong by one of its error, however narrow the cell, and halving would
         // not end. So every cell has to tell it first; and a row of which one can't is bounded without that.
         let of_row = |index: usize| {
             let halved = |apart: bool| {
                 by_halves([-half, half], CELLS, MOST_HALVED, |low, high| {
-                    let z = z_between(index, low, high);
-                    let told = !apart || z.low > 0.0;
-                    if told { rounding_of_row(&after, &program.table[index], (REST, z)) } else { f64::INFINITY }
+                    let c = rest_between(index, low, high);
+                    let told = !apart || c.low > 0.0;
+                    if told { rounding_of_row(&after, &program.table[index], (REST, c)) } else { f64::INFINITY }
                 })
             };
             let apart = halved(true);

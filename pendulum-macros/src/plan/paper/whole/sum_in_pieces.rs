@@ -20,7 +20,7 @@ pub(super) struct SumInPieces {
     pieces: [OnceCell<Option<Piecewise>>; COUNTS.len()],
     /// What their series may be wrong by.
     negligible: f64,
-    /// 1/√z where z = (1 − y)/2 is least: near y = 1 by so much more θ̂ is wrong than y, which is 1/√(z(1 − z)).
+    /// 1/√c where c = (1 − y)/2 is least: near y = 1 by so much more θ̂ is wrong than y, which is 1/√(c(1 − c)).
     slope: f64,
 }
 
@@ -31,7 +31,7 @@ impl SumInPieces {
     /// For a sum of these weights that is nowhere 1, the pieces' series wrong by much less than makes `limit` of θ̂.
     pub(super) fn new(weights: &[Double], limit: f64) -> Option<Self> {
         let sum = Cosines::odd(weights);
-        // Infinite, or no number, where z may be 0.
+        // Infinite, or no number, where c may be 0.
         let slope_between = |low: f64, high: f64| (0.5 * (1.0 - sum.over(low, high).range(0).1)).sqrt().recip();
         let slope = supremum([0.0, 0.5], slope_between);
         let (weights, curve, pieces) = (weights.to_vec(), Curve::harmonics(weights), Default::default());
