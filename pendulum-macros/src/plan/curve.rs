@@ -6,6 +6,7 @@ use crate::exact::Real;
 use crate::motion::{Rotation, Swing};
 use crate::plan::moments::Moments;
 use crate::plan::reduction::{Origin, Reduction};
+use crate::program::rounding::INFLATION;
 use crate::series::{Parity, Wave};
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
@@ -66,7 +67,7 @@ const TOWARDS_POLES: [f64; 6] = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94];
 impl Curve {
     /// A whole one with poles, of that size and those largest slopes.
     fn new(wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Self {
-        let size = Size { largest, slope: slope * (1.0 + 1e-12), moment, unit };
+        let size = Size { largest, slope: slope * INFLATION, moment, unit };
         Self { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: false, rises: false, size }
     }
 

@@ -35,6 +35,7 @@ use crate::exact::Real;
 use crate::motion::{Regime, Swing};
 use crate::parse::{Method, Output};
 use crate::program::Program;
+use crate::program::rounding::INFLATION;
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
 use kernel::Kernel;
@@ -96,7 +97,7 @@ impl Part {
 
 impl Bound {
     pub(crate) fn total(self) -> f64 {
-        (self.truncation + self.phase + self.evaluation) * (1.0 + 1e-12)
+        (self.truncation + self.phase + self.evaluation) * INFLATION
     }
 }
 

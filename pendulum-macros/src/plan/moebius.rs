@@ -4,6 +4,7 @@
 //! one in p (a conformal map, Trefethen, *Approximation Theory and Approximation Practice*, chapter 22, in its simplest
 //! form). It costs a division, an addition and a subtraction: P = (¼ + b) − b(¼ + b)/(p + b).
 
+use crate::program::rounding::INFLATION;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 
@@ -52,7 +53,7 @@ impl Moebius {
             (least > widest).then(|| 0.5 * (libm::hypot(left, aside) + left))
         };
         let squares: Option<Vec<f64>> = (0..SLICES).map(square).collect();
-        Some(worst(squares?).sqrt() * (1.0 + 1e-12))
+        Some(worst(squares?).sqrt() * INFLATION)
     }
 
     /// For the reader; s is the phase in half periods.

@@ -5,6 +5,7 @@
 //! the energy, 1 − cos θ = (F² − v²)/(2ω²) with F = v(0) rises as it falls. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded
 //! by the same intervals.
 
+use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::series::Wave;
 
 /// Of θ, θ̇/ω and θ̈/ω².
@@ -45,7 +46,7 @@ impl Moments {
             }
             before = here;
         }
-        let [angle, velocity, acceleration] = moments.map(|moment| moment * (1.0 + 1e-9));
+        let [angle, velocity, acceleration] = moments.map(|moment| moment * INFLATION_OF_SUMS);
         Self { angle, velocity, acceleration }
     }
 }

@@ -13,6 +13,7 @@
 use super::arc::Arc;
 use super::reduction::is_half;
 use crate::motion::Elliptic;
+use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::supremum::worst;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -108,7 +109,7 @@ impl Pulses {
             Of::Powers([constant, once, twice]) => constant + sum * (once + sum * twice),
             Of::Integral { largest, turns } => largest + high * 2.0 * (PI * turns + self.rate * sum),
         };
-        if sum.is_finite() { bound * (1.0 + 1e-9) } else { f64::INFINITY }
+        if sum.is_finite() { bound * INFLATION_OF_SUMS } else { f64::INFINITY }
     }
 
     /// Bounds the pulse of the nearest lowest point on the later half of an ellipse of these semi-axes: in each cell where it is nearest to that

@@ -8,6 +8,7 @@ use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::met::Met;
 use crate::plan::reduction::Clock;
+use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::supremum::{Halving, by_halves, worst};
 use pendulum_runtime::double::Double;
 use sines::Sines;
@@ -35,7 +36,7 @@ impl<'a> Approximate<'a> {
         let everywhere = self.everywhere();
         let Some(distances) = self.met() else { return everywhere };
         let within = self.within(distances);
-        everywhere.min(within.max(self.excess(within)) * (1.0 + 1e-9))
+        everywhere.min(within.max(self.excess(within)) * INFLATION_OF_SUMS)
     }
 
     /// sup |θ̂′ − θ̇| over the horizon, in rad per unit of t.
@@ -45,7 +46,7 @@ impl<'a> Approximate<'a> {
         let (rate, exact_rate) = (rate.to_f64(), swing.rate().to_f64());
         if theta.terms().len() > MOST_TERMS {
             let slopes = if *method == Method::Fourier { f64::INFINITY } else { ours.magnitude(1) };
-            return (slopes * rate + scene.motion.fastest().to_f64()) * (1.0 + 1e-9);
+            return (slopes * rate + scene.motion.fastest().to_f64()) * INFLATION_OF_SUMS;
         }
         // Of our phases, which differ by the drift from those that are met.
         let met = self.met().filter(|_| drift < 0.25).map(|[least, farthest]| [least - drift, farthest + drift]);
@@ -58,7 +59,7 @@ impl<'a> Approximate<'a> {
             faster => faster * supremum(met, |low, high| ours.over(low, high).largest(1)),
         };
         let shifted = (exact.magnitude(2) * drift).min(2.0 * exact.magnitude(1));
-        ((at_same_phase + shifted) * exact_rate + faster) * (1.0 + 1e-9)
+        ((at_same_phase + shifted) * exact_rate + faster) * INFLATION_OF_SUMS
     }
 
     /// How far −ω² sin θ̂ by the paper's formula, or otherwise θ̂″, is from θ̈ over the horizon at most, in rad per unit of
@@ -78,13 +79,13 @@ impl<'a> Approximate<'a> {
             let met = self.met().unwrap_or([0.0, 0.5]);
             by_angle.min(self.at_same_phase(met, Sines::sines_apart, 0))
         };
-        apart * omega.square().to_f64() * (1.0 + 1e-9)
+        apart * omega.square().to_f64() * INFLATION_OF_SUMS
     }
 
     /// sup |θ̂ − θ| over the horizon, as far as what is met of it is known.
     pub(super) fn at_most(&self) -> f64 {
         let everywhere = self.everywhere();
-        self.met().map_or(everywhere, |distances| everywhere.min(self.within(distances))) * (1.0 + 1e-9)
+        self.met().map_or(everywhere, |distances| everywhere.min(self.within(distances))) * INFLATION_OF_SUMS
     }
 
     /// sup |θ̂ − θ| over all phases.
@@ -200,7 +201,7 @@ fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
         let phi = PI * f64::from(i) / f64::from(points);
         terms.iter().map(|&(m, a)| a.hi * libm::cos(f64::from(m) * phi)).sum::<f64>().abs()
     };
-    worst((0..=points / 2).map(at)) / libm::cos(PI / 16.0) * (1.0 + 1e-9) + omitted
+    worst((0..=points / 2).map(at)) / libm::cos(PI / 16.0) * INFLATION_OF_SUMS + omitted
 }
 
 /// Σ aₘ cos(mπs) of a curve less Σ wₙ cos((2n−1)πs): one sum.

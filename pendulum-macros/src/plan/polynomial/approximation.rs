@@ -18,6 +18,7 @@ use crate::plan::blocks::Shifts;
 use crate::plan::curve::Curve;
 use crate::plan::memo::Memo;
 use crate::plan::moebius::Moebius;
+use crate::program::rounding::INFLATION;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
@@ -244,7 +245,7 @@ impl Approximation {
     /// The same of phases whose square is at least `low`.
     fn weight_from(&self, low: f64, overshoot: f64) -> f64 {
         let phase = 0.5 + overshoot;
-        self.weights().between(low, phase * phase) * (1.0 + 1e-12)
+        self.weights().between(low, phase * phase) * INFLATION
     }
 
     /// The fewest terms, at least two, whose truncation error is at most `limit`.

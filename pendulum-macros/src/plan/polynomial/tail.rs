@@ -3,6 +3,7 @@
 
 use super::approximation::at_most_cosh;
 use super::weight::Weight;
+use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::supremum::worst;
 use std::f64::consts::PI;
 
@@ -44,7 +45,7 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach
         let sum = worst([pair[0].1, pair[1].1]) + eighth * second;
         // With the rounding of all this.
         let spared = weight.leeway.map_or(0.0, |leeway| leeway.spared(index));
-        sum * weight.between(pair[1].0, pair[0].0) * (1.0 + 1e-9) - spared
+        sum * weight.between(pair[1].0, pair[0].0) * INFLATION_OF_SUMS - spared
     };
     let cells = || points.windows(2).enumerate().filter(is_met);
     let close = CLOSE * worst(cells().map(|cell| error(cell, 0.0)));
@@ -73,7 +74,7 @@ pub(super) fn supremum_beyond(coefficients: &[f64], first: usize, ellipse: f64) 
     let points: Vec<[f64; 2]> = (0..=cells).map(at).collect();
     let largest = |order: usize, pair: &[[f64; 2]]| worst([pair[0][order], pair[1][order]]);
     let bounds = points.windows(2).map(|pair| largest(0, pair) + eighth * (largest(1, pair) + eighth * fourth));
-    worst(bounds) * (1.0 + 1e-9)
+    worst(bounds) * INFLATION_OF_SUMS
 }
 
 /// Parts at most that what is beyond the end is cut into.

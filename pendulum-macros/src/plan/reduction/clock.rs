@@ -16,6 +16,16 @@ const UNLIMITED: f64 = (1_u64 << 54) as f64;
 const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
 const SUM: f64 = f64::EPSILON / 4.0;
 
+/// Roundings of what is rounded, in units of the one that is counted: each is 2⁻²⁴ of it at most.
+const SECOND_ORDER: f64 = 0.001;
+
+/// What errors are multiplied with for it; and magnitudes, since a number next to a power of two may be above it once it is
+/// rounded.
+const WIDENED: f64 = 1.0 + SECOND_ORDER;
+
+/// What a rate in one word may differ by, 2⁻²⁴ of it.
+const OF_RATE: f64 = 1.000_001;
+
 /// What all reductions of one motion start from.
 pub(crate) struct Clock<'a> {
     /// Anchors per unit of time.
@@ -149,7 +159,7 @@ impl<'a> Clock<'a> {
     /// The rounding of the sum of which n is the nearest number, where an origin isn't passed at t = 0.
     fn rounding_of_sum(&self, origin: Origin, float: Float) -> f64 {
         let without = origin == Origin::Anchor && self.launch == Double::ZERO;
-        if without { 0.0 } else { half_ulp(self.anchors() * 1.001 + 1.0, float) }
+        if without { 0.0 } else { half_ulp(self.anchors() * WIDENED + 1.0, float) }
     }
 
     /// |t|·|AR − R′|, the rounding of the product t·R′ (least for its digits where the last of them stands just below a
@@ -173,9 +183,9 @@ impl<'a> Clock<'a> {
         let anchor = (0..TRIED).map(|index| (top - f64::from(index)) * least).filter(|&anchor| anchor >= 1.0);
         let anchor = anchor.min_by(|&a, &b| off(a).total_cmp(&off(b)))?;
         let scaled = self.float.round((rate * anchor).hi);
-        let rounding = half_ulp(anchors * anchor * 1.001, self.float) + half_ulp(anchor, self.float);
+        let rounding = half_ulp(anchors * anchor * WIDENED, self.float) + half_ulp(anchor, self.float);
         let left = self.rate - self.real(scaled) / self.real(anchor);
-        let error = self.over_horizon(&left) * 1.001 + rounding / anchor;
+        let error = self.over_horizon(&left) * WIDENED + rounding / anchor;
         let rate = self.float.round(rate.hi);
         let scheme = Scheme::Scaled { rate, scaled, anchor };
         let overshoot = self.misplaced(rate, Origin::Anchor, error);
@@ -201,10 +211,10 @@ impl<'a> Clock<'a> {
         // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a
         // time next to half an anchor, where that is next to a power of two, escapes both.
         let half = 0.5 / rate;
-        let crosses = exponent(half * (1.0 + 1e-6)) != exponent(half * (1.0 - 1e-6));
-        let escape = f64::from(u8::from(crosses)) * half_ulp(half * 1.001, self.float);
-        let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * 1.000_001;
-        let rounding = |anchors: f64| half_ulp(anchors / rate * 1.001, self.float) * rate;
+        let crosses = exponent(half * OF_RATE) != exponent(half / OF_RATE);
+        let escape = f64::from(u8::from(crosses)) * half_ulp(half * WIDENED, self.float);
+        let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * OF_RATE;
+        let rounding = |anchors: f64| half_ulp(anchors / rate * WIDENED, self.float) * rate;
         let (before, last) = if self.starts_on_half() {
             // Of three words the second difference is rounded, too, and half-way between two origins all three are.
             (0.0, count as f64 - 1.0 + self.halfway(origin))
@@ -214,7 +224,7 @@ impl<'a> Clock<'a> {
         };
         let errors = match origin {
             Origin::Anchor => [drift + before + last * rounding(0.5), 0.0],
-            Origin::Lowest => [drift + before, last * self.float.unit() * 1.001],
+            Origin::Lowest => [drift + before, last * self.float.unit() * WIDENED],
         };
         let overshoot = self.misplaced(rate, origin, errors[0] + errors[1]);
         Some(self.reduction(Scheme::CodyWaite { rate, words }, origin, errors, overshoot))
@@ -231,8 +241,8 @@ impl<'a> Clock<'a> {
     /// the rate in one word is off by, and the roundings of its product with the time and of the sum with the launch.
     fn misplaced(&self, rate: f64, origin: Origin, error: f64) -> f64 {
         let drift = self.drift(&[rate]);
-        let product = half_ulp(self.anchors() * 1.001, self.float);
-        (drift + product + self.rounding_of_sum(origin, self.float) + error) * 1.001
+        let product = half_ulp(self.anchors() * WIDENED, self.float);
+        (drift + product + self.rounding_of_sum(origin, self.float) + error) * WIDENED
     }
 
     fn wide(&self, origin: Origin) -> Option<Reduction> {
@@ -246,7 +256,7 @@ impl<'a> Clock<'a> {
     /// horizon, and so is its sum with the first less n, of up to an anchor.
     fn wide_any_time(&self, origin: Origin) -> Reduction {
         let words = split_down(self.rate, 29, 2, Float::F64);
-        let product = half_ulp(self.reach() * words[1] * 1.001, Float::F64);
+        let product = half_ulp(self.reach() * words[1] * WIDENED, Float::F64);
         let error = self.drift(&words) + product + 2.0 * SUM;
         self.wide_words(origin, words, error)
     }
@@ -293,7 +303,7 @@ impl<'a> Clock<'a> {
         Reduction {
             launch: self.launch,
             error: (launch + 1.0) * 2f64.powi(-74),
-            relative_error: if roundings == 0.0 { 0.0 } else { (roundings + 0.001) * self.float.unit() },
+            relative_error: if roundings == 0.0 { 0.0 } else { (roundings + SECOND_ORDER) * self.float.unit() },
             // Infinite times are seen by it, too.
             cap: Some(cap.min(self.float.largest())),
             ..Reduction::exact(scheme, Origin::Lowest, self.float)
@@ -305,7 +315,7 @@ impl<'a> Clock<'a> {
     fn narrowed(&self, error: f64, overshoot: f64, origin: Origin) -> [f64; 2] {
         match origin {
             Origin::Anchor => [error + overshoot.clamp(NARROWING, 2.0 * NARROWING), 0.0],
-            Origin::Lowest => [error, self.float.unit() * 1.001],
+            Origin::Lowest => [error, self.float.unit() * WIDENED],
         }
     }
 
@@ -317,7 +327,7 @@ impl<'a> Clock<'a> {
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         let overshoot = 2f64.powi(-20);
         if origin == Origin::Lowest {
-            return self.reduction(scheme, origin, [drift, 3.001 * Float::F64.unit()], overshoot);
+            return self.reduction(scheme, origin, [drift, (3.0 + SECOND_ORDER) * Float::F64.unit()], overshoot);
         }
         let [sums, seldom] = self.rounding_of_sums(count, doubled);
         let relative = self.starts_on_half() || count == 4 && !doubled;
@@ -341,7 +351,7 @@ impl<'a> Clock<'a> {
     /// The last part is the time times the last word and its tail, below 2⁻²⁶ of it, times the word before: the first
     /// product is rounded, the other has few enough bits, and the sum is rounded.
     fn rounding_of_last_part(&self, words: &[f64]) -> f64 {
-        let most = |word: usize| self.reach() * words[words.len() - word].abs() * 1.001;
+        let most = |word: usize| self.reach() * words[words.len() - word].abs() * WIDENED;
         let (last, before) = (most(1), most(2));
         half_ulp(last, Float::F64) + half_ulp(last + before * 2f64.powi(-26), Float::F64)
     }
@@ -350,7 +360,7 @@ impl<'a> Clock<'a> {
     /// less.
     fn rounding_in_one_word(&self, anchors: f64, float: Float) -> f64 {
         let of_sum = if self.launch == Double::ZERO { 0.0 } else { half_ulp(0.49, float) + half_ulp(0.5, float) };
-        half_ulp(anchors * 1.001, float).max(of_sum)
+        half_ulp(anchors * WIDENED, float).max(of_sum)
     }
 
     /// Whether halves of an anchor, which are no matter of rounding, are passed at t = 0.

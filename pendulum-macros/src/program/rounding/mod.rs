@@ -89,8 +89,11 @@ pub(crate) fn products(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 /// underflows.
 pub(crate) const UNDERFLOW: f64 = f64::from_bits(1 << 14);
 
-/// Covers the rounding of the analysis itself, whose chains are a few hundred operations long.
-const INFLATION: f64 = 1.0 + 1e-12;
+/// Covers the rounding of bounds themselves, computed in `f64` by chains of a few hundred operations at most.
+pub(crate) const INFLATION: f64 = 1.0 + 1e-12;
+
+/// The same for sums of thousands of terms, of functions that are wrong by a few units.
+pub(crate) const INFLATION_OF_SUMS: f64 = 1.0 + 1e-9;
 
 /// Half a unit in the last place of `magnitude`: the rounding of results up to it.
 pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
