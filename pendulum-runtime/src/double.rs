@@ -25,6 +25,7 @@ pub struct Double {
 
 /// `a + b = s + e` exactly.
 #[inline(always)]
+#[must_use]
 pub const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let b_seen = s - a;
@@ -33,6 +34,7 @@ pub const fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// `a + b = s + e` exactly, for `|a| ≥ |b|` or `a = 0`.
 #[inline(always)]
+#[must_use]
 pub const fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
@@ -40,6 +42,7 @@ pub const fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// Veltkamp's splitting: `a = hi + lo` exactly, with at most 26 significant bits in each.
 #[inline(always)]
+#[must_use]
 pub const fn split(a: f64) -> (f64, f64) {
     let c = 134_217_729.0 * a; // 2²⁷ + 1
     let hi = c - (c - a);
@@ -48,6 +51,7 @@ pub const fn split(a: f64) -> (f64, f64) {
 
 /// `a · b = p + e` exactly.
 #[inline(always)]
+#[must_use]
 pub const fn two_prod(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     let (ah, al) = split(a);
@@ -69,12 +73,14 @@ impl Double {
 
     /// An `f64`, exactly.
     #[inline(always)]
+    #[must_use]
     pub const fn new(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
     }
 
     /// Normalises any two words.
     #[inline(always)]
+    #[must_use]
     pub const fn from_sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
@@ -82,6 +88,7 @@ impl Double {
 
     /// The exact product of two `f64`.
     #[inline(always)]
+    #[must_use]
     pub const fn from_product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_prod(a, b);
         Self { hi, lo }
@@ -89,6 +96,7 @@ impl Double {
 
     /// The nearest `f64`.
     #[inline(always)]
+    #[must_use]
     pub const fn to_f64(self) -> f64 {
         self.hi + self.lo
     }

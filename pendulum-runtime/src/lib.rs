@@ -14,6 +14,7 @@
 //! still. Rotations (module `rotation`) are θ = 2 am. 1/T is carried in two words (`double`), and t/T is reduced
 //! exactly (`phase`).
 #![no_std]
+#![warn(clippy::must_use_candidate)]
 
 mod agm;
 mod angle;

@@ -48,7 +48,7 @@ impl Arcsine {
         let rest = b.sub(one, y);
         let c = b.mul(rest, half);
         b.name(c, "c");
-        let (pi, four) = (b.exact(Double::PI.scale(sign)), b.constant(4.0 * sign));
+        let (pi, four) = (b.rounded(Double::PI.scale(sign)), b.constant(4.0 * sign));
         self.lower_of_complement(b, c, [pi, four])
     }
 

@@ -145,7 +145,7 @@ impl Harmonics {
             Made::OfSine { formula: Formula::Angle(arcsine), .. } => arcsine.lower(b, sum, self.direction),
             Made::OfSine { formula: Formula::Acceleration(square), .. } => {
                 let sine = self.sine_of_angle(b, sum);
-                let square = b.exact(-*square);
+                let square = b.rounded(-*square);
                 b.mul(sine, square)
             }
             _ => sum,
@@ -340,7 +340,7 @@ impl AnalysedSum {
 
 /// u₁ and u₂ of the recurrence; of a single weight there is no u₂, which is 0.
 fn clenshaw(b: &mut Builder, cosine: Id, weights: &[Double]) -> (Id, Option<Id>) {
-    let constants: Vec<Id> = weights.iter().map(|&weight| b.exact(weight)).collect();
+    let constants: Vec<Id> = weights.iter().map(|&weight| b.rounded(weight)).collect();
     let Some((&last, rest)) = constants.split_last() else { return (cosine, None) };
     let square = b.mul(cosine, cosine);
     let (four, two) = (b.constant(4.0), b.constant(2.0));

@@ -86,7 +86,7 @@ impl Turning {
             (Some(_), None) => {
                 let mean = self.mean(b, variables.distance);
                 let angle = b.add(mean, angle);
-                let half = b.exact(Double::PI.scale(self.direction));
+                let half = b.rounded(Double::PI.scale(self.direction));
                 b.sub(angle, half)
             }
         };
@@ -95,7 +95,7 @@ impl Turning {
 
     /// 2π·phase.
     fn mean(&self, b: &mut Builder, phase: Id) -> Id {
-        let turn = b.exact(self.turn());
+        let turn = b.rounded(self.turn());
         b.mul(phase, turn)
     }
 
@@ -103,8 +103,8 @@ impl Turning {
     /// before the top.
     fn other_side(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         let zero = b.constant(0.0);
-        let half = b.exact(Double::PI);
-        let minus = b.exact(-Double::PI);
+        let half = b.rounded(Double::PI);
+        let minus = b.rounded(-Double::PI);
         // On the top itself the angle is −π, from either direction.
         let s = variables.distance;
         let (low, high) = if self.direction > 0.0 { (s, zero) } else { (zero, s) };
@@ -173,7 +173,7 @@ impl Turning {
 /// or after. Both differences are exact, and never are both taken.
 fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let (half, minus) = (b.constant(PI), b.constant(-PI));
-    let turn = b.exact(Double::PI * 2.0);
+    let turn = b.rounded(Double::PI * 2.0);
     let back = b.sub(angle, turn);
     let angle = b.push(Op::Select { a: angle, b: half, then: angle, otherwise: back });
     b.name(angle, "angle");

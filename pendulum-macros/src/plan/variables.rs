@@ -107,7 +107,7 @@ impl Variables {
         let distance = clamp(b, phase.remainder, reduction.half());
         b.name(distance, "clamped");
         let half = Double::new(0.5) / reduction.unit;
-        let half_id = b.exact(half);
+        let half_id = b.rounded(half);
         let square = b.add(distance, half_id);
         Self::of_one_kernel([distance, square], reduction.unit, Source::Linear { half }, phase)
     }
@@ -120,7 +120,7 @@ impl Variables {
         b.name(magnitude, "a");
         let whole = Double::ONE / reduction.unit;
         let quarter = whole * whole * 0.25;
-        let [whole_id, half_id, quarter_id] = [whole, whole * 0.5, quarter].map(|constant| b.exact(constant));
+        let [whole_id, half_id, quarter_id] = [whole, whole * 0.5, quarter].map(|constant| b.rounded(constant));
         let other = b.sub(whole_id, magnitude);
         let product = b.mul(magnitude, other);
         b.name(product, "below");
@@ -148,18 +148,18 @@ impl Variables {
         let one = b.constant(1.0);
         match self.source {
             Source::Square => {
-                let eighth = b.exact(eighth);
+                let eighth = b.rounded(eighth);
                 let scaled = b.mul(self.square, eighth);
                 b.sub(scaled, one)
             }
             Source::Below { below, .. } => {
-                let eighth = b.exact(eighth);
+                let eighth = b.rounded(eighth);
                 let scaled = b.mul(below, eighth);
                 b.sub(one, scaled)
             }
             Source::Linear { .. } => {
                 let doubled = self.unit * 2.0;
-                let doubled = b.exact(doubled);
+                let doubled = b.rounded(doubled);
                 b.mul(self.distance, doubled)
             }
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 8.0, -Double::ONE),
@@ -174,7 +174,7 @@ impl Variables {
             Source::Square => b.offset(self.square, shift),
             Source::Below { below, quarter } => {
                 let top = quarter + shift;
-                let top = b.exact(top);
+                let top = b.rounded(top);
                 b.sub(top, below)
             }
         }
@@ -183,7 +183,7 @@ impl Variables {
     /// With the image of p in place of p.
     pub(crate) fn mapped(&self, b: &mut Builder, map: Moebius) -> Self {
         let place = Double::new(map.place) / (self.unit * self.unit);
-        let place = b.exact(place);
+        let place = b.rounded(place);
         let divisor = b.add(self.square, place);
         b.name(divisor, "d");
         Self { source: Source::Quotient { divisor, map }, ..*self }
@@ -193,7 +193,7 @@ impl Variables {
     fn less_quotient(&self, b: &mut Builder, divisor: Id, map: Moebius, factor: f64, offset: Double) -> Id {
         let dividend = Double::new(factor * map.scale()) / (self.unit * self.unit);
         let top = Double::new(factor * map.end()) + offset;
-        let [dividend, top] = [dividend, top].map(|constant| b.exact(constant));
+        let [dividend, top] = [dividend, top].map(|constant| b.rounded(constant));
         let quotient = b.div(dividend, divisor);
         b.sub(top, quotient)
     }

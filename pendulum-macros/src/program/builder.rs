@@ -30,7 +30,7 @@ impl Builder {
     }
 
     /// The number of the float nearest to `value`, whose distance from it is kept.
-    pub(crate) fn exact(&mut self, value: Double) -> Id {
+    pub(crate) fn rounded(&mut self, value: Double) -> Id {
         self.push(Op::Constant { value: self.float.round(value.hi), rest: self.float.rest(value) })
     }
 
@@ -40,9 +40,9 @@ impl Builder {
         self.push(Op::Constant { value: rounded, rest: (value - rounded).abs() + slack })
     }
 
-    /// A number that is exact as it stands.
+    /// The same of a number in one word.
     pub(crate) fn constant(&mut self, value: f64) -> Id {
-        self.exact(Double::new(value))
+        self.rounded(Double::new(value))
     }
 
     /// x + offset, if there is any.
@@ -50,7 +50,7 @@ impl Builder {
         if offset == Double::ZERO {
             return x;
         }
-        let offset = self.exact(offset);
+        let offset = self.rounded(offset);
         self.add(x, offset)
     }
 

@@ -112,7 +112,7 @@ fn types() {
     let t = b.input();
     assert_eq!(b.convert(t, Float::F32), t);
     let wide = b.convert(t, Float::F64);
-    let third = b.exact(Double { hi: 1.0 / 3.0, lo: 1e-20 });
+    let third = b.rounded(Double { hi: 1.0 / 3.0, lo: 1e-20 });
     let product = b.mul(wide, third);
     let narrow = b.convert(product, Float::F32);
     assert_eq!(b.float(), Float::F32);
@@ -133,8 +133,8 @@ fn constants() {
         }
     };
     let tenth = f64::from(0.1f32);
-    assert_eq!(rest(Float::F64, |b| b.exact(Double { hi: 0.1, lo: 1e-20 })), (0.1, 1e-20));
-    assert_eq!(rest(Float::F32, |b| b.exact(Double { hi: 0.1, lo: 1e-12 })), (tenth, (0.1 - tenth) + 1e-12));
+    assert_eq!(rest(Float::F64, |b| b.rounded(Double { hi: 0.1, lo: 1e-20 })), (0.1, 1e-20));
+    assert_eq!(rest(Float::F32, |b| b.rounded(Double { hi: 0.1, lo: 1e-12 })), (tenth, (0.1 - tenth) + 1e-12));
     assert_eq!(rest(Float::F32, |b| b.loose(0.1, 1e-12)), (tenth, (0.1 - tenth).abs() + 1e-12));
     assert_eq!(rest(Float::F64, |b| b.constant(0.1)), (0.1, 0.0));
 }

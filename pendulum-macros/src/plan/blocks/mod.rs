@@ -210,7 +210,7 @@ pub(crate) fn magnitude(powers: &[Double], reach: f64) -> f64 {
 
 /// Few powers, which do without w, by Horner's rule.
 pub(crate) fn one_by_one(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
-    let coefficients: Vec<Id> = coefficients.iter().map(|&c| b.exact(c)).collect();
+    let coefficients: Vec<Id> = coefficients.iter().map(|&c| b.rounded(c)).collect();
     let step = |value, c| {
         let product = b.mul(value, y);
         b.add(product, c)
@@ -221,7 +221,7 @@ pub(crate) fn one_by_one(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id 
 
 /// Powers up to the third by those of y and w: as many operations, and three cycles less to wait.
 fn by_pairs(b: &mut Builder, y: Id, coefficients: &[Double]) -> Id {
-    let coefficients: Vec<Id> = coefficients.iter().map(|&c| b.exact(c)).collect();
+    let coefficients: Vec<Id> = coefficients.iter().map(|&c| b.rounded(c)).collect();
     estrin(b, y, &coefficients, &[])
 }
 
@@ -256,17 +256,17 @@ impl Block {
         let z = by_pairs(b, y, &self.head);
         let Some((last, others)) = self.factors.split_last() else { return more.map_or(z, |more| b.add(z, more)) };
         let product = |b: &mut Builder, value: Id, alpha: Double| {
-            let minus_alpha = b.exact(-alpha);
+            let minus_alpha = b.rounded(-alpha);
             let factor = b.add(w, minus_alpha);
             b.mul(value, factor)
         };
         let value = others.iter().fold(z, |value, &(alpha, beta)| {
             let product = product(b, value, alpha);
-            let beta = b.exact(beta);
+            let beta = b.rounded(beta);
             b.add(product, beta)
         });
         let product = product(b, value, last.0);
-        let beta = b.exact(last.1);
+        let beta = b.rounded(last.1);
         let end = more.map_or(beta, |more| b.add(beta, more));
         b.add(product, end)
     }

@@ -19,7 +19,7 @@ impl Passage {
         let angle = b.mul(tangent, ratio);
         let factor = b.constant(4.0 * sign);
         let angle = b.mul(angle, factor);
-        let pi = b.exact(Double::PI.scale(sign));
+        let pi = b.rounded(Double::PI.scale(sign));
         b.sub(pi, angle)
     }
 
@@ -42,7 +42,7 @@ impl Passage {
         let bottom = quotient.parts(b).norm;
         let sign = self.orbit.direction * if self.orbit.alternates() { -1.0 } else { 1.0 };
         let factor = self.factor * self.lowest() * sign;
-        let factor = b.exact(factor);
+        let factor = b.rounded(factor);
         let ratio = b.div(top, bottom);
         b.mul(factor, ratio)
     }
@@ -68,7 +68,7 @@ impl Passage {
     pub(super) fn acceleration(&self, b: &mut Builder, quotient: &Quotient, sign: f64) -> Id {
         let Parts { norm, difference, product } = quotient.parts(b);
         let factor = self.factor * (-4.0 * sign);
-        let factor = b.exact(factor);
+        let factor = b.rounded(factor);
         let top = b.mul(product, difference);
         let bottom = b.mul(norm, norm);
         let ratio = b.div(top, bottom);

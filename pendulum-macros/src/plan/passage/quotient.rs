@@ -54,7 +54,7 @@ struct Exponential {
 impl Passage {
     /// The exponential by powers of 2, 2⁻ʷ = 2⁻ʲ(1 + even − odd).
     fn exponential(&self, b: &mut Builder, magnitude: Id) -> Exponential {
-        let rate = b.exact(self.orbit.rate);
+        let rate = b.rounded(self.orbit.rate);
         let w = b.mul(magnitude, rate);
         let furthest = b.constant(FURTHEST);
         let w = b.push(Op::Min { limit: furthest, x: w });
@@ -96,7 +96,7 @@ impl Passage {
         b.name(exponent, "image_exponent");
         let power = b.push(Op::PowerOfTwo { magic: exponent });
         b.name(power, IMAGE_POWER);
-        let mantissa = b.exact(self.orbit.image);
+        let mantissa = b.rounded(self.orbit.image);
         let rising = b.add(even, odd);
         let one = b.constant(1.0);
         let rising = b.add(one, rising);

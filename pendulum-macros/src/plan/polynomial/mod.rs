@@ -92,7 +92,7 @@ impl Polynomial {
     /// The same, one of two with the same poles and the same number over them: one division serves both.
     pub(crate) fn one_of_two(&self, b: &mut Builder, variables: &Variables) -> Id {
         let inverse = self.over().map(|(numerator, pole)| {
-            let numerator = b.exact(numerator);
+            let numerator = b.rounded(numerator);
             pole.divide(b, numerator, variables)
         });
         let phase = (self.parity == Parity::Odd).then_some(variables.distance);
@@ -120,7 +120,7 @@ impl Polynomial {
             return odd.then(|| self.signed(b, variables, variables.distance));
         };
         let variables = unlimited.map_or(*variables, |unlimited| variables.without(unlimited));
-        let magnitude = if odd { variables.distance } else { b.exact(numerator) };
+        let magnitude = if odd { variables.distance } else { b.rounded(numerator) };
         let signed = self.signed(b, &variables, magnitude);
         if signed != magnitude {
             b.name(signed, "signed");

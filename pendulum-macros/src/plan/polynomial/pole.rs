@@ -63,7 +63,7 @@ impl Pair {
     fn lower(self, b: &mut Builder, variables: &Variables) -> Id {
         let distance = variables.shifted(b, -self.place);
         let square = b.mul(distance, distance);
-        let minus_height = b.exact(-self.height_squared);
+        let minus_height = b.rounded(-self.height_squared);
         let divisor = b.sub(minus_height, square);
         b.name(divisor, "d")
     }

@@ -242,7 +242,7 @@ fn inflation() {
 fn programs() {
     let mut b = Builder::new(Float::F64);
     let t = b.input();
-    let third = b.exact(Double { hi: 0.3, lo: 1e-18 });
+    let third = b.rounded(Double { hi: 0.3, lo: 1e-18 });
     let sum = b.add(t, third);
     let square = b.mul(sum, sum);
     let back = b.sub(square, t);
@@ -257,7 +257,7 @@ fn programs() {
     // Of x·x − x the derivative is at most 2x − 1, which errors of x forwards don't know.
     let mut b = Builder::new(Float::F64);
     let t = b.input();
-    let x = b.exact(Double { hi: 0.5, lo: 1e-10 });
+    let x = b.rounded(Double { hi: 0.5, lo: 1e-10 });
     let x = b.add(t, x);
     let square = b.mul(x, x);
     let result = b.sub(square, x);

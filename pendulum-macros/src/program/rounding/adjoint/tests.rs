@@ -103,7 +103,7 @@ fn slopes_that_cancel() {
 fn roundings_are_weighted_by_derivatives() {
     let mut b = Builder::new(Float::F64);
     let t = b.input();
-    let c = b.exact(Double { hi: 0.25, lo: 1e-12 });
+    let c = b.rounded(Double { hi: 0.25, lo: 1e-12 });
     let sum = b.add(t, c);
     let minus = b.constant(-3.0);
     let product = b.mul(sum, minus);
