@@ -19,6 +19,7 @@ fn main() {
     for (what, t) in [("started", 0.0), ("after a minute", 60.0), ("after an hour", 3600.0), ("after a day", 86_400.0)]
     {
         let (theta, velocity) = Clock::state(t);
+        let velocity = velocity + 0.0; // −0 becomes 0
         let (x, y) = Clock::position(t);
         println!(
             "{what:<15} θ = {:+.6}°  θ̇ = {velocity:+.6} rad/s  bob at ({:+.6} m, {:+.6} m)",

@@ -36,9 +36,8 @@ fn main() {
         black_box(&angles);
     }
     let each = start.elapsed().as_secs_f64() / f64::from(frames) / angles.len() as f64;
-    println!("{} lanterns, {frames} frames: {:.2} ns per angle, error ≤ {:.1e} rad", angles.len(), 1e9 * each, {
-        Lantern::MAX_ERROR
-    });
+    let (lanterns, most) = (angles.len(), Lantern::MAX_ERROR);
+    println!("{lanterns} lanterns, {frames} frames: {:.2} ns per angle, error ≤ {most:.1e} rad", 1e9 * each);
     // Any frame can be asked directly, forwards or backwards, and every machine gets these bits: replays and lockstep
     // need not send angles.
     let bits = angles.iter().fold(0_u32, |hash, angle| hash.rotate_left(5) ^ angle.to_bits());

@@ -35,7 +35,9 @@ pub(crate) fn map(rows: &[Row]) -> Map {
             .map(|(method, colour)| Category { label: (*method).into(), colour })
             .collect(),
         cells: rows.iter().map(|row| row.plans.iter().map(cell).collect()).collect(),
-        note: format!("Numbers: terms.\nDarker: more operations,\n{least} to {most} per call."),
+        note: format!(
+            "Numbers: terms (of a quotient,\nthose of its numerator).\nDarker: more operations,\n{least} to {most} per call."
+        ),
     }
 }
 

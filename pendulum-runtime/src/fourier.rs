@@ -85,8 +85,8 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
 
     /// sup |θ̂ − θ| over all t, rad, of the formula (Eq. 22) itself: the true supremum over a period, wherever it is
     /// attained (not always at t = 0), also where it is far below the rounding of θ. It is found numerically, from a dozen
-    /// samples per half wave on, and in `f32` rounded upward; next to an overshoot up to 2·10⁻⁸ of itself off have been
-    /// seen. The macro's `MAX_ERROR` is proven.
+    /// samples per half wave on, and in `f32` rounded upward; next to an overshoot it has been seen to be off by up to
+    /// 2·10⁻⁸ of itself. The macro's `MAX_ERROR` is proven.
     ///
     /// What rounding adds isn't in it: a few units in the last place of θ0, and as many times more as the arcsine is
     /// steep, 1/cos(θ̂/2) at the turning point.

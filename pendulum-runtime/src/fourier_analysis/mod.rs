@@ -140,7 +140,7 @@ impl FourierAnalysis {
     }
 
     /// sup |θ̂ − θ| over the period: every local maximum found by sampling, refined until it stands still. Next to
-    /// an overshoot, where 1 − x² cancels before its root is taken, up to 2·10⁻⁸ of itself off have been seen.
+    /// an overshoot, where 1 − x² cancels before its root is taken, it has been seen to be off by up to 2·10⁻⁸ of itself.
     #[must_use]
     pub fn supremum(&self, terms: usize) -> f64 {
         self.largest(terms, Sample::error)
