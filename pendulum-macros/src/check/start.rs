@@ -140,6 +140,8 @@ impl Checker<'_> {
         let moving = !velocity0.is_zero() || self.request.mentions("velocity0") && velocity.is_none();
         let rest = Rest::of(theta0);
         let reduced = rest.shown(angle.is_some_and(|given| given.value.is_in_degrees()));
+        let is_plain = angle.is_some_and(|given| given.value.is_plain()) && radians.abs() <= 180.0;
+        let in_degrees = if is_plain { format!("; if degrees are meant, write `{blamed}deg`") } else { String::new() };
         // Full turns away from where nothing moves, nothing moves either.
         let why = match (why, rest) {
             (NoMotion::BeyondTop, Rest::Lowest) if !moving => NoMotion::Hanging,
@@ -157,11 +159,11 @@ impl Checker<'_> {
                 "{value}, balanced on the top, where nothing moves: release it at |θ0| < π, or give it a `velocity0`"
             ),
             NoMotion::BeyondTop if moving => {
-                format!("{value}, beyond the top at ±π: {reduced} is the same state")
+                format!("{value}, beyond the top at ±π: {reduced} is the same state{in_degrees}")
             }
             NoMotion::BeyondTop => format!(
                 "{value}: released at rest, |θ0| must be less than π (180°); {reduced} is the same position, and motion \
-                 over the top starts with a `velocity0`"
+                 over the top starts with a `velocity0`{in_degrees}"
             ),
         };
         self.refuse(&blamed.tokens, message)

@@ -93,6 +93,15 @@ fn refuses_states_that_do_not_move() {
         &["`theta0 = 200deg`", "3.490658503988659 rad = 200.0°", "velocity0", "`theta0 = -160deg`"],
     );
     refused("theta0 = 3.5", &["`theta0 = -2.7831853071795867` is the same position"]);
+    for (text, remedy) in
+        [("45", "`theta0 = 45deg`"), ("-60", "`theta0 = -60deg`"), ("90, velocity0 = 1", "`theta0 = 90deg`")]
+    {
+        refused(&format!("theta0 = {text}"), &["if degrees are meant", remedy]);
+    }
+    for text in ["200", "90rad", "45/1", "2*PI + 1"] {
+        let errors = checked(&format!("theta0 = {text}")).err().unwrap();
+        assert!(!errors[0].contains("degrees are meant"), "{text}: {}", errors[0]);
+    }
     refused("theta0 = 5π, velocity0 = 1", &["beyond the top", "`theta0 = 1π` is the same state"]);
     refused("theta0 = -900deg, velocity0 = 1", &["`theta0 = 180deg` is the same state"]);
     refused("theta0 = 4π, velocity0 = 1", &["`theta0 = 0` is the same state"]);

@@ -53,6 +53,10 @@ pub(super) fn unknown_parameter(name: &str) -> String {
         (direct @ "frequency", _) => {
             format!("unknown parameter `{name}`: did you mean `omega = 2π*{direct}`, of small oscillations?")
         }
+        ("mass" | "m", _) => format!("unknown parameter `{name}`: the motion doesn't depend on it, leave it out"),
+        ("damping" | "friction" | "drag" | "drive" | "force" | "torque", _) => {
+            format!("unknown parameter `{name}`: this is the motion of a pendulum without friction or drive")
+        }
         (_, Some(known)) => format!("unknown parameter `{name}`: did you mean `{known}`?"),
         (_, None) => format!("unknown parameter `{name}`: a parameter is one of {}", list(&PARAMETERS)),
     }
@@ -87,6 +91,8 @@ mod tests {
         for (written, known) in pairs {
             assert_eq!(meant(written), Some(known), "{written}");
         }
+        assert!(unknown_parameter("mass").contains("leave it out"));
+        assert!(unknown_parameter("Damping").contains("without friction"));
         // One letter is no misspelling of another.
         for unknown in ["k", "m", "x", "colour", "mass", "damping"] {
             assert_eq!(meant(unknown), None, "{unknown}");

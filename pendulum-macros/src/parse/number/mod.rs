@@ -7,6 +7,7 @@ use crate::exact::{Context, Real};
 use crate::parse::source;
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use syn::buffer::Cursor;
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
 use tree::{Operator, Tree};
@@ -46,6 +47,12 @@ impl Number {
     /// Whether the first literal that is an angle is one in degrees.
     pub(crate) fn is_in_degrees(&self) -> bool {
         self.tree.angle_unit() == Some(tree::Unit::Degree)
+    }
+
+    /// Whether it is nothing but digits, with a minus before them or not.
+    pub(crate) fn is_plain(&self) -> bool {
+        let inner = if let Tree::Negative(inner) = &self.tree { inner } else { &self.tree };
+        matches!(inner, Tree::Literal { unit: tree::Unit::None, .. })
     }
 
     /// The value, in radians if it is an angle.
@@ -161,7 +168,7 @@ fn factor(input: ParseStream) -> Result<Tree> {
         syn::parenthesized!(inner in input);
         return whole(&inner, "`)`");
     }
-    if input.peek(Ident) {
+    if input.peek(Ident) || begins_a_path(input) {
         return name(input);
     }
     if input.peek(Lit) {
@@ -224,8 +231,13 @@ fn read(start: &Cursor, input: ParseStream) -> Vec<TokenTree> {
     start.token_stream().into_iter().take(tokens_between(start, &input.cursor())).collect()
 }
 
+/// Whether one of the keywords stands there that paths begin with.
+fn begins_a_path(input: ParseStream) -> bool {
+    input.peek(Token![crate]) || input.peek(Token![super]) || input.peek(Token![self]) || input.peek(Token![Self])
+}
+
 fn name(input: ParseStream) -> Result<Tree> {
-    let ident: Ident = input.parse()?;
+    let ident = input.call(Ident::parse_any)?;
     match ident.to_string().as_str() {
         "π" | "PI" | "pi" => Ok(Tree::Pi),
         "sqrt" if input.peek(token::Paren) => {
@@ -309,7 +321,9 @@ mod tests {
     #[test]
     fn explains_what_it_refuses() {
         assert!(error("1/(2 - 2)").contains("division by zero"));
-        assert!(error("THETA").contains("a macro sees names, not values"));
+        for path in ["THETA", "consts::ANGLE", "crate::ANGLE", "super::ANGLE", "self::ANGLE", "Self::ANGLE"] {
+            assert!(error(path).contains("a macro sees names, not values"), "{path}");
+        }
         assert!(error("3f64").contains("`theta0 = 3f64` has the suffix `f64`"));
         assert!(error("3 deg").contains("leave out the space, as in `3deg`"));
         assert!(error("7/8 π").contains("write `*` before `π`"));
