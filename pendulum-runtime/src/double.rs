@@ -172,6 +172,7 @@ impl Mul for Double {
 
 impl Mul<f64> for Double {
     type Output = Self;
+    /// Relative error ≤ 3u² (algorithm 8 there).
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
         let (p, e) = two_prod(self.hi, other);

@@ -4,6 +4,7 @@ use super::outputs::Wording;
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime};
 use crate::parse::Shape;
+use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::{Function, Part, Plan};
 use crate::scene::{Goal, Scene};
 
@@ -92,7 +93,8 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
         0.0 => String::new(),
         error => format!(", wrong by at most {error:.1e} {unit}"),
     };
-    lines.push(format!("* phase s: {}{wrong}", reduction.describe()));
+    let counted = counted(&scene.motion.regime, reduction);
+    lines.push(format!("* phase s{counted}: {}{wrong}", reduction.describe()));
     lines.extend(plan.parts.iter().map(|part| self::part(part, plan)));
     if !plan.coefficients.is_empty() {
         let all: Vec<String> =
@@ -104,6 +106,18 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
         lines.extend(plan.rejected.iter().map(|why| format!("* {why}")));
     }
     lines
+}
+
+/// In what a phase is counted that isn't the time itself, and from where, unless its description says so.
+fn counted(regime: &Regime, reduction: &Reduction) -> &'static str {
+    match (regime, reduction.origin) {
+        _ if reduction.is_time() => "",
+        (Regime::Swing(_), Origin::Anchor) => ", in half periods from the nearest turning point",
+        (Regime::Swing(_), Origin::Lowest) => ", in half periods",
+        (Regime::Rotation(_), Origin::Anchor) => ", in turns from the nearest top",
+        (Regime::Rotation(_), Origin::Lowest) => ", in turns",
+        (Regime::Separatrix(_), _) => "",
+    }
 }
 
 fn part(part: &Part, plan: &Plan) -> String {

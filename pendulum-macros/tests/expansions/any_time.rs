@@ -11,15 +11,15 @@
 ///
 /// Planned for the full precision of `f64`, over 2⁵³ periods:
 ///
-/// * phase s: exact products with the rate in 4 words, wrong by at most 1.7e-16 half periods
+/// * phase s, in half periods from the nearest turning point: exact products with the rate in 4 words, wrong by at most 1.7e-16 half periods
 /// * theta: polynomial of 17 terms in s² (shifted), coefficients adapted in blocks of 4; error ≤ 1.880e-15 rad, proven: 7.3e-17 of truncation, 8.7e-16 of phase, 9.3e-16 of evaluation; 60 operations
 ///
 /// Not chosen:
 ///
 /// * a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
 /// * a polynomial in s² over two pairs of poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
-/// * a polynomial in s² over poles, by powers for `theta`: it costs about 0.5 additions more
-/// * pieces, phase by exact products with the rate in 4 words: it costs as much as 109 additions
+/// * a polynomial in s² over poles, by powers for `theta`: it costs 0.5 additions more
+/// * pieces, phase by exact products with the rate in 4 words: it costs as much as 109 additions, this plan as 58
 /// * `harmonic`: it is wrong by about 4e-2 rad
 /// * `series`: it takes 11 harmonics at least, of three operations each, and a cosine
 /// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides

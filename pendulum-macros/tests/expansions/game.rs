@@ -11,15 +11,15 @@
 ///
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
-/// * phase s: one product with the rate, wrong by at most 8.2e-6 half periods
+/// * phase s, in half periods from the nearest turning point: one product with the rate, wrong by at most 8.2e-6 half periods
 /// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.3e-5 of truncation, 5.8e-5 of phase, 3.5e-7 of evaluation; 16 operations
 /// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.7e-5 of truncation, 5.8e-5 of phase, 2.5e-6 of evaluation; 29 operations
 ///
 /// Not chosen:
 ///
 /// * a polynomial in s² over poles, by powers for `theta`: it costs no less
-/// * a polynomial in s² over poles, by powers for `position`: it costs about 2.0 additions more
-/// * pieces, phase by one product with the rate in `f64`: it costs as much as 170 additions
+/// * a polynomial in s² over poles, by powers for `position`: it costs 2 additions more
+/// * pieces, phase by one product with the rate in `f64`: it costs as much as 170 additions, this plan as 39
 /// * `harmonic`: it is wrong by about 9e-2 rad
 /// * `series`: it takes 4 harmonics at least, of three operations each, and a cosine
 /// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides

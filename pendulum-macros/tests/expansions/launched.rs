@@ -11,15 +11,15 @@
 ///
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
-/// * phase s: exact products with the rate in 2 words, wrong by at most 5.3e-8 half periods
+/// * phase s, in half periods from the nearest turning point: exact products with the rate in 2 words, wrong by at most 5.3e-8 half periods
 /// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 4.688e-7 rad, proven: 3.0e-7 of truncation, 1.7e-7 of phase, 5.2e-16 of evaluation; 27 operations
 /// * acceleration: polynomial of 7 terms in s² (shifted), coefficients adapted; error ≤ 6.428e-7 rad·ω², proven: 4.7e-7 of truncation, 1.7e-7 of phase, 6.6e-16 of evaluation; 31 operations
 ///
 /// Not chosen:
 ///
 /// * a polynomial in s² over poles, by powers for `theta`: it costs no less
-/// * a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs about 1.0 additions more
-/// * pieces, phase by exact products with the rate in 2 words: it costs as much as 85 additions
+/// * a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs 1 addition more
+/// * pieces, phase by exact products with the rate in 2 words: it costs as much as 85 additions, this plan as 40
 /// * `harmonic`: it is wrong by about 9e-3 rad
 /// * `series`: it takes 3 harmonics at least, of three operations each, and a cosine
 /// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides

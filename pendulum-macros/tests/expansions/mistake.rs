@@ -4,7 +4,7 @@
 //     theta0 = 4, n = 0
 
 compile_error! {
-    "`theta0 = 4` is 4.0 rad = 229.1831180523293°: released at rest, |θ0| must be less than π (180°); `theta0 = -2.2831853071795867` is the same position, and motion over the top starts with a `velocity0`"
+    "`theta0 = 4` is 4.0 rad = 229.1831180523293°: released at rest, |θ0| must be less than π (180°); `theta0 = -2.2831853071795867` is the same position, and motion over the top starts with a `velocity0`; if degrees are meant, write `theta0 = 4deg`"
 }
 compile_error! {
     "`n = 0` is a series without terms: θ\u{302} needs `n = 1` or more"

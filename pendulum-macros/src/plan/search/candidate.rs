@@ -190,5 +190,10 @@ impl Candidate<'_> {
 
 /// For the reader: what costs so many additions more.
 pub(super) fn more(additions: f64) -> String {
-    if additions < 0.05 { "costs no less".to_owned() } else { format!("costs about {additions:.1} additions more") }
+    match additions {
+        ..0.05 => "costs no less".to_owned(),
+        0.05..0.95 => format!("costs {additions:.1} additions more"),
+        0.95..1.05 => "costs 1 addition more".to_owned(),
+        _ => format!("costs {} additions more", (10.0 * additions).round() / 10.0),
+    }
 }

@@ -53,7 +53,10 @@ fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
         return Err(Refusal::Broken { output });
     }
     let next = candidates[index..].iter().find(|next| next.way != candidate.way);
-    rejected.extend(next.map(|next| format!("{}: it costs as much as {:.0} additions", next.describe(), next.cost)));
+    rejected.extend(next.map(|next| {
+        let costs = format!("it costs as much as {:.0} additions, this plan as {:.0}", next.cost, candidate.cost);
+        format!("{}: {costs}", next.describe())
+    }));
     rejected.extend(alternatives::reasons(scene));
     Ok(Plan { rejected, ..plan })
 }
