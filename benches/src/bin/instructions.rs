@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::{Child, Command, ExitCode, Stdio};
 use std::{env, fs};
 
 use pendula_benches::amplitude::Amplitude;
@@ -117,24 +117,29 @@ fn count() -> Result<Option<Counts>, Failure> {
     }
     let mut counts = Counts::new();
     for what in catalogue().into_iter().filter(|what| COUNTED.iter().any(|job| what.ends_with(job))) {
-        let [one, three] = ["1", "3"].map(|passes| instructions(&what, passes));
-        counts.insert(what, (three? - one?) / (2 * COUNT) as f64);
+        let [one, three] = ["1", "3"].map(|passes| start(&what, passes)); // both at once
+        let [one, three] = [instructions(one?)?, instructions(three?)?];
+        counts.insert(what, (three - one) / (2 * COUNT) as f64);
     }
     Ok(Some(counts))
 }
 
-/// Instructions of a whole run of this program that makes so many passes.
-fn instructions(what: &str, passes: &str) -> Result<f64, Failure> {
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(env::current_exe()?)
-        .args(["--pass", what, passes])
-        .output()?;
+/// A run of this program that makes so many passes, under callgrind.
+fn start(what: &str, passes: &str) -> Result<Child, Failure> {
+    let mut command = Command::new("valgrind");
+    command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
+    command.arg(env::current_exe()?).args(["--pass", what, passes]);
+    Ok(command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?)
+}
+
+/// Instructions of a whole run, once it has ended.
+fn instructions(run: Child) -> Result<f64, Failure> {
+    let output = run.wait_with_output()?;
     let report = String::from_utf8_lossy(&output.stderr);
     let total = report.lines().find_map(|line| line.split_once("Collected :"));
     match total {
         Some((_, total)) if output.status.success() => Ok(total.trim().parse()?),
-        _ => Err(format!("valgrind failed on {what}:\n{report}").into()),
+        _ => Err(format!("valgrind failed:\n{report}").into()),
     }
 }
 

@@ -89,6 +89,7 @@ macro_rules! plan {
         let tolerances: &[f64] = &[$($tol)?];
         let horizons: &[u32] = &[$($t_max)?];
         let scene = Scene::new($name, written, tolerances.first().copied(), horizons.first().copied());
+        scene.is_planned_by(Plan::METHOD);
         $($all.push(scene.class(plan!(@output $output), plan!(@bound $output), over(Plan::$output)));)*
     }};
 }
@@ -114,6 +115,12 @@ impl Scene {
             }
         }
         Self { name, largest: largest(&Motion::new(start.clone())), start, tol, t_max }
+    }
+
+    /// What a scene is chosen for and named by is what the planner does with it.
+    fn is_planned_by(&self, method: &str) {
+        let named = ["pieces", "passage"].into_iter().find(|named| self.name.contains(named));
+        assert!(named.is_none_or(|named| named == method), "{} is planned by {method}", self.name);
     }
 
     fn class(&self, output: Output, proven: f64, evaluate: Evaluate) -> Class {
@@ -193,11 +200,12 @@ fn moments(all: &mut Vec<Class>) {
 fn near_top(all: &mut Vec<Class>) {
     plan!(all: "any time", [(0.999π) 0 1]; theta velocity position);
     plan!(all: "pieces, any time", [(1π-1e-9) 0 1]; theta velocity);
-    plan!(all: "pieces, tol 1e-9, any time", [(3.14) (0.0015) (1.25)] tol 1e-9; theta velocity);
+    plan!(all: "pieces, launched, any time", [(3.14159) (0.0000015) (1.25)]; theta velocity);
+    plan!(all: "launched near the top, tol 1e-9", [(3.14) (0.0015) (1.25)] tol 1e-9; theta velocity);
     plan!(all: "positions in pieces, any time", [(1π-1e-9) 0 1] by polynomial; position);
-    plan!(all: "a series in pieces, any time", [(-0.999π) 0 2] by series; theta velocity);
-    plan!(all: "passage, any time", [(1π-1e-9) 0 2]; theta velocity position);
-    plan!(all: "pieces, tol 1e-6, 100 periods", [(1π-1e-9) 0 1] tol 1e-6 within 9000; theta);
+    plan!(all: "a series, any time", [(-0.999π) 0 2] by series; theta velocity);
+    plan!(all: "passage, any time", [(1π-1e-20) 0 2]; theta velocity position);
+    plan!(all: "near the top, tol 1e-6, 100 periods", [(1π-1e-9) 0 1] tol 1e-6 within 9000; theta);
     plan!(all: "separatrix", [0 2 1]; theta velocity position);
     plan!(all: "separatrix, tol 1e-14", [0 2 1] tol 1e-14; acceleration);
 }
