@@ -231,3 +231,16 @@ fn accelerations_of_approximations_beyond_their_horizon() {
          outputs = [theta, acceleration]",
     );
 }
+
+/// A moment at the top in which the angle goes less far beyond π than `f64` tells it from π: it was kept below π, and
+/// what that takes was counted up to π.
+#[test]
+fn moments_just_over_the_top() {
+    for far in ["1e-21", "1e-20", "1e-19", "1e-17", "1.5e-16"] {
+        for motion in
+            ["theta0 = π, velocity0 = 2", "theta0 = π - 1e-234, velocity0 = -0.1", "theta0 = 1e-19 - π, velocity0 = 20"]
+        {
+            planned(&format!("struct A; {motion}, tol = 1e-3, t_max = {far}, outputs = [theta, wrapped]"));
+        }
+    }
+}

@@ -140,10 +140,11 @@ impl Curve {
     }
 
     /// About the largest magnitude in an arc: an angle's is that at one of its ends, or at a turning point between them.
-    pub(crate) fn largest_met(&self) -> Option<f64> {
-        let at = |sigma: f64| self.at(Double::new(sigma)).hi.abs();
-        let of_anchor = self.arc.anchor().map_or(0.0, at);
-        self.is_arc().then(|| at(0.0).max(at(-0.5)).max(at(0.5)).max(of_anchor))
+    pub(crate) fn largest_met(&self) -> Option<Double> {
+        let places = [Some(0.0), Some(-0.5), Some(0.5), self.arc.anchor()].into_iter().flatten();
+        let largest =
+            || places.map(|sigma| self.at(Double::new(sigma)).abs()).max_by(|a, b| (*a - *b).hi.total_cmp(&0.0));
+        self.is_arc().then(largest).flatten()
     }
 
     /// The mirror image.

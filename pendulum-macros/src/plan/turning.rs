@@ -35,8 +35,8 @@ impl Finish {
     pub(super) fn rounding(&self, angle: f64, float: Float) -> f64 {
         match self {
             Self::Nothing | Self::Turning(_) => angle,
-            // It leads away from no angle but one between the largest number that it may be and π itself.
-            Self::Within => angle.max(Double::PI.hi - below_half_turn(float) + Double::PI.lo),
+            // It leads away from no angle but one between the largest number that it may be and the top.
+            Self::Within => angle.max(Double::PI.hi - below_half_turn(float) + Double::PI.lo + AT_TOP),
             Self::Wrapped => angle + rounding_modulo(float),
         }
     }
@@ -62,6 +62,9 @@ pub(crate) struct Turning {
     /// The most turns within the horizon.
     pub(crate) turns: f64,
 }
+
+/// An arc that leads no farther beyond π counts as at the top: some more than a curve in two words is wrong by.
+pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
 
 /// Half a turn and what a tolerance, which is at most 0.1, leaves beyond it: of the same binade as π, and twice as much as
 /// 2π.

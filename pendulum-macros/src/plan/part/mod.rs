@@ -12,7 +12,7 @@ use super::curve::Curve;
 use super::kernel::{Core, Kernel};
 use super::reduction::Reduction;
 use super::task::Task;
-use super::turning::{Finish, Turning};
+use super::turning::{AT_TOP, Finish, Turning};
 use super::{Bound, Part};
 use crate::parse::{Float, Output};
 use crate::scene::Goal;
@@ -147,11 +147,11 @@ impl Aim {
 
     /// The largest that is met.
     fn largest_angle(&self) -> f64 {
-        self.curves.first().and_then(Curve::largest_met).unwrap_or(self.size.largest)
+        self.curves.first().and_then(Curve::largest_met).map_or(self.size.largest, |largest| largest.hi)
     }
 
     /// Whether an arc leads over the top.
     fn passes_top(&self) -> bool {
-        self.curves.iter().filter_map(Curve::largest_met).any(|largest| largest > PI)
+        self.curves.iter().filter_map(Curve::largest_met).any(|largest| (largest - Double::PI).hi > AT_TOP)
     }
 }

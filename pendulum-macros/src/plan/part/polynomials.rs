@@ -36,7 +36,9 @@ impl Approximations {
         // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
         // Over an arc, that may be any number of digits; but there it costs nothing.
         let negligible = |curve: &Curve| match curve.largest_met() {
-            Some(largest) => aim.floor() * 2f64.powi(-20) * (largest / curve.size.largest).clamp(2f64.powi(-30), 1.0),
+            Some(largest) => {
+                aim.floor() * 2f64.powi(-20) * (largest.hi / curve.size.largest).clamp(2f64.powi(-30), 1.0)
+            }
             None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
         };
         let none = || Rc::new([]) as Rc<[Approximation]>;
