@@ -141,7 +141,9 @@ impl Checker<'_> {
         let rest = Rest::of(theta0);
         let reduced = rest.shown(angle.is_some_and(|given| given.value.is_in_degrees()));
         let is_plain = angle.is_some_and(|given| given.value.is_plain()) && radians.abs() <= 180.0;
-        let in_degrees = if is_plain { format!("; if degrees are meant, write `{blamed}deg`") } else { String::new() };
+        let name = &blamed.name;
+        let in_degrees =
+            if is_plain { format!("; if degrees are meant, write `{name} = {radians}deg`") } else { String::new() };
         // Full turns away from where nothing moves, nothing moves either.
         let why = match (why, rest) {
             (NoMotion::BeyondTop, Rest::Lowest) if !moving => NoMotion::Hanging,

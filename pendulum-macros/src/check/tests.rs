@@ -93,9 +93,13 @@ fn refuses_states_that_do_not_move() {
         &["`theta0 = 200deg`", "3.490658503988659 rad = 200.0°", "velocity0", "`theta0 = -160deg`"],
     );
     refused("theta0 = 3.5", &["`theta0 = -2.7831853071795867` is the same position"]);
-    for (text, remedy) in
-        [("45", "`theta0 = 45deg`"), ("-60", "`theta0 = -60deg`"), ("90, velocity0 = 1", "`theta0 = 90deg`")]
-    {
+    for (text, remedy) in [
+        ("45", "`theta0 = 45deg`"),
+        ("-60", "`theta0 = -60deg`"),
+        ("90, velocity0 = 1", "`theta0 = 90deg`"),
+        ("-(45.)", "`theta0 = -45deg`"),
+        ("4_5.50e0", "`theta0 = 45.5deg`"),
+    ] {
         refused(&format!("theta0 = {text}"), &["if degrees are meant", remedy]);
     }
     for text in ["200", "90rad", "45/1", "2*PI + 1"] {

@@ -108,16 +108,19 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     lines
 }
 
-/// In what a phase is counted that isn't the time itself, and from where, unless its description says so.
-fn counted(regime: &Regime, reduction: &Reduction) -> &'static str {
-    match (regime, reduction.origin) {
-        _ if reduction.is_time() => "",
-        (Regime::Swing(_), Origin::Anchor) => ", in half periods from the nearest turning point",
-        (Regime::Swing(_), Origin::Lowest) => ", in half periods",
-        (Regime::Rotation(_), Origin::Anchor) => ", in turns from the nearest top",
-        (Regime::Rotation(_), Origin::Lowest) => ", in turns",
-        (Regime::Separatrix(_), _) => "",
-    }
+/// In what a phase is counted that isn't the time itself, and from where, unless its description says so: here, for the
+/// code may count it in another unit, and from the middle of a piece.
+fn counted(regime: &Regime, reduction: &Reduction) -> String {
+    let counted = match (regime, reduction.origin) {
+        _ if reduction.is_time() => return String::new(),
+        (Regime::Swing(_), Origin::Anchor) => "in half periods from the nearest turning point",
+        (Regime::Swing(_), Origin::Lowest) => "in half periods",
+        (Regime::Rotation(_), Origin::Anchor) => "in turns from the nearest top",
+        (Regime::Rotation(_), Origin::Lowest) => "in turns",
+        (Regime::Separatrix(_), _) => return String::new(),
+    };
+    let elsewhere = if reduction.counts_anchors() { "" } else { "here " };
+    format!(", {elsewhere}{counted}")
 }
 
 fn part(part: &Part, plan: &Plan) -> String {
@@ -145,4 +148,26 @@ pub(super) fn function(function: &Function) -> String {
         .output
         .map_or("(θ(t), θ̇(t)), with one phase reduction for both", |output| Wording::of(output).value);
     format!(" {value}; NaN if t is not finite. {} operations.", function.program.operations())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::tests::scene;
+
+    /// Where the code counts the phase in another unit than the text does, the text says that it is its own.
+    #[test]
+    fn units_of_phases() {
+        for (text, said) in [
+            ("theta0 = 7π/8, tol = 1e-6, t_max = 1e3", "phase s, in half periods from the nearest turning point: "),
+            ("theta0 = 7π/8, omega = 3, t_max = 1e6", "phase s, here in half periods from the nearest turning point: "),
+            ("theta0 = π - 1e-9", "phase s, here in half periods from the nearest turning point: "),
+            ("velocity0 = 3, tol = 1e-3, t_max = 1e3", "phase s, in turns from the nearest top: "),
+            ("theta0 = 1, t_max = 0.1", "phase s: "),
+        ] {
+            let scene = scene(&format!("struct Motion; {text}"));
+            let lines = motion(&scene, &crate::plan::plan(&scene).unwrap());
+            assert!(lines.iter().any(|line| line.contains(said)), "{text}: {lines:#?}");
+        }
+    }
 }

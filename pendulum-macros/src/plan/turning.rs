@@ -66,9 +66,9 @@ pub(crate) struct Turning {
 /// An arc that leads no farther beyond π counts as at the top: some more than a curve in two words is wrong by.
 pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
 
-/// Half a turn and what a tolerance, which is at most 0.1, leaves beyond it: of the same binade as π, and twice as much as
-/// 2π.
-const HALF_TURN: f64 = PI + 0.1;
+/// Half a turn and what a phase overshoots it by, four times its error, of which a tolerance leaves 0.1 at most: of the same
+/// binade as π, and twice as much as 2π.
+const HALF_TURN: f64 = PI + 0.4;
 
 /// Below this, 2⁵², the number of turns is exact, halves of them included.
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;

@@ -49,7 +49,7 @@ impl Number {
         self.tree.angle_unit() == Some(tree::Unit::Degree)
     }
 
-    /// Whether it is nothing but digits, with a minus before them or not.
+    /// Whether it is one literal without a unit, with a minus before it or not.
     pub(crate) fn is_plain(&self) -> bool {
         let inner = if let Tree::Negative(inner) = &self.tree { inner } else { &self.tree };
         matches!(inner, Tree::Literal { unit: tree::Unit::None, .. })

@@ -233,6 +233,11 @@ impl Reduction {
         matches!(self.scheme, Scheme::Time { .. })
     }
 
+    /// Whether the remainder is in anchors, from one of them.
+    pub(crate) fn counts_anchors(&self) -> bool {
+        self.unit == Double::ONE && self.scale == 1.0 && self.pieces == 1.0
+    }
+
     /// Whether it is that of an arc without symmetry.
     pub(crate) fn is_lopsided(&self) -> bool {
         self.scheme == Scheme::Time { lopsided: true }
