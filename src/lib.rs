@@ -115,7 +115,7 @@ struct Readme;
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing | from 1 to what `float` can use | |
 /// | `tol` | largest error allowed, rounding included: rad for θ, wrapped or not, rad·ω for θ̇, rad·ω² for θ̈, lengths for the position; not with `n` | > 0, within reach of `float` | full precision, below |
-/// | `t_max` | the promise holds for \|t\| ≤ `t_max`, the horizon; a shorter one is a cheaper reduction of the phase, and less than a quarter of a period none at all | > 0, up to 2⁵³ periods | 2⁵³ periods |
+/// | `t_max` | the promise holds for \|t\| ≤ `t_max`, the horizon; a shorter one is a cheaper reduction of the phase, and less than a quarter of a period none at all | > 0, up to 2⁵³ periods | 2⁵³ periods; on the separatrix any time |
 /// | `method` | how θ is approximated, below | any for a swing, `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
 /// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
@@ -151,7 +151,7 @@ struct Readme;
 /// | `MAX_ERROR` | proven bound of the error of `theta`, rad | if `theta` is an output |
 /// | `MAX_VELOCITY_ERROR`, `MAX_ACCELERATION_ERROR` | likewise, in rad·ω and rad·ω², as `tol`; times `OMEGA`, or its square, in the units of the result | if it is an output |
 /// | `MAX_POSITION_ERROR` | likewise, the distance of (x, y) from the exact point, in lengths | if `position` is an output |
-/// | `MAX_WRAPPED_ERROR` | likewise, rad | if `wrapped` is an output |
+/// | `MAX_WRAPPED_ERROR` | likewise, rad, less whole turns: at the top either side may be returned | if `wrapped` is an output |
 ///
 /// Functions are `const fn`, one for each of the `outputs`. The first, of which `TERMS` and `OPERATIONS` tell, is the first
 /// in this table, in whatever order `outputs` has them.
@@ -213,8 +213,8 @@ struct Readme;
 /// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the
 /// horizon: truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation
 /// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂, within 8 ulp of the amplitude in
-/// all tests (more with more than 150 terms, or if the argument of the arcsine comes within 10⁻¹¹ of 1), and `MAX_ERROR`
-/// is a proven bound of its distance from the exact motion over the horizon.
+/// all tests (more with more than 150 terms, or if the argument of the arcsine comes within 10⁻¹¹ of 1; its velocity may
+/// be farther off near the top), and `MAX_ERROR` is a proven bound of its distance from the exact motion over the horizon.
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of
 ///

@@ -58,7 +58,7 @@ impl Checker<'_> {
                 let remedy = if self.request.mentions("method") {
                     "leave `n` and `method` out, or give `tol` instead of both"
                 } else {
-                    "leave `n` out, or give `tol`"
+                    "leave `n` out, or give `tol` instead"
                 };
                 let message = format!(
                     "`n = {n}` asks for the paper's θ̂, which is periodic, but this is {}: {remedy}",

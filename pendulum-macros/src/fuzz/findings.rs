@@ -244,3 +244,16 @@ fn moments_just_over_the_top() {
         }
     }
 }
+
+/// Advice that didn't help: the rounding of a rotation's turns is the same without a method, and `tol` in place of `n` was
+/// out of reach of the method.
+#[test]
+fn remedies_that_help() {
+    let turns = "struct A; theta0 = 0.906, velocity0 = 2.13934, tol = 0.0002, float = f32, method = polynomial";
+    refused(&format!("{turns}, t_max = 713893.2252"), "use `float = f64`");
+    planned(&format!("{}, t_max = 713893.2252", turns.replace("float = f32", "float = f64")));
+    refused(turns, "give a `t_max`");
+    let fourier = "struct A; float = f32, n = 9, theta0 = -(180*PI/180 - 6e-7)";
+    refused(&format!("{fourier}, method = fourier"), "state the error as `tol` instead, and leave `method` out");
+    planned(&fourier.replace("n = 9", "tol = 1e-3"));
+}

@@ -148,6 +148,8 @@ const TIGHT: &[(&str, f64)] = &[
     ("theta0 = π - 1e-9, tol = 1e-4, t_max = 20, outputs = [velocity]", 2.0),
     ("theta0 = π - 1e-9, tol = 1e-6, t_max = 15, outputs = [position]", 3.0),
     ("theta0 = π - 1e-7, velocity0 = 1e-7, tol = 1e-1, t_max = 15, outputs = [wrapped]", 2.0),
+    ("theta0 = 3.141592653589, omega = 3, tol = 5.37e-6, t_max = 1.1e-7, outputs = [wrapped]", 1.5),
+    ("theta0 = π - π*5e-8, omega = 3, tol = 1e-3, t_max = 2.2345e-5, float = f32, outputs = [wrapped]", 1.5),
     ("velocity0 = 2, tol = 1e-2, t_max = 0.01, outputs = [position]", 1.3),
     ("velocity0 = 2, tol = 1e-9, t_max = 0.1, outputs = [acceleration]", 1.2),
     ("velocity0 = -2, tol = 1e-4, t_max = 0.01, outputs = [acceleration]", 1.2),

@@ -1,6 +1,6 @@
 //! Why a scene can't be planned, and what its author is told.
 
-use super::offer;
+use super::{cheapest, offer};
 use crate::motion::Regime;
 use crate::parse::{Float, Output, source};
 use crate::scene::{Goal, Scene};
@@ -65,7 +65,7 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 fn closer(best: f64, scene: &Scene) -> &'static str {
     let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
     match (scene.goal, scene.float) {
-        _ if scene.method.is_some() => "leave `method` out",
+        _ if scene.method.is_some() && (!turns || is_planned_without_method(scene)) => "leave `method` out",
         (Goal::Tolerance(_), _) if turns && scene.t_max.is_none() && best.is_finite() => {
             "give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
         }
@@ -74,6 +74,11 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
         _ if scene.outputs.len() > 1 => "choose numbers nearer to 1, or fewer outputs",
         _ => "choose numbers nearer to 1",
     }
+}
+
+/// Not where it is the rounding of a rotation's turns that is in the way.
+fn is_planned_without_method(scene: &Scene) -> bool {
+    cheapest(&Scene { method: None, ..scene.clone() }).is_ok()
 }
 
 /// `n` terms have an error whatever it is, but not everywhere one that can be bounded.
@@ -97,7 +102,8 @@ fn exceeds_one(terms: usize, overshoot: f64, smallest: Option<usize>, scene: &Sc
             } else {
                 format!("no number of terms that `{}` can use works", scene.float.word())
             };
-            format!("{none}: state the error as `tol` instead")
+            let without_method = if scene.method.is_some() { ", and leave `method` out" } else { "" };
+            format!("{none}: state the error as `tol` instead{without_method}")
         },
         |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
     );

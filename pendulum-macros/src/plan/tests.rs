@@ -322,6 +322,7 @@ fn refusals_are_explained() {
         ("theta0 = 1, tol = 1e-12, float = f32", "or use `float = f64`, which comes closer"),
         ("theta0 = 1, tol = 1e-20, method = series", "finer than `method = series` can promise here"),
         ("theta0 = 1, tol = 1e-20, method = series", "or leave `method` out"),
+        ("velocity0 = 2.5, tol = 1e-3, float = f32, method = polynomial", "or give a `t_max`"),
         ("theta0 = 0.731π, n = 1", "`n = 1`: the argument of the arcsine in Eq. 22 exceeds 1 by "),
         ("theta0 = 0.731π, n = 1", "the smallest number of terms that works is `n = 2`"),
         ("theta0 = π - 1e-14, n = 3", "no number of terms that `f64` can use works"),

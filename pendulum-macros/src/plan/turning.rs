@@ -14,8 +14,10 @@ pub(crate) enum Finish {
     Nothing,
     /// The angle of a rotation is completed.
     Turning(Turning),
-    /// An angle near the top is kept within [−π, π).
-    Within,
+    /// An angle near the top, at most so large, is kept within [−π, π).
+    Within {
+        largest: Double,
+    },
     /// One that may be up to a turn beyond that is wrapped.
     Wrapped,
 }
@@ -26,7 +28,7 @@ impl Finish {
         match self {
             Self::Nothing => values,
             Self::Turning(turning) => vec![turning.lower(b, variables, values[0])],
-            Self::Within => vec![within_half_turn(b, values[0])],
+            Self::Within { .. } => vec![within_half_turn(b, values[0])],
             Self::Wrapped => vec![modulo_turn(b, values[0])],
         }
     }
@@ -36,7 +38,7 @@ impl Finish {
         match self {
             Self::Nothing | Self::Turning(_) => angle,
             // It leads away from no angle but one between the largest number that it may be and the top.
-            Self::Within => angle.max(Double::PI.hi - below_half_turn(float) + Double::PI.lo + AT_TOP),
+            Self::Within { largest } => angle.max(beyond_largest_number(*largest, float)),
             Self::Wrapped => angle + rounding_modulo(float),
         }
     }
@@ -216,6 +218,13 @@ fn below_half_turn(float: Float) -> f64 {
     }
 }
 
+/// By how much an angle, which is no farther beyond π than [`AT_TOP`], exceeds the largest number that it may become.
+fn beyond_largest_number(angle: Double, float: Float) -> f64 {
+    let most = Double::new(below_half_turn(float));
+    let [by, to_top] = [angle, Double::PI].map(|angle| (angle - most).hi + AT_TOP);
+    by.clamp(0.0, to_top)
+}
+
 /// Whether an angle is in [−π, π), of either type: `f32`'s π is above that of `f64`.
 #[cfg(test)]
 pub(crate) fn is_wrapped(angle: f64) -> bool {
@@ -287,7 +296,7 @@ mod tests {
     fn finished(finish: &Finish, float: Float, angle: f64) -> Double {
         let mut b = Builder::new(float);
         let t = b.input();
-        let result = if *finish == Finish::Within { within_half_turn(&mut b, t) } else { modulo_turn(&mut b, t) };
+        let result = if *finish == Finish::Wrapped { modulo_turn(&mut b, t) } else { within_half_turn(&mut b, t) };
         let result = b.finish(vec![result]).run(angle)[0];
         assert!(is_wrapped(result), "{result} of {angle}");
         Double::new(result)
@@ -313,12 +322,15 @@ mod tests {
     fn what_staying_within_half_a_turn_changes() {
         for (float, most) in [(Float::F64, 5.6655e-16), (Float::F32, 1.5099e-7)] {
             let mut largest = 0_f64;
+            let finish = Finish::Within { largest: Double::PI };
             for angle in next_to_half_a_turn(float) {
                 let beyond = (Double::new(angle.abs()) - Double::PI).hi > 0.0;
                 let exact = if beyond { Double::PI * angle.signum() } else { Double::new(angle) };
                 let before = (exact - Double::new(angle)).hi.abs();
-                let after = (exact - finished(&Finish::Within, float, angle)).hi.abs();
-                assert!(after <= Finish::Within.rounding(before, float), "{angle}");
+                let after = (exact - finished(&finish, float, angle)).hi.abs();
+                assert!(after <= finish.rounding(before, float), "{angle}");
+                let finish = Finish::Within { largest: exact.abs() };
+                assert!(after <= finish.rounding(before, float), "{angle} {finish:?}");
                 largest = largest.max(after);
             }
             assert_near(largest, most, 1e-4);

@@ -15,6 +15,7 @@ use super::task::Task;
 use super::turning::{AT_TOP, Finish, Turning};
 use super::{Bound, Part};
 use crate::parse::{Float, Output};
+use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
 use draft::Draft;
 #[cfg(test)]
@@ -137,17 +138,18 @@ impl Aim {
             let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
             let from_top = from_top.map(|_| self.curves[0].bound(0.0));
             Finish::Turning(Turning { from_top, unit, wrapped, direction, turns })
-        } else if wrapped && self.largest_angle() + self.limit >= PI.next_down() {
-            if self.passes_top() { Finish::Wrapped } else { Finish::Within }
+        } else if wrapped && self.largest_angle().hi + self.limit >= PI.next_down() {
+            if self.passes_top() { Finish::Wrapped } else { Finish::Within { largest: self.largest_angle() } }
         } else {
             Finish::Nothing
         };
         Kernel { core, finish }
     }
 
-    /// The largest that is met.
-    fn largest_angle(&self) -> f64 {
-        self.curves.first().and_then(Curve::largest_met).map_or(self.size.largest, |largest| largest.hi)
+    /// The largest that is met; that of a whole swing is rounded.
+    fn largest_angle(&self) -> Double {
+        let whole = || Double::from_sum(self.size.largest, half_ulp(self.size.largest, Float::F64));
+        self.curves.first().and_then(Curve::largest_met).unwrap_or_else(whole)
     }
 
     /// Whether an arc leads over the top.
