@@ -40,12 +40,15 @@ impl CosineTable {
     ///
     /// With m points a coefficient is 2/m times m products, each wrong by 2⁻⁹⁹ of that with its cosine, added up in sums of
     /// up to m of them, each wrong by 3·2⁻¹⁰⁶ of itself: by (2⁻⁹⁸ + 3m·2⁻¹⁰⁶)·largest together, and m coefficients add up.
-    /// The points are wrong by 2⁻¹⁰⁰, which counts by the derivative, at most m² times the largest value (Markov), which
-    /// is at most Λ·largest; what that makes of the values is interpolated, Λ times. m being two at least, all that is less
-    /// than (4 + Λ²)m²·2⁻¹⁰⁰.
+    ///
+    /// The points xᵢ are wrong by 2⁻¹⁰⁰, which counts by the derivative there, at most m/√(1 − xᵢ²) times the largest value
+    /// (Bernstein), which is at most Λ·largest, and is interpolated: the i-th value counts √(1 − xᵢ²)·|Tₘ(x)|/(m|x − xᵢ|).
+    /// The sum of |Tₘ(x)/(x − xᵢ)| is at most m²: by Cauchy and Schwarz at most the root of ΣTₘ(x)²(1 − xxᵢ)/(x − xᵢ)², which
+    /// is m² (Fejér 1916), times Σ1/(1 − xxᵢ), which is convex, hence largest at x = 1, Tₘ′(1)/Tₘ(1) = m². m being two at
+    /// least, all that is less than (4 + Λ)m²·2⁻¹⁰⁰.
     fn rounding(&self, largest: f64) -> f64 {
         let m = self.m as f64;
-        (4.0 + lebesgue(self.m).powi(2)) * m * m * 2f64.powi(-100) * largest
+        (4.0 + lebesgue(self.m)) * m * m * 2f64.powi(-100) * largest
     }
 
     /// The coefficients of the interpolant through `values` at [`Self::points`] (the zeroth one whole, not doubled).
@@ -262,7 +265,7 @@ mod tests {
             };
             let seen = (0..=200).map(error).fold(0.0, f64::max);
             let largest = 6.0 * 2f64.powi(-100) * (points * points) as f64;
-            assert!(seen <= rounding && rounding <= 23.0 * largest, "{points}: {seen:e} {rounding:e}");
+            assert!(seen <= rounding && rounding <= 9.0 * largest, "{points}: {seen:e} {rounding:e}");
         }
     }
 

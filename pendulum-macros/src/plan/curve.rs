@@ -141,10 +141,10 @@ impl Curve {
 
     /// About the largest magnitude in an arc: an angle's is that at one of its ends, or at a turning point between them.
     pub(crate) fn largest_met(&self) -> Option<Double> {
-        let places = [Some(0.0), Some(-0.5), Some(0.5), self.arc.anchor()].into_iter().flatten();
-        let largest =
-            || places.map(|sigma| self.at(Double::new(sigma)).abs()).max_by(|a, b| (*a - *b).hi.total_cmp(&0.0));
-        self.is_arc().then(largest).flatten()
+        let at = |sigma: f64| self.at(Double::new(sigma)).abs();
+        let of_anchor = self.arc.anchor().map_or(Double::ZERO, at);
+        let larger = |a: Double, b: Double| if (a - b).hi < 0.0 { b } else { a };
+        self.is_arc().then(|| [at(-0.5), at(0.5), of_anchor].into_iter().fold(at(0.0), larger))
     }
 
     /// The mirror image.

@@ -138,22 +138,25 @@ impl Aim {
             let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
             let from_top = from_top.map(|_| self.curves[0].bound(0.0));
             Finish::Turning(Turning { from_top, unit, wrapped, direction, turns })
-        } else if wrapped && self.largest_angle().hi + self.limit >= PI.next_down() {
-            if self.passes_top() { Finish::Wrapped } else { Finish::Within { largest: self.largest_angle() } }
+        } else if wrapped {
+            self.finished_near_top()
         } else {
             Finish::Nothing
         };
         Kernel { core, finish }
     }
 
-    /// The largest that is met; that of a whole swing is rounded.
-    fn largest_angle(&self) -> Double {
+    /// An arc may lead over the top; a whole swing doesn't, but its largest angle is rounded.
+    fn finished_near_top(&self) -> Finish {
+        let met = self.curves.first().and_then(Curve::largest_met);
         let whole = || Double::from_sum(self.size.largest, half_ulp(self.size.largest, Float::F64));
-        self.curves.first().and_then(Curve::largest_met).unwrap_or_else(whole)
-    }
-
-    /// Whether an arc leads over the top.
-    fn passes_top(&self) -> bool {
-        self.curves.iter().filter_map(Curve::largest_met).any(|largest| (largest - Double::PI).hi > AT_TOP)
+        let largest = met.unwrap_or_else(whole);
+        if met.is_some_and(|largest| (largest - Double::PI).hi > AT_TOP) {
+            Finish::Wrapped
+        } else if largest.hi + self.limit >= PI.next_down() {
+            Finish::Within { largest }
+        } else {
+            Finish::Nothing
+        }
     }
 }
