@@ -11,6 +11,15 @@ use syn::{Error, Ident, Lit, Result};
 const MOST_DIGITS: usize = 10_000;
 const LARGEST_EXPONENT: u64 = 400;
 
+/// The remedy for a horizon of so many periods: what a period is depends on all of the scene.
+pub(super) const A_PERIOD: &str =
+    "write the time itself, in the unit of t; an item's documentation, and its `PERIOD`, say how long a period is";
+
+/// Whether `word` is one for the period.
+pub(super) fn means_a_period(word: &str) -> bool {
+    matches!(word, "T" | "PERIOD" | "period" | "periods")
+}
+
 /// The units that a parameter's literals may end in, and what it is.
 fn meaning(parameter: &str) -> (&'static [&'static str], &'static str) {
     match ascii(parameter) {
@@ -52,7 +61,7 @@ fn in_any_depth(tokens: &TokenStream) -> Box<dyn Iterator<Item = (Literal, Optio
 }
 
 fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
-    let (units, what) = meaning(&name.to_string());
+    let (units, _) = meaning(&name.to_string());
     let known = suffix.is_empty() || suffix == "π" || units.contains(&suffix);
     let shown = source::value(value);
     let remedy = match suffix {
@@ -60,18 +69,27 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
         "f32" | "f64" | "i32" | "i64" | "u32" | "u64" | "usize" | "isize" => {
             "numbers have no type here: leave it out, and say what the results are by `float`".to_owned()
         }
-        _ => format!("`{name}` is {what}"),
+        _ => unknown(name, suffix),
     };
     (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: {remedy}"))
+}
+
+/// The remedy for a unit that the parameter `name` doesn't have.
+fn unknown(name: &Ident, unit: &str) -> String {
+    if name == "t_max" && means_a_period(unit) {
+        return A_PERIOD.to_owned();
+    }
+    let (_, what) = meaning(&name.to_string());
+    format!("`{name}` is {what}")
 }
 
 /// The mistake of a unit after the number, as in `99.4 cm`, where it is none that is a suffix with a space before it.
 fn unit(name: &Ident, value: &TokenStream, next: TokenTree) -> Option<(Span, String)> {
     let TokenTree::Ident(word) = next else { return None };
-    let (units, what) = meaning(&name.to_string());
+    let (units, _) = meaning(&name.to_string());
     let text = word.to_string();
     let known = matches!(text.as_str(), "π" | "PI" | "pi" | "sqrt" | "as") || units.contains(&text.as_str());
-    let message = || format!("`{name} = {}` has `{text}` in it: `{name}` is {what}", source::value(value));
+    let message = || format!("`{name} = {}` has `{text}` in it: {}", source::value(value), unknown(name, &text));
     (!known).then(|| (word.span(), message()))
 }
 

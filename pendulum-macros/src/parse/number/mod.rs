@@ -246,6 +246,9 @@ fn name(input: ParseStream) -> Result<Tree> {
             Ok(Tree::Root(Box::new(whole(&inner, "`)`")?), ident.span()))
         }
         "sqrt" => Err(Error::new(ident.span(), "`sqrt` needs its argument in parentheses: `sqrt(2)`")),
+        other if literal::means_a_period(other) => {
+            Err(Error::new(ident.span(), format!("`{other}` isn't known here: {}", literal::A_PERIOD)))
+        }
         other => Err(Error::new(
             ident.span(),
             format!(
