@@ -251,7 +251,10 @@ fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
 /// Where no tolerance can be offered, what the message advises instead can be had.
 fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
     let mut scene = scene.clone();
-    if message.contains("leave `method` out") || is_extreme(&scene) {
+    if message.contains("leave `method` out, and give a short `t_max`") {
+        scene.method = None;
+        scene.t_max = scene.motion.longest_horizon().map(|longest| longest.scale(-53));
+    } else if message.contains("leave `method` out") || is_extreme(&scene) {
         return Ok(());
     } else if message.contains("use `float = f64`") {
         scene.float = Float::F64;
