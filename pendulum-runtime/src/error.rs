@@ -28,7 +28,7 @@ pub enum Error {
         /// The angular velocity, rad per unit of t.
         value: f64,
     },
-    /// The motion never has this angle at t ≥ 0, or only 10¹⁵ turns ahead, or at a t beyond the largest number.
+    /// The motion never has this angle at t ≥ 0, or more than 10¹⁵ turns ahead, or at a t beyond the largest number.
     NeverReached {
         /// The angle asked for, rad.
         angle: f64,
@@ -57,25 +57,28 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::NotFinite { parameter, value } => {
-                write!(f, "{parameter} = {value} is not finite; give a finite number")
+                write!(f, "{parameter} = {value:?} is not finite; give a finite number")
             }
             Self::Amplitude { value } => write!(
                 f,
-                "theta0 = {value} rad ({} deg) is beyond the top, |theta0| must be below pi; \
+                "theta0 = {value:?} rad ({:?} deg) is beyond the top, |theta0| must be below pi; \
                  for a pendulum that goes over the top use `from_state` with a velocity",
                 value.to_degrees()
             ),
             Self::Frequency { value } => {
-                write!(f, "omega = {value} must be positive; give omega = sqrt(g/length) in rad per unit of t")
+                write!(f, "omega = {value:?} must be positive; give omega = sqrt(g/length) in rad per unit of t")
             }
             Self::Velocity { value } => {
-                write!(f, "velocity = {value} is beyond 1e290 omega; choose a unit of time in which it is smaller")
+                write!(
+                    f,
+                    "velocity = {value:?} is beyond 1e290 omega; gravity is nothing to it, use theta + velocity * t"
+                )
             }
             Self::NeverReached { angle } => write!(
                 f,
-                "theta = {angle} rad is never reached at t >= 0; \
-                 a swing reaches at most its `amplitude`, a rotation only what lies ahead, and t is at most the \
-                 largest number"
+                "theta = {angle:?} rad is never reached at t >= 0; \
+                 a swing reaches at most its `amplitude`, a rotation only what lies ahead, within 1e15 turns, and t is \
+                 at most the largest number"
             ),
             Self::Overshoot { terms, overshoot, smallest } => write!(
                 f,

@@ -174,13 +174,11 @@ fn separatrix(motion: &Motion, way: &Way) -> Option<Double> {
 }
 
 /// Within the turn of the start as a swing; further turns are the rest of that one, whole ones, and the last one's
-/// part before the angle, which by symmetry is one after the opposite angle. Where rounding has put one of these a
-/// little beyond the top, its cosine and its time are negative.
+/// part before the angle, which by symmetry is one after the opposite angle.
 fn rotation(motion: &Motion, way: &Way) -> Option<Double> {
     let moduli = &motion.moduli;
-    let turns = round((way.target.hi / TAU).clamp(-MOST_TURNS, MOST_TURNS));
-    let rest = way.target - Double::TURN * turns;
-    let reached = way.ahead.hi > 0.0 && rest.hi.abs() <= 4.0;
+    let (turns, rest) = turns_and_rest(way.target);
+    let reached = way.ahead.hi > 0.0 && turns.abs() <= MOST_TURNS;
     reached.then(|| {
         let start = rotating(way.start, moduli);
         if turns == 0.0 {
@@ -189,6 +187,17 @@ fn rotation(motion: &Motion, way: &Way) -> Option<Double> {
             start.to_end(moduli) + ascent(moduli) * (turns - 1.0) + rotating(-rest, moduli).to_end(moduli)
         }
     })
+}
+
+/// Whole turns, and the rest in [−π, π]; more turns than [`MOST_TURNS`] are not counted on.
+fn turns_and_rest(angle: Double) -> (f64, Double) {
+    let most = 2.0 * MOST_TURNS;
+    let turns = round((angle.hi / TAU).clamp(-most, most));
+    let rest = angle - Double::TURN * turns;
+    // In two words: the `f64` nearest to an odd multiple of π may be on either side, and beyond a top the time to it
+    // is negative, which no square root tells.
+    let beyond = if (rest.abs() - Double::PI).hi > 0.0 { rest.hi.signum() } else { 0.0 };
+    (turns + beyond, rest - Double::TURN * beyond)
 }
 
 /// z² = κ′² + κ² cos²(θ/2): no velocity is squared, which may be as large as 10²⁹⁰.

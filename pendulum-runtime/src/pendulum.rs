@@ -26,10 +26,10 @@ use core::marker::PhantomData;
 /// (2/ω) ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in
 /// π − θ0 and of 7.5e-6 in the period, so after n periods the phase is off by n · 7.5e-6 periods. The same holds for a
 /// velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state beside the separatrix. Of a state in
-/// motion 1 − k² is a difference, carried to 2⁻¹⁰² of the smaller of cos(θ/2) and 1 − cos(θ/2): θ is then within the
-/// promise plus 2⁻⁴⁵ of what an ulp of the initial velocity would change, which counts next to the separatrix alone. What
-/// this type computes is the motion of the number it was given, not of the one that was meant; where that is a formula such
-/// as π − 10⁻¹², the macro `pendulum!` takes it exactly.
+/// motion 1 − k² is a difference, carried to 2⁻¹⁰² of the smaller of cos(θ/2) and 1 − cos(θ/2), down to 10⁻²⁹⁰: θ is
+/// then within the promise plus 2⁻⁴⁵ of what an ulp of the initial velocity would change, which counts next to the
+/// separatrix alone. What this type computes is the motion of the number it was given, not of the one that was meant;
+/// where that is a formula such as π − 10⁻¹², the macro `pendulum!` takes it exactly.
 ///
 /// ```
 /// # use pendulum_runtime::{Error, Pendulum};
@@ -146,7 +146,8 @@ impl<F: Scalar> Pendulum<F> {
     /// the last sentences under Conditioning hold of t, too.
     ///
     /// Near a turning point half an ulp of the *angle* moves t by √(ulp/|θ̈|). So that its turning points can be asked
-    /// for, ± what [`amplitude`](Self::amplitude) returns stands for them, wherever it was rounded to.
+    /// for, ± what [`amplitude`](Self::amplitude) returns stands for them, wherever it was rounded to. The angle that the
+    /// motion was given to start in is reached at t = 0.
     ///
     /// # Errors
     /// [`Error::NeverReached`] if no t ≥ 0 qualifies, if it is more than 10¹⁵ turns away, or if it is beyond the
@@ -161,9 +162,9 @@ impl<F: Scalar> Pendulum<F> {
     /// ```
     pub fn time_at(&self, theta: F) -> Result<F, Error> {
         let (angle, amplitude) = (theta.widen(), self.motion.amplitude);
-        // What `amplitude` returns is the turning point, wherever it was rounded to.
+        // What `amplitude` returns is the turning point, wherever it was rounded to, but where the motion starts there.
         let is_turning = self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
-        let target = if is_turning { amplitude.copysign(angle) } else { angle };
+        let target = if is_turning && angle != self.motion.theta { amplitude.copysign(angle) } else { angle };
         let time = F::narrow_or_infinite(self.motion.time_at(target)?);
         if time.widen().is_finite() { Ok(time) } else { Err(Error::NeverReached { angle }) }
     }

@@ -72,6 +72,50 @@ const LAUNCHED: [Passage; 18] = [
     ),
 ];
 
+/// Rotations to angles a little beyond a top, among them those whose `f64` is on the other side of the odd multiple of π.
+const BEYOND_THE_TOP: [Passage; 13] = [
+    (
+        [-317.3008580125691, 5.772544274120582e-12, 1.0, 15.70796326794897],
+        Double { hi: 2963.4781766411024, lo: -1.9730119843029873e-13 },
+    ),
+    ([0.0, 2.0000000000000004, 1.0, 845.0884238156544], Double { hi: 5127.556269517913, lo: -2.321609221565513e-13 }),
+    ([0.0, 2.0000000000000004, 1.0, 3144.734246243383], Double { hi: 19080.609013074187, lo: 4.0005790427613564e-13 }),
+    (
+        [-317.0, 0.29972461543047735, 1.0, 279.60174616949166],
+        Double { hi: 3620.0460450841233, lo: 1.2535990624392562e-13 },
+    ),
+    (
+        [-317.0, 0.30632637022454573, 1.0, 279.60174616949166],
+        Double { hi: 917.1615498178779, lo: 1.686356055125091e-14 },
+    ),
+    (
+        [-172.5374523292713, 0.32264703963883506, 1.0, 21.99114857512856],
+        Double { hi: 225.84452008940966, lo: 1.1266314711431001e-14 },
+    ),
+    (
+        [3.141592653589793, 0.001, 1.0, 3.1415926535897936],
+        Double { hi: 4.440892098500626e-13, lo: -9.244463735579641e-30 },
+    ),
+    (
+        [3.141592653589793, 0.001, 1.0, 3.141592653589794],
+        Double { hi: 8.881784197001252e-13, lo: -1.8488927534588537e-29 },
+    ),
+    (
+        [-3.141592653589793, -0.001, 1.0, -3.141592653589794],
+        Double { hi: 8.881784197001252e-13, lo: -1.8488927534588537e-29 },
+    ),
+    (
+        [3.1415926535897927, 2e-15, 1.0, 3.1415926535897936],
+        Double { hi: 0.4581461269166561, lo: 1.9617932048180278e-19 },
+    ),
+    (
+        [9.42477796076938, 0.001, 1.0, 9.424777960769381],
+        Double { hi: 1.7763568394002505e-12, lo: -3.6977855286788316e-29 },
+    ),
+    ([0.0, 2.5, 1.0, 3.1415926535897936], Double { hi: 1.5962422221317838, lo: -6.991563020349285e-17 }),
+    ([0.0, -2.5, 1.0, -9.42477796076938], Double { hi: 4.78872666639535, lo: 2.3434231923958404e-16 }),
+];
+
 /// The error of `time_at`, in ulp.
 fn error(([theta, velocity, omega, angle], expected): &Passage) -> f64 {
     let motion = crate::launch::from_state(*theta, *velocity, *omega).expect("valid");
@@ -83,7 +127,7 @@ fn error(([theta, velocity, omega, angle], expected): &Passage) -> f64 {
 /// Correctly rounded but for what is nearer to a tie than a thousandth.
 #[test]
 fn times_are_rounded_once() {
-    for passage in NEAR_THE_TOP.iter().chain(&TINY).chain(&LAUNCHED) {
+    for passage in NEAR_THE_TOP.iter().chain(&TINY).chain(&LAUNCHED).chain(&BEYOND_THE_TOP) {
         let error = error(passage);
         assert!(error <= 0.501, "{passage:?}: {error} ulp");
     }
