@@ -29,6 +29,11 @@ impl Scene {
         self.t_max.clone().or_else(longest).map_or(f64::INFINITY, |t| t.to_f64()).min(self.float.largest())
     }
 
+    /// The same, over one period of the 2⁵³ that a scene without `t_max` has.
+    pub(crate) fn over_a_period(&self) -> Self {
+        Self { t_max: self.motion.longest_horizon().map(|longest| longest.scale(-53)), ..self.clone() }
+    }
+
     /// The same, asking for that tolerance.
     pub(crate) fn asking(&self, tolerance: f64) -> Self {
         Self { goal: Goal::Tolerance(tolerance), ..self.clone() }

@@ -264,4 +264,9 @@ fn remedies_that_help() {
         refused(close, "leave `method` out, and give a short `t_max`");
         planned(&close.replace("method = polynomial", "t_max = 100"));
     }
+    let fine = "struct A; theta0 = -(π), velocity0 = 4.2076145251552e-6, tol = 1e-18, method = polynomial, \
+                outputs = [velocity, theta, wrapped, position, acceleration]";
+    refused(fine, "leave `method` and `tol` out for full precision");
+    planned(&fine.replace("tol = 1e-18, method = polynomial, ", ""));
+    refused("velocity0 = 2 + 1e-194, tol = 1e-25, method = polynomial", "leave `method` and `tol` out");
 }

@@ -252,8 +252,9 @@ fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
 fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
     let mut scene = scene.clone();
     if message.contains("leave `method` out, and give a short `t_max`") {
-        scene.method = None;
-        scene.t_max = scene.motion.longest_horizon().map(|longest| longest.scale(-53));
+        scene = Scene { method: None, ..scene.over_a_period() };
+    } else if message.contains("leave `method` and `tol` out") {
+        scene = Scene { method: None, goal: Goal::Full, ..scene };
     } else if message.contains("leave `method` out") || is_extreme(&scene) {
         return Ok(());
     } else if message.contains("use `float = f64`") {

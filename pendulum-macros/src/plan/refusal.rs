@@ -67,7 +67,11 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
     match (scene.goal, scene.float) {
         _ if scene.method.is_some() && (!turns || is_planned_without_method(scene)) => "leave `method` out",
         (Goal::Tolerance(_), _) if scene.method.is_some() && best.is_infinite() => {
-            "leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns"
+            if is_planned_without_method(&scene.over_a_period()) {
+                "leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns"
+            } else {
+                "leave `method` and `tol` out for full precision"
+            }
         }
         (Goal::Tolerance(_), _) if turns && scene.t_max.is_none() && best.is_finite() => {
             "give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
