@@ -245,3 +245,21 @@ fn next_to_the_separatrix_from_the_lowest_point() {
         assert!(error <= 4.0 * f64::EPSILON, "{velocity} {omega} {t}: {error:e}");
     }
 }
+
+/// 2 arcsin √((θ̇/2ω)² + sin²(θ/2)) by mpmath.
+#[test]
+fn amplitudes_of_states_are_rounded_once() {
+    for ([theta, velocity, omega], amplitude) in [
+        ([1.7440748104781916, -0.14787283964684655, 1.0], 1.7551852462328663),
+        ([-0.31935223003353697, 1.2, 3.0], 0.5167307072277888),
+        ([0.3, 1.2, 1.0], 1.333231560328171),
+        ([1e-200, 2e-200, 0.75], 2.848001248439177e-200),
+        ([-0.2, 1.9, 1.0], 2.5408807276404177),
+        ([2.9, 0.23, 1.0], 3.069579387781483),
+        ([5.0, 0.7, 2.0], 1.3465083952820267),
+        ([0.0, 1.9999999, 1.0], 3.1409601980549398),
+    ] {
+        let p = Pendulum::<f64>::from_state(theta, velocity, omega).unwrap();
+        assert_eq!(p.amplitude(), amplitude, "{theta} {velocity} {omega}");
+    }
+}

@@ -4,7 +4,7 @@ use crate::agm::agm_double;
 use crate::angle::{Angle, reduce};
 use crate::carlson::elapsed;
 use crate::double::{Double, two_sum};
-use crate::double_trig::half_angle_from_top;
+use crate::double_trig::{half_angle, half_angle_from_top};
 use crate::error::{Error, finite};
 use crate::kernel::four_atan;
 use crate::motion::{Moduli, Motion, Shape};
@@ -131,7 +131,7 @@ impl State {
         let mean = agm_double(kc);
         let rate = mean * Double::INVERSE_TURN;
         // Rounded, but not below the angle of the start.
-        let amplitude = four_atan(k.hi, 1.0 + kc.hi).max(self.angle.hi.abs());
+        let amplitude = amplitude(k, kc).max(self.angle.hi.abs());
         let offset = rate * since_bottom - Double::new(0.25);
         let shape = Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset));
         self.motion(Regime::Swing, shape, amplitude, k, Moduli { k, kc, mean })
@@ -168,6 +168,13 @@ impl State {
             omega: self.omega,
         }
     }
+}
+
+/// 2 arcsin k: an arctangent a, and by sin(A/2 − a/2) in two words what it misses.
+fn amplitude(k: Double, kc: Double) -> f64 {
+    let near = four_atan(k.hi, 1.0 + kc.hi);
+    let (sine, cosine) = half_angle(Double::new(near));
+    near + 2.0 * (k * cosine - kc * sine).to_f64()
 }
 
 /// 2ωk, within the finite numbers; scaled so that no product is split beyond 2⁹⁹⁵.

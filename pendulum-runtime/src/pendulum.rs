@@ -175,7 +175,7 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow_or_infinite(self.motion.period())
     }
 
-    /// The largest |θ| from the vertical: |θ0| of a swing, 0 at rest, π on the separatrix, ∞ for a rotation.
+    /// The largest |θ| from the vertical, to 1 ulp: |θ0| of a swing, 0 at rest, π on the separatrix, ∞ for a rotation.
     #[must_use]
     pub fn amplitude(&self) -> F {
         F::narrow_or_infinite(self.motion.amplitude)
