@@ -29,9 +29,9 @@ impl Scene {
         self.t_max.clone().or_else(longest).map_or(f64::INFINITY, |t| t.to_f64()).min(self.float.largest())
     }
 
-    /// The same, over one period of the 2⁵³ that a scene without `t_max` has.
+    /// The same, over one period.
     pub(crate) fn over_a_period(&self) -> Self {
-        Self { t_max: self.motion.longest_horizon().map(|longest| longest.scale(-53)), ..self.clone() }
+        Self { t_max: self.motion.period().cloned(), ..self.clone() }
     }
 
     /// The same, asking for that tolerance.

@@ -3,6 +3,17 @@
 use crate::double::Double;
 use crate::double_trig::supplement;
 
+/// `angle`, within one and a half of `period` of 0, as a whole number of periods and a rest of at most half of one: decided
+/// in two words, since the `f64` nearest to half a period may be on either side.
+pub(crate) fn nearest_period(angle: Double, period: Double) -> (f64, Double) {
+    if (angle.abs() - period.scale(0.5)).hi > 0.0 {
+        let turn = angle.hi.signum();
+        (turn, angle - period.scale(turn))
+    } else {
+        (0.0, angle)
+    }
+}
+
 /// 1/(2π) after the binary point, most significant word first: enough for the largest `f64` and 200 guard bits.
 const INVERSE_TURN_WORDS: [u64; 21] = [
     0x28be60db9391054a,

@@ -23,7 +23,7 @@
 //! ```
 
 use crate::agm::{agm_double, complete};
-use crate::angle::reduce;
+use crate::angle::{nearest_period, reduce};
 use crate::carlson::carlson_rf;
 use crate::double::Double;
 use crate::double_trig::half_angle;
@@ -123,11 +123,7 @@ impl Jacobi {
         if !phi.is_finite() {
             return f64::NAN;
         }
-        let mut rest = reduce(phi).angle;
-        // In two words: the `f64` nearest to an odd multiple of π/2 may be on either side.
-        if (rest.abs() - Double::PI.scale(0.5)).hi > 0.0 {
-            rest = rest - Double::PI.scale(rest.hi.signum());
-        }
+        let (_, rest) = nearest_period(reduce(phi).angle, Double::PI);
         let partial = if rest.hi < 0.0 { -self.partial(-rest) } else { self.partial(rest) };
         // nπ, during which F grows by 2nK = nπ/AGM(1, k′).
         let halves = Double::new(phi) - rest;

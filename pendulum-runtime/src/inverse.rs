@@ -16,7 +16,7 @@
 //! a sum of given numbers, exact in two words. To the end of the ascent, x₁ = 1, y₁ = 0 and z₁ = κ′ = √(1 − κ²), it is
 //! U = κ′y/(1 − x) = κ′(1 + x)/y. There a swing turns back, and a rotation passes the top.
 
-use crate::angle::reduce;
+use crate::angle::{nearest_period, reduce};
 use crate::carlson::carlson_rf;
 use crate::double::Double;
 use crate::double_trig::half_angle;
@@ -193,11 +193,9 @@ fn rotation(motion: &Motion, way: &Way) -> Option<Double> {
 fn turns_and_rest(angle: Double) -> (f64, Double) {
     let most = 2.0 * MOST_TURNS;
     let turns = round((angle.hi / TAU).clamp(-most, most));
-    let rest = angle - Double::TURN * turns;
-    // In two words: the `f64` nearest to an odd multiple of π may be on either side, and beyond a top the time to it
-    // is negative, which no square root tells.
-    let beyond = if (rest.abs() - Double::PI).hi > 0.0 { rest.hi.signum() } else { 0.0 };
-    (turns + beyond, rest - Double::TURN * beyond)
+    // Beyond a top the time to it is negative, which no square root tells.
+    let (more, rest) = nearest_period(angle - Double::TURN * turns, Double::TURN);
+    (turns + more, rest)
 }
 
 /// z² = κ′² + κ² cos²(θ/2): no velocity is squared, which may be as large as 10²⁹⁰.

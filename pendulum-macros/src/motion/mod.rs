@@ -106,12 +106,16 @@ impl Motion {
 
     /// 2⁵³ periods, the longest horizon: beyond it neighbouring `f64` times are periods apart. The separatrix has none.
     pub(crate) fn longest_horizon(&self) -> Option<Real> {
-        let period = match &self.regime {
-            Regime::Swing(swing) => &swing.period,
-            Regime::Rotation(rotation) => &rotation.period,
-            Regime::Separatrix(_) => return None,
-        };
-        Some(period.scale(53))
+        self.period().map(|period| period.scale(53))
+    }
+
+    /// The time of one swing to and fro, or of one turn; the separatrix has none.
+    pub(crate) const fn period(&self) -> Option<&Real> {
+        match &self.regime {
+            Regime::Swing(swing) => Some(&swing.period),
+            Regime::Rotation(rotation) => Some(&rotation.period),
+            Regime::Separatrix(_) => None,
+        }
     }
 
     /// How many leading bits cancel in k′², or in k² − 1: the working precision has to exceed what is wanted of the
