@@ -22,32 +22,36 @@ use count::{MORE, MOST_CHOSEN, fewest, fewest_of_series, planned};
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 
-/// The plan of a forced method, or of the paper's θ̂.
+/// More terms are worth another trial where they take a tenth off what is reached; where nothing was reached, these many
+/// more are tried nevertheless.
+const WORTHWHILE: f64 = 0.9;
+const TRIED_BLINDLY: usize = 2;
+
+/// The part of a promise from which on the terms left out count: more terms help then, if slowly.
+const COUNTS: f64 = 0.1;
+
+/// The plan of a forced method, or of the paper's θ̂. Derivatives may need some terms more than θ.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
-    let mut reached = f64::INFINITY;
     let fewest = match method {
         Method::Fourier => fewest(scene, swing),
         Method::Series => fewest_of_series(scene, swing),
         _ => 1,
     };
-    // Derivatives may need some terms more, as long as these take a tenth off what is reached; before anything is reached, a
-    // few are tried.
+    let is_given = matches!(scene.goal, Goal::Terms(_));
+    let may_grow = matches!(method, Method::Fourier | Method::Series) && !is_given;
+    let mut reached = f64::INFINITY;
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
-        let given = matches!(scene.goal, Goal::Terms(_));
-        // In pieces a series may have as many terms as its bias is known for.
-        let most = if method == Method::Series { MOST_TERMS } else { MOST_CHOSEN };
-        if sum.weights.len() >= most && !given {
-            return Err(Refusal::Unreachable { best: f64::INFINITY });
+        if may_grow && sum.is_too_long() {
+            break;
         }
         let wanted = sum.wanted();
         let planned = sum.plan(&wanted);
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
-        let helped = best < reached * 0.9 || best.is_infinite() && more <= 2;
-        // Where the terms left out take a part of the promise that counts, more help, if slowly.
-        let counts = wanted.iter().any(|wanted| wanted.bias > 0.1 * sum.promise(wanted));
+        let helped = best < WORTHWHILE * reached || best.is_infinite() && more <= TRIED_BLINDLY;
+        let counts = wanted.iter().any(|wanted| wanted.bias > COUNTS * sum.promise(wanted));
         reached = reached.min(best);
-        if given || !matches!(method, Method::Fourier | Method::Series) || !helped && !counts {
+        if !may_grow || !helped && !counts {
             break;
         }
     }
@@ -108,6 +112,11 @@ impl<'a> Sum<'a> {
     fn series(scene: &'a Scene, swing: &'a Swing, theta: &Curve, kept: usize) -> Self {
         let first = theta.terms().iter().take(kept.min(MOST_TERMS));
         Self::of_weights(scene, swing, Method::Series, swing.rate(), first.map(|&(_, a)| a).collect())
+    }
+
+    /// Whether there are more terms than are chosen; in pieces a series may have as many as its bias is known for.
+    fn is_too_long(&self) -> bool {
+        self.weights.len() >= if self.method == Method::Series { MOST_TERMS } else { MOST_CHOSEN }
     }
 
     /// What of our phase a short horizon meets.
