@@ -49,6 +49,28 @@ fn pieces_of_a_finer_phase() {
     }
 }
 
+/// What was named as an example, `n = 4` and `tol = 1e-3`, was refused next to the top, and `n = 4` at the smallest angles.
+#[test]
+fn examples_of_what_fourier_needs_can_be_had() {
+    for (theta0, float, examples) in [
+        ("1e-9", "f64", ["n = 1", "tol = 1e-3"].as_slice()),
+        ("2.99", "f64", &["n = 4", "tol = 1e-3"]),
+        ("3.14159", "f64", &["n = 80"]),
+        ("π - 5e-8", "f64", &["n = 130"]),
+        ("3.14", "f32", &["n = 24"]),
+    ] {
+        let start = format!("theta0 = {theta0}, float = {float}, method = fourier");
+        for example in examples {
+            refused(&start, &format!("`{example}`"));
+            planned(&format!("{start}, {example}"));
+        }
+    }
+    for (theta0, float) in [("π - 1e-9", "f64"), ("3.1415", "f32")] {
+        refused(&format!("theta0 = {theta0}, float = {float}, method = fourier"), "leave `method` out");
+    }
+    refused("theta0 = 4, method = fourier", "needs a number of terms");
+}
+
 /// `judge` asks for the tolerance that the message offers.
 #[test]
 fn the_best_tolerance_can_be_had() {

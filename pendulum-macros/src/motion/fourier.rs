@@ -4,6 +4,11 @@ use super::{Elliptic, Swing};
 use crate::exact::Real;
 use pendulum_runtime::double::Double;
 
+/// What is said where no useful number of terms is without overshoot.
+pub(crate) const ALWAYS_OVERSHOOTS: &str = "`fourier` can't come near the motion at this amplitude: with as many terms as \
+                                            can be used the argument of the arcsine in Eq. 22 still exceeds 1; leave \
+                                            `method` out";
+
 impl Swing {
     /// b₂ₙ₋₁ of Eq. 22, the coefficient of sin((2n−1)πu/2K) in the Fourier series of sn(u; k):
     /// (2π/kK) q^{n−1/2}/(1 − q^{2n−1}), for n ≥ 1.

@@ -6,6 +6,7 @@ mod launch;
 
 use crate::exact::Real;
 pub(crate) use elliptic::Elliptic;
+pub(crate) use fourier::ALWAYS_OVERSHOOTS;
 use launch::State;
 
 /// One solution of θ̈ + ω² sin θ = 0.

@@ -1,7 +1,7 @@
 //! Why a scene can't be planned, and what its author is told.
 
 use super::{cheapest, offer};
-use crate::motion::Regime;
+use crate::motion::{ALWAYS_OVERSHOOTS, Regime};
 use crate::parse::{Float, Output, source};
 use crate::scene::{Goal, Scene};
 
@@ -23,9 +23,7 @@ impl Refusal {
         let (tokens, message) = match *self {
             Self::Unreachable { best } => (&blame.goal, unreachable(best, scene)),
             Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
-                let message = "`fourier` can't come near the motion at this amplitude: with as many terms as can be used \
-                               the argument of the arcsine in Eq. 22 still exceeds 1; leave `method` out";
-                (&blame.method, message.to_owned())
+                (&blame.method, ALWAYS_OVERSHOOTS.to_owned())
             }
             Self::Overshoot { terms, overshoot, smallest } => {
                 (&blame.goal, exceeds_one(terms, overshoot, smallest, scene))
