@@ -130,9 +130,10 @@ struct Readme;
 ///
 /// **Numbers** are decimal literals of up to 10 000 digits (every digit counts) and exponents between ±400, with
 /// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`:
-/// `7π/8`, `157.5deg`, `3*PI/4 - 0.01`. `deg` and `rad` are for `theta0` and `velocity0` only. Nothing is rounded to
-/// `f64` on the way, so every constant is the correctly rounded one of the exact value. A macro sees names, not values: a
-/// constant or variable of your own can't stand there; [`Pendulum`] takes those.
+/// `7π/8`, `157.5deg`, `3*PI/4 - 0.01`. What it ends in belongs to it alone: `3/4π` is 3/(4π). `deg` and `rad` are for
+/// `theta0` and `velocity0` only. Nothing is rounded to `f64` on the way, so every constant is the correctly rounded one of
+/// the exact value. A macro sees names, not values: a constant or variable of your own can't stand there; [`Pendulum`]
+/// takes those.
 ///
 /// # What the item has
 /// Constants are of the type `float` where nothing else is said.
@@ -213,7 +214,7 @@ struct Readme;
 /// The exact value minus the returned one is at most `MAX_ERROR` in magnitude for every t of the type within the
 /// horizon: truncation, the rounding of coefficients, the reduction of the phase and the rounding of every operation
 /// are bounded at compile time, not sampled. With `n` the function is the paper's θ̂, within 8 ulp of the amplitude in
-/// all tests (more with more than 150 terms, or if the argument of the arcsine comes within 10⁻¹¹ of 1; its velocity may
+/// all tests (more with more than 150 terms, or if the argument of the arcsine comes within 10⁻¹¹ of 1; other outputs may
 /// be farther off near the top), and `MAX_ERROR` is a proven bound of its distance from the exact motion over the horizon.
 ///
 /// Full precision, without `tol` and `n`, is 2⁻⁴⁹ (`f32`: 2⁻²⁰) of
@@ -226,13 +227,16 @@ struct Readme;
 /// | θ̇, θ̈ | the largest of them |
 /// | position | three lengths |
 ///
+/// `method = small_angle` and `harmonic` have no more terms to come that close by: without `tol`, `MAX_ERROR` is a bound of
+/// what the formula is off by.
+///
 /// # Greek letters
 /// The compiler's lint `mixed_script_confusables` warns of an identifier that looks like a Latin one, such as `θ0` or a
 /// lone `π`, in a crate that has no other Greek. `theta0`, `PI` and suffixes (`7π/8`, `1π`) don't trigger it.
 ///
 /// # Names in scope
-/// What is generated names its variables in lower case (`t`, `s`, `p`, `n` and the like) and the types `f32`, `f64`, `u64`,
-/// `usize` and `str`. A `const`, `static` or unit struct of such a variable's name, or another type of such a name, where the
+/// What is generated names its variables in lower case (`t`, `s`, `p`, `n` and the like) and the types `f32`, `f64`, `u32`,
+/// `u64`, `usize` and `str`. A `const`, `static` or unit struct of such a variable's name, or another type of such a name, where the
 /// macro is called, is an error in it (E0005, E0530, E0308), since patterns name constants wherever they come from. The
 /// compiler warns of such names by itself; put the call into a module of its own.
 #[macro_export]

@@ -16,7 +16,7 @@ pub(crate) use words::{Float, Keyword, Method, Output};
 use crate::report::Report;
 use names::{PARAMETERS, ascii, canonical, unknown_parameter};
 use number::Number;
-use parameter::named_value;
+use parameter::{before_another, named_value};
 use proc_macro2::TokenStream;
 use syn::parse::{ParseStream, Parser};
 use syn::{Error, Ident, Result};
@@ -82,6 +82,10 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
         outputs: None,
         written: Vec::new(),
     };
+    let parameters = match request.shape {
+        Shape::Item(_) => before_another(parameters, report),
+        Shape::Expression => parameters,
+    };
     parameter::for_each(parameters, ["a parameter", "parameters"], report, |tokens, report| {
         request.take_parameter(tokens, report);
     });
@@ -119,12 +123,11 @@ impl Request {
 
     /// The type that was probably meant, where what was said of it is a mistake.
     pub(crate) fn float_meant(&self) -> Float {
-        let mut said =
-            self.written.iter().filter(|written| written.name == "float").map(|written| written.value.to_string());
-        match &self.float {
-            None if said.any(|value| value.contains("32")) => Float::F32,
-            _ => self.float(),
-        }
+        let is_single = |Written { name, value, .. }: &Written| {
+            let value = value.to_string();
+            value.contains("f32") || name == "float" && (value.contains("32") || value.contains("single"))
+        };
+        if self.float.is_none() && self.written.iter().any(is_single) { Float::F32 } else { self.float() }
     }
 
     /// The decimal digits of the longest number that the motion depends on.
@@ -137,12 +140,24 @@ impl Request {
         match named_value(&tokens) {
             Ok((name, value)) => self.set(&name, value, report),
             Err(error) => {
+                report.add(self.as_an_output(&tokens).unwrap_or(error));
                 // `theta0` without a value is a mistake of its own, not a missing `theta0`.
-                let name = first_word(tokens).map(|word| canonical(&word).to_owned());
-                self.written.extend(name.map(|name| Written { name, exact: false, value: TokenStream::new() }));
-                report.add(error);
+                let name = first_word(&tokens).map(|word| canonical(&word).to_owned());
+                self.written.extend(name.map(|name| Written { name, exact: false, value: tokens }));
             }
         }
+    }
+
+    /// The mistake of an output that stands outside the list, with those that came before it.
+    fn as_an_output(&self, tokens: &TokenStream) -> Option<Error> {
+        let output = |tokens: &TokenStream| Output::from_word(&tokens.to_string());
+        let word = output(tokens)?.word();
+        let listed = self.outputs.iter().flat_map(|given| given.value.iter().copied());
+        let outside = self.written.iter().filter(|written| !written.exact).filter_map(|written| output(&written.value));
+        let before = listed.chain(outside).map(Output::word).filter(|&other| other != word);
+        let list: Vec<&str> = before.chain([word]).collect();
+        let message = format!("`{word}` is one of the `outputs`: write `outputs = [{}]`", list.join(", "));
+        Some(Error::new_spanned(tokens, message))
     }
 
     fn set(&mut self, name: &Ident, value: TokenStream, report: &mut Report) {
@@ -177,8 +192,8 @@ impl Request {
     }
 }
 
-fn first_word(tokens: TokenStream) -> Option<String> {
-    tokens.into_iter().next().map(|tree| tree.to_string())
+fn first_word(tokens: &TokenStream) -> Option<String> {
+    tokens.clone().into_iter().next().map(|tree| tree.to_string())
 }
 
 #[cfg(test)]
@@ -213,6 +228,71 @@ mod tests {
         assert!(messages[2].contains("`0.5` and `3`"));
         assert!(messages[3].contains("`0.5` and `4`"));
         assert!(messages[4].contains("`fourier`"));
+    }
+
+    fn mistakes(text: &str) -> Vec<String> {
+        request(text).err().into_iter().flatten().map(|error| error.to_string()).collect()
+    }
+
+    /// The messages, one for each mistake, that contain these.
+    #[track_caller]
+    fn refused(text: &str, parts: &[&str]) {
+        let messages = mistakes(text);
+        assert_eq!(messages.len(), parts.len(), "{text}: {messages:#?}");
+        for (message, part) in messages.iter().zip(parts) {
+            assert!(message.contains(part), "{text}: {message}\nlacks: {part}");
+        }
+    }
+
+    #[test]
+    fn a_sign_and_a_name_are_two_mistakes() {
+        refused("theta0: 1", &["write `theta0 = …`"]);
+        refused("θ0 == 1", &["write `θ0 = …`"]);
+        refused("theta: 1", &["did you mean `theta0`?", "write `theta0 = …`"]);
+        refused("theta == 1", &["did you mean `theta0`?", "write `theta0 = …`"]);
+        refused("self.theta0 = 1", &["unknown parameter `self`"]);
+        refused("precision = 1e-5", &["did you mean `tol`"]);
+        refused("struct A; { theta0 = 1 }", &["remove this"]);
+    }
+
+    #[test]
+    fn outputs_outside_the_list_are_put_into_it() {
+        refused("theta0 = 1, outputs = [theta], velocity", &["`outputs = [theta, velocity]`"]);
+        refused("theta0 = 1, theta, velocity", &["`outputs = [theta]`", "`outputs = [theta, velocity]`"]);
+        refused("theta0 = 1, outputs = [theta], theta", &["`outputs = [theta]`"]);
+    }
+
+    #[test]
+    fn a_second_struct_is_one_mistake() {
+        let call = "a `pendulum!` of their own";
+        refused("struct A; theta0 = 1, tol = 1e-6; struct B; theta0 = 2, tol = 1e-3", &[call]);
+        refused("struct A; theta0 = 1, #[derive(Clone)] pub struct B; theta0 = 2", &[call]);
+        refused("struct A; theta0 = 1 struct B; theta0 = 2", &[call]);
+        refused("struct A; struct B; theta0 = 2", &["comes before its parameters"]);
+        refused("theta0 = 2, struct A;", &["comes before its parameters"]);
+    }
+
+    #[test]
+    fn words_are_left_out_for_defaults() {
+        for value in ["inf", "INFINITY", "f64::INFINITY", "None", "std::f64::MAX"] {
+            refused(&format!("theta0 = 1, t_max = {value}"), &["leave `t_max` out for 2⁵³ periods"]);
+        }
+        refused("theta0 = 1, tol = auto", &["leave `tol` out"]);
+        refused("theta0 = 1, method = auto", &["or leave `method` out"]);
+        refused("theta0 = 1, float = 64", &["or leave `float` out"]);
+    }
+
+    /// So that calls of the functions are no mistakes of their own.
+    #[test]
+    fn the_type_is_told_from_mistakes() {
+        let float = |text: &str| parse(text.parse().unwrap(), &mut Report::default()).unwrap().float_meant();
+        for text in
+            ["float: f32", "float == f32", "float f32", "f32", "float = single", "float = \"f32\"", "theta0 = 1f32"]
+        {
+            assert_eq!(float(&format!("struct A; {text}, tol = 1e-3")), Float::F32, "{text}");
+        }
+        assert_eq!(float("struct A; float: f64, tol = 1e-3"), Float::F64);
+        assert_eq!(float("struct A; theta0 = 1f32, float = f64"), Float::F64);
     }
 
     #[test]

@@ -34,6 +34,11 @@ pub(super) fn canonical(name: &str) -> &str {
     meant(name).unwrap_or(name)
 }
 
+/// Whether it is a parameter's name.
+pub(super) fn is_a_parameter(name: &str) -> bool {
+    PARAMETERS.contains(&ascii(name))
+}
+
 /// Whether it is a parameter's name, or near enough to one.
 pub(super) fn is_like_a_parameter(name: &str) -> bool {
     PARAMETERS.contains(&canonical(name))
@@ -52,6 +57,9 @@ pub(super) fn unknown_parameter(name: &str) -> String {
         }
         (direct @ "frequency", _) => {
             format!("unknown parameter `{name}`: did you mean `omega = 2π*{direct}`, of small oscillations?")
+        }
+        ("precision", _) => {
+            format!("unknown parameter `{name}`: did you mean `tol`, the largest error, or `float`, the type?")
         }
         ("mass" | "m", _) => format!("unknown parameter `{name}`: the motion doesn't depend on it, leave it out"),
         ("damping" | "friction" | "drag" | "drive" | "force" | "torque", _) => {

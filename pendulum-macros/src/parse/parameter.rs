@@ -1,6 +1,6 @@
 //! The parameters one by one, `name = value`: a mistake in one doesn't hide those in the next.
 
-use super::names::{canonical, is_like_a_parameter, unknown_parameter};
+use super::names::{canonical, is_a_parameter, is_like_a_parameter, unknown_parameter};
 use super::words::{Float, Keyword, Method, Output};
 use crate::report::Report;
 use proc_macro2::{Delimiter, Literal, Span, TokenStream, TokenTree};
@@ -92,17 +92,34 @@ fn lists(piece: &[TokenTree], rest: &[TokenTree]) -> bool {
         && !is(rest.get(1), '=')
 }
 
+/// What comes before a second `struct Name;`, of which one mistake tells. Where no value does, what follows is meant for
+/// the first.
+pub(super) fn before_another(tokens: TokenStream, report: &mut Report) -> TokenStream {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let is_struct = |tree: &TokenTree| matches!(tree, TokenTree::Ident(word) if word == "struct");
+    let Some(another) = trees.iter().position(is_struct) else { return trees.into_iter().collect() };
+    let separates = |tree: &TokenTree| is(Some(tree), ';') || is(Some(tree), ',');
+    let end = trees[..another].iter().rposition(separates).unwrap_or(another);
+    if !has_value(&trees[..end]) {
+        return trees.into_iter().collect();
+    }
+    let name = trees.get(another + 1).map_or_else(|| "Name".to_owned(), ToString::to_string);
+    let message =
+        format!("one call makes one struct: put `struct {name};` and its parameters into a `pendulum!` of their own");
+    report.at(trees[another].span(), message);
+    trees.into_iter().take(end).collect()
+}
+
 /// `name = value`, the value's tokens untouched.
 pub(super) fn named_value(tokens: &TokenStream) -> Result<(Ident, TokenStream)> {
     let parse = |input: ParseStream| {
         let name = input.call(Ident::parse_any).map_err(|_| no_name(input))?;
-        let one_sign = format!("a value is given by one `=`: write `{name} = …`");
         let sign = input.span();
         if input.parse::<Option<Token![=]>>()?.is_none() {
-            return Err(no_value(&name, input, one_sign));
+            return Err(no_value(&name, input));
         }
         if input.peek(Token![=]) || input.peek(Token![>]) {
-            return Err(Error::new(sign, one_sign));
+            return Err(wrong_sign(&name, sign));
         }
         let value: TokenStream = input.parse()?;
         if value.is_empty() {
@@ -127,14 +144,22 @@ fn without_capture(value: TokenStream) -> TokenStream {
 
 /// The mistake of what has no name before it, as what follows the comma in `t_max = 86,400`.
 fn no_name(input: ParseStream) -> Error {
+    if let Some(TokenTree::Group(group)) = input.cursor().token_stream().into_iter().next()
+        && group.delimiter() != Delimiter::None
+    {
+        return Error::new(
+            group.span_open(),
+            "parameters stand by themselves, without brackets: remove this and its end",
+        );
+    }
     let is_number = |literal: &Literal| literal.to_string().starts_with(|first: char| first.is_ascii_digit());
     let alone = matches!(input.cursor().literal(), Some((literal, rest)) if rest.eof() && is_number(&literal));
     let number = if alone { "; of a number the point is a `.`, and `_` may group the digits" } else { "" };
     input.error(format!("expected `name = value`, such as `theta0 = 7π/8`{number}"))
 }
 
-/// The mistake of a word that no `=` follows; `one_sign` is said of another sign.
-fn no_value(name: &Ident, input: ParseStream, one_sign: String) -> Error {
+/// The mistake of a word that no `=` follows.
+fn no_value(name: &Ident, input: ParseStream) -> Error {
     let word = name.to_string();
     let is_parameter = is_like_a_parameter(&word);
     match input.cursor().token_stream().into_iter().next() {
@@ -144,17 +169,29 @@ fn no_value(name: &Ident, input: ParseStream, one_sign: String) -> Error {
         Some(TokenTree::Ident(next)) if !is_parameter => {
             Error::new(name.span(), format!("`{word}` has no place before `{next}`: parameters are `name = value`"))
         }
-        Some(next) => Error::new(next.span(), one_sign),
+        Some(next) => wrong_sign(name, next.span()),
         None => Error::new(name.span(), lone(&word, is_parameter)),
     }
+}
+
+/// The mistake of another sign than one `=` after a word, and that of the word.
+fn wrong_sign(name: &Ident, sign: Span) -> Error {
+    let word = name.to_string();
+    let one_sign = |name: &str| Error::new(sign, format!("a value is given by one `=`: write `{name} = …`"));
+    if is_a_parameter(&word) {
+        return one_sign(&word);
+    }
+    let mut unknown = Error::new(name.span(), unknown_parameter(&word));
+    if is_like_a_parameter(&word) {
+        unknown.combine(one_sign(canonical(&word)));
+    }
+    unknown
 }
 
 /// What is said of a word alone.
 fn lone(word: &str, is_parameter: bool) -> String {
     let value_of = |parameter: &str| format!("`{word}` is a value of `{parameter}`: write `{parameter} = {word}`");
-    if Output::from_word(word).is_some() {
-        format!("`{word}` is one of the `outputs`: write `outputs = [{word}]`")
-    } else if Float::from_word(word).is_some() {
+    if Float::from_word(word).is_some() {
         value_of("float")
     } else if Method::from_word(word).is_some() {
         value_of("method")

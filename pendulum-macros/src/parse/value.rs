@@ -1,7 +1,7 @@
 //! The values of parameters: numbers, counts, words and lists of words.
 
 use super::number::Number;
-use super::words::{Keyword, Output, list, one_word};
+use super::words::{Keyword, Output, list, one_of, one_word};
 use super::{parameter, source};
 use crate::report::Report;
 use proc_macro2::TokenStream;
@@ -59,7 +59,7 @@ pub(super) fn word<T: Keyword>(name: &Ident, tokens: TokenStream) -> Result<Give
 fn not_a_word<T: Keyword>(name: &Ident, tokens: &TokenStream) -> Error {
     let message = match quoted(tokens).filter(|word| T::from_word(word).is_some()) {
         Some(word) => format!("`{name}` is written without quotes: `{name} = {word}`"),
-        None => format!("`{name} = {}` is no word: `{name}` is one of {}", source::value(tokens), list(T::WORDS)),
+        None => format!("`{name} = {}` is no word: {}", source::value(tokens), one_of::<T>()),
     };
     Error::new_spanned(tokens, message)
 }

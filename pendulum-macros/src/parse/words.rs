@@ -1,5 +1,6 @@
 //! The words of the macro's input that stand for something: methods, types and outputs.
 
+use super::names::is_a_parameter;
 use crate::report::nearest;
 use syn::{Error, Ident, Result};
 
@@ -87,11 +88,17 @@ pub(super) fn one_word<T: Keyword>(ident: &Ident) -> Result<T> {
     T::from_word(&text).ok_or_else(|| {
         let synonym = T::SYNONYMS.iter().find(|(synonym, _)| *synonym == text).map(|&(_, word)| word);
         let message = synonym.or_else(|| nearest(&text, T::WORDS)).map_or_else(
-            || format!("unknown {kind} `{text}`: it is one of {}", list(T::WORDS)),
+            || format!("unknown {kind} `{text}`: {}", one_of::<T>()),
             |known| format!("unknown {kind} `{text}`: did you mean `{known}`?"),
         );
         Error::new(ident.span(), message)
     })
+}
+
+/// What may be said instead of what was.
+pub(super) fn one_of<T: Keyword>() -> String {
+    let or_nothing = if is_a_parameter(T::KIND) { format!("; or leave `{}` out", T::KIND) } else { String::new() };
+    format!("it is one of {}{or_nothing}", list(T::WORDS))
 }
 
 /// `` `a`, `b` or `c` ``

@@ -39,6 +39,10 @@ fn meaning(parameter: &str) -> (&'static [&'static str], &'static str) {
 /// the `m` of `9.81m/s` is the mistake, not the `s`.
 pub(super) fn check(name: &Ident, tokens: &TokenStream) -> Result<()> {
     in_any_depth(tokens).try_for_each(|(literal, next)| {
+        // Of a call, as in `30f64.to_radians()`, more has to go than the suffix.
+        if matches!(&next, Some(TokenTree::Punct(point)) if point.as_char() == '.') {
+            return Ok(());
+        }
         let span = literal.span();
         let mistake = match Lit::new(literal) {
             Lit::Int(int) => suffix(name, tokens, int.suffix()).or_else(|| length(name, int.base10_digits())),
@@ -69,9 +73,19 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
         "f32" | "f64" | "i32" | "i64" | "u32" | "u64" | "usize" | "isize" => {
             "numbers have no type here: leave it out, and say what the results are by `float`".to_owned()
         }
-        _ => unknown(name, suffix),
+        _ => meant(suffix, units).map_or_else(|| unknown(name, suffix), |unit| format!("write it `{unit}`")),
     };
     (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: {remedy}"))
+}
+
+/// Of the units that there are, the one that was written otherwise.
+fn meant(suffix: &str, units: &[&'static str]) -> Option<&'static str> {
+    let unit = match suffix.to_lowercase().as_str() {
+        "deg" | "degs" | "degree" | "degrees" | "d" => "deg",
+        "rad" | "rads" | "radian" | "radians" | "r" => "rad",
+        _ => return None,
+    };
+    units.contains(&unit).then_some(unit)
 }
 
 /// The remedy for a unit that the parameter `name` doesn't have.

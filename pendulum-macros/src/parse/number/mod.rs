@@ -1,13 +1,13 @@
 //! Angle and number expressions: their grammar, and their evaluation from the digits as written.
 
 mod literal;
+mod name;
 mod tree;
 
 use crate::exact::{Context, Real};
 use crate::parse::source;
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use syn::buffer::Cursor;
-use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
 use tree::{Operator, Tree};
@@ -29,6 +29,7 @@ impl Number {
             return Err(Error::new_spanned(tokens, message));
         }
         literal::check(name, &tokens)?;
+        name::check(name, &tokens)?;
         match syn::parse2::<Whole>(parenthesise_captures(tokens.clone())) {
             Ok(Whole(tree)) => Ok(Self { tree }),
             Err(error) => {
@@ -168,8 +169,8 @@ fn factor(input: ParseStream) -> Result<Tree> {
         syn::parenthesized!(inner in input);
         return whole(&inner, "`)`");
     }
-    if input.peek(Ident) || begins_a_path(input) {
-        return name(input);
+    if name::begins(input) {
+        return name::parse(input);
     }
     if input.peek(Lit) {
         return literal::parse(&input.parse()?);
@@ -196,7 +197,7 @@ fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
         Some(TokenTree::Ident(word)) => no_operator_but_word(&word.to_string(), &read(start, input), input, end),
         Some(TokenTree::Punct(punct)) => match punct.as_char() {
             '^' => input.error(NO_POWERS),
-            '.' => input.error("nothing can be called here: write the value itself, such as `30deg` or `sqrt(2)`"),
+            '.' => input.error(after_point(input)),
             ',' => input.error("parentheses hold one number: remove this comma and what follows it"),
             _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
         },
@@ -204,6 +205,16 @@ fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
             Error::new(group.span_open(), "a product needs its sign: write `*` before `(`")
         }
         _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
+    }
+}
+
+/// What is said of a point after a number: of a call, a range, or no more than a point.
+fn after_point(input: ParseStream) -> &'static str {
+    let mut rest = input.cursor().token_stream().into_iter().skip(1);
+    match rest.next() {
+        Some(TokenTree::Ident(_)) => "nothing can be called here: write the value itself, such as `30deg` or `sqrt(2)`",
+        Some(TokenTree::Punct(next)) if next.as_char() == '.' => "a range is no number: write one number",
+        _ => "a number has one point, without spaces around it, and ends in a digit",
     }
 }
 
@@ -229,34 +240,6 @@ fn no_operator_but_word(word: &str, read: &[TokenTree], input: ParseStream, end:
 /// The tokens that have been read since `start`.
 fn read(start: &Cursor, input: ParseStream) -> Vec<TokenTree> {
     start.token_stream().into_iter().take(tokens_between(start, &input.cursor())).collect()
-}
-
-/// Whether one of the keywords stands there that paths begin with.
-fn begins_a_path(input: ParseStream) -> bool {
-    input.peek(Token![crate]) || input.peek(Token![super]) || input.peek(Token![self]) || input.peek(Token![Self])
-}
-
-fn name(input: ParseStream) -> Result<Tree> {
-    let ident = input.call(Ident::parse_any)?;
-    match ident.to_string().as_str() {
-        "π" | "PI" | "pi" => Ok(Tree::Pi),
-        "sqrt" if input.peek(token::Paren) => {
-            let inner;
-            syn::parenthesized!(inner in input);
-            Ok(Tree::Root(Box::new(whole(&inner, "`)`")?), ident.span()))
-        }
-        "sqrt" => Err(Error::new(ident.span(), "`sqrt` needs its argument in parentheses: `sqrt(2)`")),
-        other if literal::means_a_period(other) => {
-            Err(Error::new(ident.span(), format!("`{other}` isn't known here: {}", literal::A_PERIOD)))
-        }
-        other => Err(Error::new(
-            ident.span(),
-            format!(
-                "`{other}` can't be evaluated here: a macro sees names, not values; write the number itself, \
-                 with `π`, `PI` or `pi` and `sqrt(…)` where needed"
-            ),
-        )),
-    }
 }
 
 #[cfg(test)]
@@ -345,6 +328,17 @@ mod tests {
         assert!(error("(3 PI)").contains("write `*` before `PI`"));
         assert!(error(".25").contains("write `0.25`"));
         assert!(error("+1").contains("leave it out"));
+        assert!(error("30degrees").contains("write it `deg`"));
+        assert!(error("2.0_f64.sqrt()").contains("nothing can be called here"));
+        assert!(error("0..100").contains("a range is no number"));
+        assert!(error("-π..π").contains("a range is no number"));
+        for several in ["1.2.3", "1 .0", "1e-6."] {
+            assert!(error(several).contains("a number has one point"), "{several}");
+        }
+        assert!(error("std::f64::consts::PI / 2").contains("`std::f64::consts::PI` can't be evaluated here"));
+        assert!(error("::core::f64::consts::PI").contains("write `PI`"));
+        assert!(error("FRAC_PI_2").contains("write `π/2`"));
+        assert!(error("TAU").contains("write `2π`"));
         assert!(error("90deg*2deg").contains("an angle times an angle"));
         assert!(error("2*(90deg*(1 + 2rad))").contains("an angle times an angle"));
         assert!(error("sqrt(1 - 2)").contains("negative"));
