@@ -236,7 +236,7 @@ struct Readme;
 ///
 /// # Names in scope
 /// What is generated names its variables in lower case (`t`, `s`, `p`, `n` and the like) and the types `f32`, `f64`, `u32`,
-/// `u64`, `usize` and `str`. A `const`, `static` or unit struct of such a variable's name, or another type of such a name, where the
+/// `usize` and `str`. A `const`, `static` or unit struct of such a variable's name, or another type of such a name, where the
 /// macro is called, is an error in it (E0005, E0530, E0308), since patterns name constants wherever they come from. The
 /// compiler warns of such names by itself; put the call into a module of its own.
 #[macro_export]

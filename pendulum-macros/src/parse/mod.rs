@@ -14,7 +14,7 @@ pub(crate) use value::Given;
 pub(crate) use words::{Float, Keyword, Method, Output};
 
 use crate::report::Report;
-use names::{PARAMETERS, ascii, canonical, unknown_parameter};
+use names::{ascii, canonical, is_a_parameter, unknown_parameter};
 use number::Number;
 use parameter::{before_another, named_value};
 use proc_macro2::TokenStream;
@@ -42,7 +42,7 @@ pub(crate) struct Request {
 
 /// A parameter as it was written.
 pub(crate) struct Written {
-    /// Its name of [`PARAMETERS`], or the nearest one.
+    /// Its name, or the nearest one of a parameter.
     name: String,
     /// Whether it is that name.
     exact: bool,
@@ -51,7 +51,7 @@ pub(crate) struct Written {
 
 impl Written {
     fn is_parameter(&self) -> bool {
-        PARAMETERS.contains(&self.name.as_str())
+        is_a_parameter(&self.name)
     }
 }
 
@@ -168,7 +168,7 @@ impl Request {
             let alias = if word == known { String::new() } else { format!(", that is `{known}`,") };
             report.at(name.span(), format!("`{word}`{alias} is given twice, `{before}` and `{now}`: keep one"));
         }
-        let exact = PARAMETERS.contains(&known);
+        let exact = is_a_parameter(known);
         self.written.push(Written { name: canonical(&word).to_owned(), exact, value: value.clone() });
         report.take(self.fill(name, value));
     }

@@ -3,7 +3,7 @@
 use super::words::list;
 use crate::report::nearest;
 
-pub(super) const PARAMETERS: [&str; 11] =
+const PARAMETERS: [&str; 11] =
     ["theta0", "velocity0", "omega", "g", "length", "n", "tol", "t_max", "method", "float", "outputs"];
 
 /// What parameters are called elsewhere, in lower case.
@@ -41,7 +41,7 @@ pub(super) fn is_a_parameter(name: &str) -> bool {
 
 /// Whether it is a parameter's name, or near enough to one.
 pub(super) fn is_like_a_parameter(name: &str) -> bool {
-    PARAMETERS.contains(&canonical(name))
+    is_a_parameter(canonical(name))
 }
 
 fn meant(name: &str) -> Option<&'static str> {

@@ -81,13 +81,9 @@ fn unknown(shown: &str, last: &str) -> String {
         "SQRT_2" => Some("sqrt(2)".to_owned()),
         _ => of_pi,
     };
-    known.map_or_else(
-        || {
-            format!(
-                "`{shown}` can't be evaluated here: a macro sees names, not values; write the number itself, with `π`, \
-                 `PI` or `pi` and `sqrt(…)` where needed"
-            )
-        },
-        |known| format!("`{shown}` can't be evaluated here: a macro sees names, not values; write `{known}`"),
-    )
+    let remedy = known.map_or_else(
+        || "write the number itself, with `π`, `PI` or `pi` and `sqrt(…)` where needed".to_owned(),
+        |known| format!("write `{known}`"),
+    );
+    format!("`{shown}` can't be evaluated here: a macro sees names, not values; {remedy}")
 }
