@@ -200,7 +200,7 @@ fn coefficients_beyond_the_range_of_floats() {
 fn refusals_of_forced_methods_near_the_top_take_less_than_a_second() {
     let far = |tol: &str| format!("theta0 = -(π - 1e-5), tol = {tol}, method = fourier, t_max = 8.42609616222453e6");
     planned(&far("7.106886299e-10"));
-    refused(&far("7.1e-16"), "leave `method` out");
+    refused(&far("7.1e-16"), "leave `method` and `tol` out");
     let both = |tol: &str| {
         format!("struct A; theta0 = 179.9999deg, tol = {tol}, method = fourier, outputs = [theta, velocity]")
     };
@@ -267,8 +267,8 @@ fn moments_just_over_the_top() {
     }
 }
 
-/// Advice that didn't help: the rounding of a rotation's turns is the same without a method, and `tol` in place of `n` was
-/// out of reach of the method.
+/// Advice that didn't help: the rounding of a rotation's turns, or of the float, is the same without a method, and `tol`
+/// in place of `n` was out of reach of the method.
 #[test]
 fn remedies_that_help() {
     let turns = "struct A; theta0 = 0.906, velocity0 = 2.13934, tol = 0.0002, float = f32, method = polynomial";
@@ -291,4 +291,7 @@ fn remedies_that_help() {
     refused(fine, "leave `method` and `tol` out for full precision");
     planned(&fine.replace("tol = 1e-18, method = polynomial, ", ""));
     refused("velocity0 = 2 + 1e-194, tol = 1e-25, method = polynomial", "leave `method` and `tol` out");
+    let single = "struct A; theta0 = 1, tol = 1e-12, float = f32, method = ";
+    refused(&format!("{single}polynomial"), "use `float = f64`");
+    refused(&format!("{single}harmonic"), "leave `method` out, and use `float = f64`");
 }

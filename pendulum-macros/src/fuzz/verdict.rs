@@ -219,7 +219,10 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
         Refusal::Unreachable { best } if *best <= 0.0 || best.is_nan() => Err(format!("offers {best}: {message}")),
         Refusal::Unreachable { best } => match scene.goal {
             Goal::Tolerance(tol) if *best <= tol => Err(format!("refuses {tol:e} and offers {best:e}")),
-            _ if best.is_finite() && !matches!(scene.goal, Goal::Terms(_)) => offer_is_kept(&message, scene),
+            _ if best.is_finite() && !matches!(scene.goal, Goal::Terms(_)) => {
+                offer_is_kept(&message, scene)?;
+                if scene.method.is_some() { remedy_helps(&message, scene) } else { Ok(()) }
+            }
             _ => remedy_helps(&message, scene),
         },
         Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
@@ -248,14 +251,18 @@ fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
     if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
 }
 
-/// Where no tolerance can be offered, what the message advises instead can be had.
+/// Where no tolerance can be offered, or a method is forced, what the message advises instead can be had.
 fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
     let mut scene = scene.clone();
     if message.contains("leave `method` out, and give a short `t_max`") {
         scene = Scene { method: None, ..scene.over_a_period() };
     } else if message.contains("leave `method` and `tol` out") {
         scene = Scene { method: None, goal: Goal::Full, ..scene };
-    } else if message.contains("leave `method` out") || is_extreme(&scene) {
+    } else if message.contains("leave `method` out, and use `float = f64`") {
+        scene = Scene { method: None, float: Float::F64, ..scene };
+    } else if message.contains("leave `method` out") {
+        scene.method = None;
+    } else if is_extreme(&scene) || message.contains("give a `t_max`") {
         return Ok(());
     } else if message.contains("use `float = f64`") {
         scene.float = Float::F64;

@@ -62,17 +62,22 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 /// What else than a larger tolerance would help.
 fn closer(best: f64, scene: &Scene) -> &'static str {
     let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
+    let without_method = Scene { method: None, ..scene.clone() };
     match (scene.goal, scene.float) {
-        _ if scene.method.is_some() && (!turns || is_planned_without_method(scene)) => "leave `method` out",
-        (Goal::Tolerance(_), _) if scene.method.is_some() && best.is_infinite() => {
-            if is_planned_without_method(&scene.over_a_period()) {
+        _ if scene.method.is_some() && is_planned(&without_method) => "leave `method` out",
+        (_, Float::F32) if scene.method.is_some() && is_planned(&in_f64(scene)) => "use `float = f64`",
+        (_, Float::F32) if scene.method.is_some() && is_planned(&in_f64(&without_method)) => {
+            "leave `method` out, and use `float = f64`"
+        }
+        (Goal::Tolerance(_), _) if turns && scene.t_max.is_none() && best.is_finite() => {
+            "give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
+        }
+        (Goal::Tolerance(_), _) if scene.method.is_some() => {
+            if turns && is_planned(&without_method.over_a_period()) {
                 "leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns"
             } else {
                 "leave `method` and `tol` out for full precision"
             }
-        }
-        (Goal::Tolerance(_), _) if turns && scene.t_max.is_none() && best.is_finite() => {
-            "give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
         }
         (Goal::Tolerance(_), Float::F64) if best.is_finite() => "leave `tol` out for full precision",
         (_, Float::F32) => "use `float = f64`, which comes closer",
@@ -81,9 +86,14 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
     }
 }
 
-/// Not where it is the rounding of a rotation's turns that is in the way.
-fn is_planned_without_method(scene: &Scene) -> bool {
-    cheapest(&Scene { method: None, ..scene.clone() }).is_ok()
+/// A remedy is tried before it is advised: what is in the way of a forced method may be the rounding of the float, or of
+/// a rotation's turns.
+fn is_planned(scene: &Scene) -> bool {
+    cheapest(scene).is_ok()
+}
+
+fn in_f64(scene: &Scene) -> Scene {
+    Scene { float: Float::F64, ..scene.clone() }
 }
 
 /// `n` terms have an error whatever it is, but not everywhere one that can be bounded.
