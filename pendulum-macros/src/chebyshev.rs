@@ -1,5 +1,6 @@
 //! Chebyshev series on [−1, 1] in double-double arithmetic: sampling, and conversion to powers.
 
+use crate::power::two_to;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 use std::ops::{Add, Mul};
@@ -48,7 +49,7 @@ impl CosineTable {
     /// least, all that is less than (4 + Λ)m²·2⁻¹⁰⁰.
     fn rounding(&self, largest: f64) -> f64 {
         let m = self.m as f64;
-        (4.0 + lebesgue(self.m)) * m * m * 2f64.powi(-100) * largest
+        (4.0 + lebesgue(self.m)) * m * m * two_to(-100) * largest
     }
 
     /// The coefficients of the interpolant through `values` at [`Self::points`] (the zeroth one whole, not doubled).
@@ -190,7 +191,7 @@ pub(crate) fn to_powers(series: &[Double]) -> Vec<Double> {
 pub(crate) fn rounding_of_powers(series: &[Double], reach: f64) -> f64 {
     let growth = reach + (reach * reach + 1.0).sqrt();
     let (sum, _) = series.iter().fold((0.0, 1.0), |(sum, power), c| (sum + c.hi.abs() * power, power * growth));
-    series.len() as f64 * 2f64.powi(-100) * sum
+    series.len() as f64 * two_to(-100) * sum
 }
 
 /// Coefficients in powers of x of Σ cⱼ (x + by)ʲ, by repeated synthetic division.

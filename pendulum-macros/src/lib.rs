@@ -16,6 +16,7 @@ mod fuzz;
 mod motion;
 mod parse;
 mod plan;
+mod power;
 mod program;
 mod report;
 mod scene;

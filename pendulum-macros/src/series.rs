@@ -2,7 +2,9 @@
 
 use crate::chebyshev::{cos_pi, sin_pi};
 use crate::motion::{Elliptic, Rotation, Swing};
+use crate::power::{power, two_to};
 use pendulum_runtime::double::Double;
+use std::f64::consts::PI;
 
 /// constant + Σ aₘ cos(mπs) or constant + linear·s + Σ aₘ sin(mπs), s being the phase in anchors.
 #[derive(Clone, Debug)]
@@ -50,7 +52,7 @@ impl Wave {
     pub(crate) fn swing(swing: &Swing, order: i32, scale: Double) -> Self {
         let nome = swing.elliptic.nome.to_double();
         let root = swing.elliptic.nome.sqrt().to_double();
-        let size = 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order);
+        let size = 8.0 * scale.hi.abs() * power(PI, order);
         let envelope = Envelope::of(&swing.elliptic, size, order - 1);
         let mut power = root; // q^(m/2)
         let terms = (1..).step_by(2).map(|m: u32| {
@@ -99,7 +101,7 @@ impl Wave {
     /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `scale` times.
     pub(crate) fn rotation(rotation: &Rotation, order: i32, scale: Double) -> Self {
         let nome = rotation.elliptic.nome.to_double();
-        let size = 8.0 * scale.hi.abs() * std::f64::consts::PI.powi(order);
+        let size = 8.0 * scale.hi.abs() * power(PI, order);
         let envelope = Envelope::of(&rotation.elliptic, size, order - 1);
         let mut power = nome;
         let terms = (1..).map(|n: u32| {
@@ -248,7 +250,7 @@ impl Wave {
 
     /// The value at the phase s in one word: wrong by less than 10⁻¹¹ of the terms' sum.
     pub(crate) fn roughly(&self, s: f64) -> f64 {
-        let angle = std::f64::consts::PI * s;
+        let angle = PI * s;
         let (mut sine, mut cosine) = libm::sincos(f64::from(self.terms.first().map_or(1, |term| term.0)) * angle);
         let (turn_sine, turn) = libm::sincos(f64::from(STEP) * angle);
         let mut sum = self.constant.hi + self.linear.hi * s;
@@ -261,7 +263,7 @@ impl Wave {
 
     /// The derivative likewise.
     pub(crate) fn slope_roughly(&self, s: f64) -> f64 {
-        let pi = std::f64::consts::PI;
+        let pi = PI;
         let slope = |&(m, amplitude): &(u32, Double)| {
             let (sine, cosine) = libm::sincos(pi * f64::from(m) * s);
             let wave = if self.parity == Parity::Even { -sine } else { cosine };
@@ -272,7 +274,7 @@ impl Wave {
 
     /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 4; infinite beyond the strip of convergence.
     pub(crate) fn bound(&self, height: f64) -> f64 {
-        let growth = std::f64::consts::PI * height;
+        let growth = PI * height;
         let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * libm::cosh(growth * f64::from(m))).sum();
         let tail = self.tail(growth, |envelope| envelope);
         (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
@@ -280,7 +282,7 @@ impl Wave {
 
     /// The series converges for |Im s| below this; infinite of a finite sum that is no part of one.
     pub(crate) fn strip(&self) -> f64 {
-        self.envelope.map_or(f64::INFINITY, |envelope| envelope.rate / std::f64::consts::PI)
+        self.envelope.map_or(f64::INFINITY, |envelope| envelope.rate / PI)
     }
 
     /// Bounds what the omitted terms, as large as an envelope that is made of theirs, can add for |Im s| ≤ `growth`/π.
@@ -301,24 +303,23 @@ impl Wave {
 
     /// What they can add to the derivative.
     pub(crate) fn omitted_slope(&self) -> f64 {
-        let of_slope =
-            |Envelope { size, power, rate }| Envelope { size: size * std::f64::consts::PI, power: power + 1, rate };
+        let of_slope = |Envelope { size, power, rate }| Envelope { size: size * PI, power: power + 1, rate };
         self.tail(0.0, of_slope)
     }
 
     /// Bounds what a value is rounded by. The phase's cosine and sine are within 2⁻¹⁰⁰, so the turn from term to term is
     /// within 2⁻⁹⁷, and each term's cosine by as much again for each turn; adding loses 2⁻¹⁰³ of all of them each time.
     pub(crate) fn rounding(&self) -> f64 {
-        let added = self.terms.len() as f64 * 2f64.powi(-103);
-        let of = |&(m, a): &(u32, Double)| a.hi.abs() * (f64::from(m + 1) * 2f64.powi(-97) + added);
-        self.terms.iter().map(of).sum::<f64>() + (self.constant.hi.abs() + self.linear.hi.abs()) * 2f64.powi(-100)
+        let added = self.terms.len() as f64 * two_to(-103);
+        let of = |&(m, a): &(u32, Double)| a.hi.abs() * (f64::from(m + 1) * two_to(-97) + added);
+        self.terms.iter().map(of).sum::<f64>() + (self.constant.hi.abs() + self.linear.hi.abs()) * two_to(-100)
     }
 }
 
 impl Envelope {
     /// Of powers of q^½, q = exp(−πK′/K).
     fn of(elliptic: &Elliptic, size: f64, power: i32) -> Self {
-        let decay = std::f64::consts::PI * (&elliptic.quarter_complementary / &elliptic.quarter).to_f64();
+        let decay = PI * (&elliptic.quarter_complementary / &elliptic.quarter).to_f64();
         Self { size, power, rate: decay / 2.0 }
     }
 
@@ -331,10 +332,10 @@ impl Envelope {
         let step = f64::from(STEP);
         let m = f64::from(first);
         // mᵖ grows by at most (1 + step/m)ᵖ a step.
-        let ratio = libm::exp(-rate * step) * (1.0 + step / m).powi(self.power.max(0));
+        let ratio = libm::exp(-rate * step) * power(1.0 + step / m, self.power.max(0));
         if ratio >= 1.0 {
             return f64::INFINITY;
         }
-        self.size * m.powi(self.power) * libm::exp(-rate * m) / (1.0 - ratio)
+        self.size * power(m, self.power) * libm::exp(-rate * m) / (1.0 - ratio)
     }
 }

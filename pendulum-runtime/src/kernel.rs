@@ -25,7 +25,8 @@ pub(crate) fn horner<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
 }
 
 /// xⁿ for n ≥ 0 by squaring.
-pub(crate) fn power(x: f64, n: i32) -> f64 {
+#[must_use]
+pub fn power(x: f64, n: i32) -> f64 {
     let (mut result, mut base, mut n) = (1.0, x, n);
     while n > 0 {
         if n & 1 == 1 {

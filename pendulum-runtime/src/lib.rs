@@ -45,6 +45,8 @@ mod theta_quotient;
 
 pub use error::Error;
 pub use fourier::Fourier;
+#[doc(hidden)]
+pub use kernel::power;
 pub use pendulum::Pendulum;
 pub use regime::Regime;
 pub use scalar::Scalar;

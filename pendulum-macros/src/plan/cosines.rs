@@ -1,5 +1,6 @@
 //! Sums of cosines near a point: where the sum and its derivatives lie, by Taylor's theorem.
 
+use crate::power::power;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -26,7 +27,7 @@ pub(super) struct Local {
 impl Cosines {
     pub(super) fn new(terms: impl Iterator<Item = (u32, f64)>) -> Self {
         let terms: Vec<(f64, f64)> = terms.map(|(m, a)| (f64::from(m) * PI, a)).collect();
-        let magnitude = |j: i32| terms.iter().map(|(m, a)| a.abs() * m.powi(j)).sum();
+        let magnitude = |j: i32| terms.iter().map(|(m, a)| a.abs() * power(*m, j)).sum();
         let magnitudes = std::array::from_fn(|j| magnitude(j as i32));
         Self { terms, magnitudes }
     }

@@ -139,6 +139,11 @@ impl Curve {
         self.arc != Arc::WHOLE
     }
 
+    /// How much of the phase a unit of its variable is.
+    pub(crate) fn stretch(&self) -> f64 {
+        self.arc.stretch.hi
+    }
+
     /// About the largest magnitude in an arc: an angle's is that at one of its ends, or at a turning point between them.
     pub(crate) fn largest_met(&self) -> Option<Double> {
         let at = |sigma: f64| self.at(Double::new(sigma)).abs();

@@ -4,6 +4,7 @@ use super::estrin::estrin;
 use crate::chebyshev::{
     CosineTable, interpolation_error, lebesgue, points_for, rounding_of_powers, scale, shift, to_powers,
 };
+use crate::power::two_to;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
@@ -37,9 +38,9 @@ impl Fit {
         let Domain { end, rho, bound } = *domain;
         // So many that their error doesn't blur the bound where the last term is far below the limit. Of more than 200,
         // which no plan needs, the error says what is left.
-        let points = points_for(bound, rho, limit * 2f64.powi(-16)).clamp(4.0, 200.0) as usize;
+        let points = points_for(bound, rho, limit * two_to(-16)).clamp(4.0, 200.0) as usize;
         let (series, rounding) = CosineTable::new(points).interpolant(|u| function((u + Double::ONE) * (0.5 * end)));
-        let error = interpolation_error(bound, rho, points) + lebesgue(points) * 2f64.powi(-94) * bound + rounding;
+        let error = interpolation_error(bound, rho, points) + lebesgue(points) * two_to(-94) * bound + rounding;
         let dropped = |terms: usize| series.iter().skip(terms).map(|c| c.hi.abs()).sum::<f64>() + error;
         let terms = (2..points).find(|&terms| dropped(terms) <= limit).unwrap_or(points);
         let powers = shift(&to_powers(&series[..terms]), Double::new(-1.0));

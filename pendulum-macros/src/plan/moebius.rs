@@ -4,6 +4,7 @@
 //! one in p (a conformal map, Trefethen, *Approximation Theory and Approximation Practice*, chapter 22, in its simplest
 //! form). It costs a division, an addition and a subtraction: P = (¼ + b) − b(¼ + b)/(p + b).
 
+use crate::power::power;
 use crate::program::rounding::INFLATION;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
@@ -47,7 +48,7 @@ impl Moebius {
         let square = |slice: u32| {
             let ends = [cosine(slice), cosine(slice + 1)];
             let [least, most] = ends.map(|cosine| map.end() - 0.125 + along * cosine);
-            let widest = across * (1.0 - ends[0].abs().min(ends[1].abs()).powi(2)).sqrt();
+            let widest = across * (1.0 - power(ends[0].abs().min(ends[1].abs()), 2)).sqrt();
             let left = map.place - map.scale() * most / (most * most + widest * widest);
             let aside = map.scale() * widest / (least * least);
             (least > widest).then(|| 0.5 * (libm::hypot(left, aside) + left))

@@ -5,6 +5,7 @@
 //! the energy, 1 − cos θ = (F² − v²)/(2ω²) with F = v(0) rises as it falls. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded
 //! by the same intervals.
 
+use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::series::Wave;
 
@@ -29,7 +30,7 @@ impl Moments {
         // Where the motion is fast, all of it happens in the first thousandths.
         let first = (0.3 * rate / fastest).min(0.02);
         let ratio = libm::pow(0.5 / first, 1.0 / f64::from(SLICES - 1));
-        let end = |slice: i32| if slice == 0 { 0.0 } else { first * ratio.powi(slice - 1) };
+        let end = |slice: i32| if slice == 0 { 0.0 } else { first * power(ratio, slice - 1) };
         let speed = |z: f64| slope.roughly(0.5 - z).abs() * rate;
         let mut moments = [0.0f64; 3];
         let mut before = fastest;

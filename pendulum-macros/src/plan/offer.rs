@@ -2,6 +2,7 @@
 
 use super::{Refusal, cheapest, of_paper, search};
 use crate::parse::Method;
+use crate::power::power;
 use crate::scene::{Goal, Scene};
 
 /// Whether what is offered is the least that is found: of several outputs, and of the series and Eq. 22, whose plans
@@ -22,7 +23,7 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let reached = if best < full { [best, full] } else { [full, best] };
     let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
     let decades = if is_quick(scene) { 1..10 } else { 1..1 };
-    let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * 10f64.powi(decade)));
+    let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * power(10f64, decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
     first_kept(scene, &offers, least).map_or(f64::INFINITY, |kept| finest(scene, kept))
 }

@@ -13,6 +13,7 @@
 use super::arc::Arc;
 use super::reduction::is_half;
 use crate::motion::Elliptic;
+use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::supremum::worst;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -116,12 +117,12 @@ impl Pulses {
     /// and farthest from the real axis.
     fn nearest(&self, centre: f64, long: f64, high: f64) -> f64 {
         let cosine = |x: f64| {
-            let b = self.rate * high * libm::sqrt(1.0 - ((x - centre) / long).powi(2));
+            let b = self.rate * high * libm::sqrt(1.0 - power((x - centre) / long, 2));
             if b < FRAC_PI_2 { libm::cos(b) } else { 0.0 }
         };
         let lowest = lowest_from(centre);
         let end = lowest.min(centre + long);
-        let place = |cell: u32| end - (end - centre) * (f64::from(cell) / f64::from(CELLS)).powi(2);
+        let place = |cell: u32| end - (end - centre) * power(f64::from(cell) / f64::from(CELLS), 2);
         let cell = |cell: u32| {
             let (near, far) = (place(cell + 1), place(cell));
             let distance = (lowest - far).min(near - (lowest - 1.0));

@@ -59,6 +59,8 @@ pub(crate) struct Turning {
     pub(crate) unit: Double,
     /// Whether the result is wrapped; otherwise the turns are added.
     pub(crate) wrapped: bool,
+    /// The most that the angle changes by in an anchor, at the rate of the lowest point.
+    pub(crate) slope: f64,
     /// −1 where θ decreases.
     pub(crate) direction: f64,
     /// The most turns within the horizon.
@@ -67,10 +69,6 @@ pub(crate) struct Turning {
 
 /// An arc that leads no farther beyond π counts as at the top: some more than a curve in two words is wrong by.
 pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
-
-/// Half a turn and what a phase overshoots it by, four times its error, of which a tolerance leaves 0.1 at most: of the same
-/// binade as π, and twice as much as 2π.
-const HALF_TURN: f64 = PI + 0.4;
 
 /// Below this, 2⁵², the number of turns is exact, halves of them included.
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
@@ -154,15 +152,17 @@ impl Turning {
     fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
         let Some(periodic) = self.from_top else { return 0.0 };
         let float = reduction.float;
-        let of_half_turn = half_ulp(HALF_TURN, float);
-        // In anchors, and by four units more of `f32`.
-        let farthest = (0.5 + reduction.overshoot.max(0.0)) * 1.000_001;
+        // Phases, in anchors, and angles overshoot half a turn; both by four units more of `f32`.
+        let overshoot = reduction.overshoot.max(0.0);
+        let farthest = (0.5 + overshoot) * 1.000_001;
+        let largest = (PI + self.slope * overshoot) * 1.000_001;
+        let of_half_turn = half_ulp(largest, float);
         let mean = of_half_turn + farthest * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = of_half_turn.min(periodic);
         let half = match reduction.origin {
             Origin::Lowest => 0.0,
             Origin::Anchor => {
-                float.rest(Double::PI).abs() + half_ulp(if self.wrapped { HALF_TURN } else { 2.0 * HALF_TURN }, float)
+                float.rest(Double::PI).abs() + half_ulp(if self.wrapped { largest } else { largest + PI }, float)
             }
         };
         mean + sum + half
@@ -198,7 +198,7 @@ fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
 /// What [`modulo_turn`] changes: by what a turn is rounded, or from −`PI` of `f32` to the next number, an ulp.
 fn rounding_modulo(float: Float) -> f64 {
     let turn = float.rest(Double::PI * 2.0).abs();
-    if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(HALF_TURN, float)) }
+    if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(PI, float)) }
 }
 
 /// The nearest number from above −π to below π: of mirror images the same.
@@ -285,6 +285,19 @@ mod tests {
         let uniform = Turning { from_top: Some(1e-12), ..turning.clone() };
         let lost = turning.own_rounding(&plan.reduction) - uniform.own_rounding(&plan.reduction);
         assert_near(lost, 2f64.powi(-23), 1e-3);
+    }
+
+    /// Phases that overshoot by much lead to angles above 4, whose units in the last place are twice as large.
+    #[test]
+    fn rounding_of_large_overshoots() {
+        let (turning, plan) = rotation("tol = 1e-6, t_max = 10, outputs = [wrapped]");
+        let near = |overshoot| {
+            let reduction = Reduction { overshoot, ..plan.reduction.clone() };
+            turning.own_rounding(&reduction)
+        };
+        let (largest, constant) = (PI + 0.2 * turning.slope, 0.2 * 2.4493e-16);
+        assert!((4.0..8.0).contains(&largest), "{largest}");
+        assert_near(near(0.2) - near(0.0), 3.0 * 2f64.powi(-52) + constant, 1e-3);
     }
 
     /// The numbers next to half a turn.

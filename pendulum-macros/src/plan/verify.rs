@@ -10,6 +10,7 @@ use super::task::Task;
 use super::{Part, Plan};
 use crate::exact::Real;
 use crate::parse::Output;
+use crate::power::two_to;
 use crate::program::rounding::UNDERFLOW;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
@@ -40,7 +41,7 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
             let error = aim.distance(task, s, &number, odd, &values)?;
             // The curves themselves are good to 2⁻⁷⁵ of the largest value, and where that underflows, being sums of up to
             // a thousand terms, to this.
-            let most = part.bound.total() + part.largest * 2f64.powi(-70) + 16.0 * UNDERFLOW;
+            let most = part.bound.total() + part.largest * two_to(-70) + 16.0 * UNDERFLOW;
             (error.is_nan() || error > most).then_some(part.output)
         };
         let differs = || (!both_alike(plan, t)).then_some(Output::Theta);

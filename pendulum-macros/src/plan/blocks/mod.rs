@@ -17,6 +17,7 @@ mod shifts;
 pub(crate) use shifts::Shifts;
 
 use super::estrin::estrin;
+use crate::power::power;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 use roots::{factored, roots};
@@ -96,14 +97,14 @@ impl Blocks {
         let size = magnitude(largest, reach);
         let plain = |powers: &[Double]| Block { head: powers.to_vec(), factors: Vec::new() };
         let block = |(powers, index): (&[Double], i32)| {
-            let weight = reach.powi(LEAST as i32 * index);
+            let weight = power(reach, LEAST as i32 * index);
             let adapted = Block::adapted(powers).filter(|block| block.magnitude(reach) * weight <= size / 32.0);
             adapted.unwrap_or_else(|| plain(powers))
         };
         let (first, small) = powers.split_at(powers.len().min(LEAST));
         let (lead, first) = if largest_last { (largest, &others[..others.len().min(2)]) } else { (&[][..], first) };
         let rest: Vec<Block> = std::iter::once(plain(first)).chain(small.chunks(LEAST).zip(1..).map(block)).collect();
-        let lost = mismatch(&powers[lead.len()..], &rest, reach) * reach.powi(lead.len() as i32);
+        let lost = mismatch(&powers[lead.len()..], &rest, reach) * power(reach, lead.len() as i32);
         Self { chunk: LEAST, lead: lead.to_vec(), rest, mismatch: lost }
     }
 

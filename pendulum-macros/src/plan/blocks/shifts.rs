@@ -2,6 +2,7 @@
 
 use super::Block;
 use super::roots::{factored, roots};
+use crate::power::power;
 use crate::supremum::largest;
 use pendulum_runtime::double::Double;
 
@@ -58,7 +59,7 @@ fn rounding(powers: &[f64], shift: f64, chunk: usize, most: f64) -> Option<f64> 
     let blocks = blocks?;
     let at = |index: u32| {
         let y = 0.25 * f64::from(index) / f64::from(POINTS) + shift;
-        let power = y.abs().powi(chunk as i32);
+        let power = power(y.abs(), chunk as i32);
         blocks.iter().rev().fold((0.0, 0.0), |(value, error): (f64, f64), block| {
             let (own, own_error) = rough_value(block, y);
             (own + value * power, own_error + power * (error + 4.0 * value.abs()) + own.abs())

@@ -14,6 +14,7 @@
 
 use crate::parse::Float;
 use crate::plan::cosines::Local;
+use crate::power::power;
 use crate::program::rounding::half_ulp;
 use pendulum_runtime::double::Double;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -197,7 +198,7 @@ fn cosines_by_cosine(sum: &Local, low: f64, high: f64) -> f64 {
 /// and its derivative (S″ + S) sin φ.
 fn sines_by_cosine(integral: &Local, low: f64, high: f64) -> f64 {
     let [first, last] = ends(low, high);
-    let [sum, slope, bend] = [1, 2, 3].map(|order| integral.largest(order) / PI.powi(order as i32 - 1));
+    let [sum, slope, bend] = [1, 2, 3].map(|order| integral.largest(order) / power(PI, order as i32 - 1));
     if low.min(high) <= 0.0 {
         return (bend + sum) / (1.0 + libm::cos(last));
     }

@@ -137,7 +137,7 @@ impl Aim {
             let (direction, turns) = (task.direction, task.turns);
             let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
             let from_top = from_top.map(|_| self.curves[0].bound(0.0));
-            Finish::Turning(Turning { from_top, unit, wrapped, direction, turns })
+            Finish::Turning(Turning { from_top, unit, wrapped, slope: self.size.slope, direction, turns })
         } else if wrapped {
             self.finished_near_top()
         } else {

@@ -11,6 +11,7 @@ use crate::plan::memo::Memo;
 use crate::plan::polynomial::{Approximation, Leeway, Numerator, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
+use crate::power::two_to;
 use crate::program::cost::{CLAMP, MINIMUM};
 use crate::series::Parity;
 use crate::supremum::norm;
@@ -36,10 +37,8 @@ impl Approximations {
         // So far below the aim that it doesn't blur the bound of a plan that, for want of half terms, is much better.
         // Over an arc, that may be any number of digits; but there it costs nothing.
         let negligible = |curve: &Curve| match curve.largest_met() {
-            Some(largest) => {
-                aim.floor() * 2f64.powi(-20) * (largest.hi / curve.size.largest).clamp(2f64.powi(-30), 1.0)
-            }
-            None => (aim.truncation.min(curve.size.largest) * 2f64.powi(-30)).max(aim.floor() / 128.0),
+            Some(largest) => aim.floor() * two_to(-20) * (largest.hi / curve.size.largest).clamp(two_to(-30), 1.0),
+            None => (aim.truncation.min(curve.size.largest) * two_to(-30)).max(aim.floor() / 128.0),
         };
         let none = || Rc::new([]) as Rc<[Approximation]>;
         let over = |pole| {

@@ -28,6 +28,7 @@ use super::fit::{Domain, Fit};
 use super::variables::Variables;
 use crate::motion::{Elliptic, Motion};
 use crate::parse::{Float, Output};
+use crate::power::{power, two_to};
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Program};
 use crate::series::Parity;
@@ -138,7 +139,7 @@ impl Orbit {
     }
 
     fn q(&self) -> f64 {
-        self.image.hi * 2f64.powi(self.image_exponent)
+        self.image.hi * two_to(self.image_exponent)
     }
 }
 
@@ -162,7 +163,7 @@ impl Passage {
         let levels = [
             (Images::Sum, by_sum * q.sqrt()),
             (Images::Denominator, by_ratio * q),
-            (Images::Correction, by_ratio * q.powi(3)),
+            (Images::Correction, by_ratio * power(q, 3)),
         ];
         let matters = |&&(_, change): &&(Images, f64)| change > limit / 8.0;
         let images = levels.iter().rev().find(matters).map_or(Images::Nothing, |level| level.0);
@@ -171,7 +172,7 @@ impl Passage {
         // whose inverse the arctangent is a mean.
         let lowest = match images {
             Images::Sum => 1.0 + q,
-            Images::Denominator if orbit.sigma < 0.0 => (1.0 - q) / (1.0 - q - q.powi(3)),
+            Images::Denominator if orbit.sigma < 0.0 => (1.0 - q) / (1.0 - q - power(q, 3)),
             _ => 1.0,
         };
         let largest = lowest * lowest;
@@ -179,7 +180,7 @@ impl Passage {
             .is_angle()
             .then(|| Fit::new(&Domain::reaching(largest * 1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
         let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
-        let truncation = left_out.sum::<f64>() + 5.0 * q.powi(6);
+        let truncation = left_out.sum::<f64>() + 5.0 * power(q, 6);
         // A truncation of a few units of rounding is asked for where full precision is.
         let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
         Self { output, orbit, distances, images, careful, even, odd, arctangent, factor, truncation }
@@ -252,7 +253,7 @@ impl Passage {
             from <= furthest && to > nearest
         };
         let bound = |(j, low, high): (i32, f64, f64)| {
-            let power = |exponent: i32| 2f64.powi(exponent.max(-1022));
+            let power = |exponent: i32| two_to(exponent.max(-1022));
             let image = |j: i32| power(j + self.orbit.image_exponent);
             let (powers, images) = if stands_for_all_that_follow(j) {
                 ((0.0, power(-j)), (0.0, image(binades)))

@@ -2,6 +2,7 @@
 
 use super::quotient::{Parts, Quotient, linear, near};
 use super::{Images, Passage};
+use crate::power::{power, two_to};
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
@@ -28,12 +29,12 @@ impl Passage {
         let (sigma, q) = (self.orbit.sigma, self.orbit.q());
         let mut top = quotient.counterpart;
         if let Some(squares) = quotient.squares {
-            let correction = if self.images == Images::Correction { q.powi(4) } else { 0.0 };
+            let correction = if self.images == Images::Correction { power(q, 4) } else { 0.0 };
             let constant = 1.0 - q * q * (1.0 + correction);
             let mut series = linear(b, constant, -sigma * q * (1.0 - correction), squares);
             if self.images == Images::Correction {
                 let square = b.mul(squares, squares);
-                let last = near(b, q.powi(4));
+                let last = near(b, power(q, 4));
                 let last = b.mul(square, last);
                 series = b.add(series, last);
             }
@@ -52,7 +53,7 @@ impl Passage {
         if self.images == Images::Nothing {
             return Double::new(2.0);
         }
-        let (sigma, q) = (Double::new(self.orbit.sigma), self.orbit.image.scale(2f64.powi(self.orbit.image_exponent)));
+        let (sigma, q) = (Double::new(self.orbit.sigma), self.orbit.image.scale(two_to(self.orbit.image_exponent)));
         let m = Double::ONE + q * q;
         let part = |keep: bool, value: Double| if keep { value } else { Double::ZERO };
         let p = Double::ONE + part(self.images >= Images::Denominator, sigma * q * m);

@@ -2,6 +2,7 @@
 
 use super::{Images, Passage};
 use crate::parse::Float;
+use crate::power::power;
 use crate::program::{Builder, Id, Op};
 
 /// The exponent w beyond which E = 2⁻ʷ is nothing beside 1 whatever is asked.
@@ -132,7 +133,7 @@ impl Passage {
             return Quotient { numerator, counterpart, squares: Some(squares), denominator: None };
         }
         let numerator = if self.images == Images::Correction {
-            let correction = linear(b, 1.0 - q.powi(4), sigma * q.powi(3), squares);
+            let correction = linear(b, 1.0 - power(q, 4), sigma * power(q, 3), squares);
             b.mul(numerator, correction)
         } else {
             numerator
@@ -144,7 +145,7 @@ impl Passage {
     fn excess(&self, b: &mut Builder, squares: Id, denominator: Id) -> Id {
         let (sigma, q) = (self.orbit.sigma, self.orbit.q());
         let top = if self.images == Images::Correction {
-            linear(b, -q.powi(4), -sigma * q * (1.0 - q * q), squares)
+            linear(b, -power(q, 4), -sigma * q * (1.0 - q * q), squares)
         } else {
             let slope = near(b, -sigma * q);
             b.mul(slope, squares)

@@ -87,12 +87,12 @@ impl Shortened {
 
 /// How the error of a whole series grows on ellipses about its interval.
 #[derive(Clone, Debug)]
-enum Growth {
+pub(in crate::plan) enum Growth {
     /// It is due to so many points of interpolation, ln ρ being that of the ellipse where the curve is bounded: a sum of
     /// Tⱼ for j from their number on, in which the weights fall like ρ⁻ʲ.
     Points { points: usize, log_rho: f64 },
-    /// By this power of their parameter at most.
-    Power(f64),
+    /// By this power of their parameter at most, up to the ellipse with ln ρ.
+    Power { power: f64, log_rho: f64 },
 }
 
 impl Growth {
@@ -105,7 +105,8 @@ impl Growth {
                 let tail = (1.0 - libm::exp(-log_rho)) / (1.0 - libm::exp(log - log_rho));
                 tail * libm::cosh(points as f64 * log)
             }
-            Self::Power(power) => libm::exp(power * log),
+            Self::Power { log_rho, .. } if log > log_rho => f64::INFINITY,
+            Self::Power { power, .. } => libm::exp(power * log),
         }
     }
 }
@@ -160,16 +161,15 @@ impl Approximation {
         Self { leeway: Some(leeway), shortened: Memo::default(), enough: Memo::default(), ..self.clone() }
     }
 
-    /// An even function of which the series and its error are known, and by which power of an ellipse's parameter that
-    /// grows.
-    pub(crate) fn known(map: Option<Moebius>, series: Vec<Double>, remainder: f64, growth: f64) -> Self {
+    /// An even function of which the series and its error are known, and how that grows.
+    pub(in crate::plan) fn known(map: Option<Moebius>, series: Vec<Double>, remainder: f64, growth: Growth) -> Self {
         Self {
             parity: Parity::Even,
             pole: None,
             map,
             series,
             remainder,
-            growth: Growth::Power(growth),
+            growth,
             leeway: None,
             shortened: Memo::default(),
             enough: Memo::default(),
@@ -312,12 +312,15 @@ pub(super) fn at_most_cosh(x: f64) -> f64 {
 }
 
 /// What an interpolation is off by where samples are: by what they are rounded by, over the least phase if the curve is
-/// odd, which is above 1/(8·points); and, where the whole curve is interpolated, by terms that its sum omits, of samples by
-/// their slope at most, since the first of them oscillates, and over s if the curve is odd.
+/// odd, which is above 1/(8·points); and by terms that its sum omits, since it is the whole curve that is interpolated: of
+/// samples by their slope at most, since the first of them oscillates, and over s if the curve is odd, in an arc by that
+/// part of their slope.
 fn missed(curve: &Curve, points: usize) -> f64 {
-    let omitted = if curve.is_arc() { 0.0 } else { curve.omitted_slope() };
-    let divisor = if curve.parity() == Parity::Odd { 8.0 * points as f64 } else { 1.0 };
-    lebesgue(points) * (omitted + curve.rounding() * divisor)
+    let (divisor, stretch) = match curve.parity() {
+        Parity::Odd => (8.0 * points as f64, curve.stretch()),
+        _ => (1.0, 1.0),
+    };
+    lebesgue(points) * (curve.omitted_slope() * stretch + curve.rounding() * divisor)
 }
 
 /// As many points as make the interpolation error negligible.

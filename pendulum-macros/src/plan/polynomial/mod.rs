@@ -15,6 +15,7 @@ mod truncated;
 mod weight;
 
 pub(crate) use approximation::Approximation;
+pub(in crate::plan) use approximation::Growth;
 pub(crate) use leeway::Leeway;
 
 use super::blocks::{Blocks, one_by_one};

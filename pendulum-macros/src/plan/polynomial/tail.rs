@@ -3,6 +3,7 @@
 
 use super::approximation::at_most_cosh;
 use super::weight::Weight;
+use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::supremum::worst;
 use std::f64::consts::PI;
@@ -19,10 +20,10 @@ pub(super) const CELLS: u32 = 192;
 /// those angles by h²/8 times the largest fourth derivative, of which the same holds: over double poles the sum may be
 /// thousands of times as large elsewhere.
 pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach: f64) -> f64 {
-    let eighth = angle(1).powi(2) / 8.0;
+    let eighth = power(angle(1), 2) / 8.0;
     // Σ j²cⱼ cos jφ, and so on, and the sums of their terms' magnitudes.
     let derivative = |order: usize| {
-        let terms = coefficients.iter().zip(first..).map(|(c, j)| (j as f64).powi(2 * order as i32) * c);
+        let terms = coefficients.iter().zip(first..).map(|(c, j)| power(j as f64, 2 * order as i32) * c);
         let terms: Vec<f64> = terms.collect();
         (terms.iter().map(|c| c.abs()).sum::<f64>(), terms)
     };

@@ -8,6 +8,7 @@ use crate::parse::Float;
 use crate::plan::blocks::{Blocks, magnitude};
 use crate::plan::form::Form;
 use crate::plan::reduction::Reduction;
+use crate::power::power;
 use crate::program::rounding::UNDERFLOW;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
@@ -218,11 +219,11 @@ struct Variable {
 /// the unit are. Powers of a phase in units of time are of any size, and an amplitude may be 1e-300.
 fn lost_to_underflow(terms: usize, area: Double) -> f64 {
     let eighth = 8.0 * area.hi;
-    if !Float::F64.moderate().contains(&eighth.powi(terms as i32)) {
+    if !Float::F64.moderate().contains(&power(eighth, terms as i32)) {
         return f64::INFINITY;
     }
     // Of 8p ≤ 2.
-    UNDERFLOW * (0..terms).map(|power| (2.5 / eighth).powi(power as i32)).sum::<f64>()
+    UNDERFLOW * (0..terms).map(|order| power(2.5 / eighth, order as i32)).sum::<f64>()
 }
 
 /// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes

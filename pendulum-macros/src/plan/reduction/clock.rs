@@ -5,6 +5,7 @@ use super::{LINEAR_HALF, Origin, Reduction, Scheme, is_half};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Float;
+use crate::power::two_to;
 use crate::program::rounding::{half_ulp, is_power_of_two};
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
@@ -128,12 +129,12 @@ impl<'a> Clock<'a> {
             _ => 0.0,
         };
         let (halvings, most) = match self.float {
-            Float::F64 => (18, 2f64.powi(1000)),
-            Float::F32 => (3, 2f64.powi(120)),
+            Float::F64 => (18, two_to(1000)),
+            Float::F32 => (3, two_to(120)),
         };
         match 1 + exponent(factor) {
             _ if factor < 0.99 => (1.0, None),
-            needed if needed <= halvings => (2f64.powi(-needed), None),
+            needed if needed <= halvings => (two_to(-needed), None),
             _ => (1.0, Some(self.float.round(most / factor))),
         }
     }
@@ -172,8 +173,8 @@ impl<'a> Clock<'a> {
             return None;
         }
         // The last product is to stay below a power of two.
-        let least = 2f64.powi(1 - bits);
-        let top = 0.998 * 2f64.powi(libm::log2(anchors).ceil() as i32) / anchors;
+        let least = two_to(1 - bits);
+        let top = 0.998 * two_to(libm::log2(anchors).ceil() as i32) / anchors;
         let top = (top.clamp(1.0, 2.0) / least).floor();
         let rate = self.rate.to_double();
         let off = |anchor: f64| {
@@ -265,12 +266,12 @@ impl<'a> Clock<'a> {
     /// the second product is exact, too, and the third below 2⁻³; what they leave is below 2⁻⁵⁷, and two sums are
     /// rounded to 2⁻⁵⁴.
     fn fine_any_time(&self) -> Reduction {
-        self.wide_words(Origin::Lowest, split_down(self.rate, 29, 3, Float::F64), 2f64.powi(-52))
+        self.wide_words(Origin::Lowest, split_down(self.rate, 29, 3, Float::F64), two_to(-52))
     }
 
     fn wide_words(&self, origin: Origin, words: Vec<f64>, error: f64) -> Reduction {
         // n is rounded from sums of up to 2²⁶ either way.
-        let overshoot = 2f64.powi(-26);
+        let overshoot = two_to(-26);
         let errors = self.narrowed(error, overshoot, origin);
         let reduction = self.reduction(Scheme::WideAnyTime { words }, origin, errors, overshoot);
         Reduction { rounding: NARROWING, ..reduction }
@@ -302,7 +303,7 @@ impl<'a> Clock<'a> {
         };
         Reduction {
             launch: self.launch,
-            error: (launch + 1.0) * 2f64.powi(-74),
+            error: (launch + 1.0) * two_to(-74),
             relative_error: if roundings == 0.0 { 0.0 } else { (roundings + SECOND_ORDER) * self.float.unit() },
             // Infinite times are seen by it, too.
             cap: Some(cap.min(self.float.largest())),
@@ -325,7 +326,7 @@ impl<'a> Clock<'a> {
         let drift = self.drift(&words) + self.rounding_of_last_part(&words);
         let scheme = Scheme::AnyTime { words, doubled };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
-        let overshoot = 2f64.powi(-20);
+        let overshoot = two_to(-20);
         if origin == Origin::Lowest {
             return self.reduction(scheme, origin, [drift, (3.0 + SECOND_ORDER) * Float::F64.unit()], overshoot);
         }
@@ -341,7 +342,7 @@ impl<'a> Clock<'a> {
     /// words are wrong by more, and there all counts; in two words the last sum is rounded, and one with n.
     fn rounding_of_sums(&self, count: usize, doubled: bool) -> [f64; 2] {
         match (count, self.starts_on_half()) {
-            (4, false) if !doubled => [4.0 * SUM + 2f64.powi(-75), 2.0 * SUM],
+            (4, false) if !doubled => [4.0 * SUM + two_to(-75), 2.0 * SUM],
             (4, true) => [3.0 * SUM, SUM],
             (2 | 3, false) => [5.0 * SUM, 0.0],
             _ => [2.0 * SUM, 0.0],
@@ -353,7 +354,7 @@ impl<'a> Clock<'a> {
     fn rounding_of_last_part(&self, words: &[f64]) -> f64 {
         let most = |word: usize| self.reach() * words[words.len() - word].abs() * WIDENED;
         let (last, before) = (most(1), most(2));
-        half_ulp(last, Float::F64) + half_ulp(last + before * 2f64.powi(-26), Float::F64)
+        half_ulp(last, Float::F64) + half_ulp(last + before * two_to(-26), Float::F64)
     }
 
     /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is

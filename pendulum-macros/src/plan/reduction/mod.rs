@@ -16,6 +16,7 @@ mod words;
 pub(crate) use clock::Clock;
 
 use crate::parse::Float;
+use crate::power::two_to;
 use crate::program::{Builder, Id, Program};
 use pendulum_runtime::double::Double;
 use std::ops::Range;
@@ -135,7 +136,7 @@ const LINEAR_HALF: f64 = 700.0;
 impl Reduction {
     /// The time itself, where |t| up to `reach` is half an arc, if its type is good for such times.
     pub(crate) fn time(reach: f64, lopsided: bool, float: Float) -> Option<Self> {
-        let scale = if MODERATE.contains(&reach) { 1.0 } else { 2f64.powi(-1 - exponent(reach)) };
+        let scale = if MODERATE.contains(&reach) { 1.0 } else { two_to(-1 - exponent(reach)) };
         float.moderate().contains(&reach).then(|| Self {
             unit: Double::new(0.5 / scale) / reach,
             scale,
@@ -185,7 +186,7 @@ impl Reduction {
         let seldom = self.seldom / pieces;
         // Every piece is met whole, whether beyond the horizon or not.
         let overshoot = self.overshoot.max(0.0);
-        (self.has_pieces() && error * pieces < 2f64.powi(-10)).then(|| Self {
+        (self.has_pieces() && error * pieces < two_to(-10)).then(|| Self {
             error,
             seldom,
             overshoot,
@@ -256,7 +257,7 @@ impl Reduction {
     pub(crate) fn leaps(&self) -> bool {
         let one_word = match self.scheme {
             Scheme::OneWord { .. } => true,
-            Scheme::Wide { rate } => rate < 2f64.powi(50),
+            Scheme::Wide { rate } => rate < two_to(50),
             _ => false,
         };
         let exact = self.launch == Double::ZERO && self.overshoot == 0.0 && self.pieces == 1.0;

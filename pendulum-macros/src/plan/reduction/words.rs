@@ -2,6 +2,7 @@
 
 use crate::exact::Real;
 use crate::parse::Float;
+use crate::power::two_to;
 
 /// `x` > 0 as a sum of `count` words rounded down, all but the last with at most `bits` bits: no word is negative, so
 /// that overflow in their products can't meet with opposite signs.
@@ -26,12 +27,12 @@ pub(super) fn split_down(x: &Real, bits: i32, count: usize, float: Float) -> Vec
 /// each word's leading bit stands at least that many places below the one before.
 pub(super) fn split_near(x: &Real, bits: &[i32]) -> Vec<f64> {
     let mut rest = x.clone();
-    let mut unit = 2f64.powi(exponent(x.to_f64()) + 1);
+    let mut unit = two_to(exponent(x.to_f64()) + 1);
     let mut words = vec![0.0; bits.len() + 1];
     for (index, word) in words.iter_mut().enumerate() {
         let head = rest.to_f64();
         *word = head;
-        unit *= bits.get(index).map_or(1.0, |&bits| 2f64.powi(-bits));
+        unit *= bits.get(index).map_or(1.0, |&bits| two_to(-bits));
         // Of a unit that underflows all floats are multiples.
         if index < bits.len() && unit > 0.0 {
             *word = (head / unit).round_ties_even() * unit;

@@ -5,6 +5,7 @@
 //! between −π/2 and π/2 from one of them to the next, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
 
 use crate::chebyshev::{cos_pi, sin_pi, value};
+use crate::power::power;
 use crate::series::Wave;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
@@ -32,7 +33,7 @@ pub(super) fn of_residual(sum: &Wave, points: &[Point], residual: f64) -> Option
 
 /// Bounds |y″|.
 fn bend(sum: &Wave) -> f64 {
-    sum.terms().iter().map(|&(m, w)| w.hi.abs() * (f64::from(m) * PI).powi(2)).sum()
+    sum.terms().iter().map(|&(m, w)| w.hi.abs() * power(f64::from(m) * PI, 2)).sum()
 }
 
 /// |y| at a phase.
@@ -48,7 +49,7 @@ fn largest(points: &[Point], bend: f64) -> f64 {
     let lowest = Point { s: 0.5, y: 0.0 };
     let other_side = points.last().map(|&Point { s, y }| Point { s: -s, y });
     let all: Vec<Point> = std::iter::once(lowest).chain(points.iter().copied()).chain(other_side).collect();
-    let between = |pair: &[Point]| worst([pair[0].y, pair[1].y]) + bend * (pair[0].s - pair[1].s).powi(2) / 8.0;
+    let between = |pair: &[Point]| worst([pair[0].y, pair[1].y]) + bend * power(pair[0].s - pair[1].s, 2) / 8.0;
     worst(all.windows(2).map(between))
 }
 

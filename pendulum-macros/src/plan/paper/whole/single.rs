@@ -17,7 +17,7 @@ use crate::plan::Bound;
 use crate::plan::form::{Division, Form};
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::moebius::Moebius;
-use crate::plan::polynomial::{Approximation, Numerator};
+use crate::plan::polynomial::{Approximation, Growth, Numerator};
 use crate::plan::reduction::Reduction;
 use crate::series::Wave;
 use pendulum_runtime::double::Double;
@@ -87,11 +87,10 @@ struct Chart<'a> {
     map: Option<Moebius>,
 }
 
-/// A bound of how far a series is from θ̂ on the interval, and by which power of its parameter it grows on ellipses
-/// about it.
+/// A bound of how far a series is from θ̂ on the interval, and how it grows on ellipses about it.
 struct Distance {
     within: f64,
-    growth: f64,
+    growth: Growth,
 }
 
 impl Chart<'_> {
@@ -145,8 +144,9 @@ impl Chart<'_> {
         let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = table.points().map(sample).unzip();
         let residual = interpolation.supremum(residuals);
         let within = of_residual(self.sum, &points_of_sum, residual)?;
-        let growth = libm::log(self.bound(series, interpolation.rho)? / residual) / libm::log(interpolation.rho);
-        Some(Distance { within, growth })
+        let log_rho = libm::log(interpolation.rho);
+        let power = libm::log(self.bound(series, interpolation.rho)? / residual) / log_rho;
+        Some(Distance { within, growth: Growth::Power { power, log_rho } })
     }
 
     /// Bounds the residual on the ellipse with parameter ρ; `None` where that reaches infinite phases.
@@ -225,8 +225,10 @@ mod tests {
                         .abs()
                 };
                 let seen = (0..=100).map(|i| error(0.5 + beyond * f64::from(i) / 100.0)).fold(0.0, f64::max);
-                let [inner, outer] = [0.0, beyond].map(|beyond| known.truncation(points, beyond));
+                let [inner, outer, farther] = [0.0, beyond, 0.2].map(|beyond| known.truncation(points, beyond));
                 assert!(seen <= outer, "{theta0} {map:?}: {inner:e} {seen:e} {outer:e}");
+                // Nothing is known beyond the ellipse where the sum was bounded.
+                assert_eq!(farther, f64::INFINITY, "{theta0} {map:?}");
                 grown += u32::from(seen > inner);
             }
         }

@@ -258,9 +258,11 @@ fn errors_with_a_leeway() {
 /// A known error grows by a power of the ellipse's parameter.
 #[test]
 fn growth_of_known_errors() {
-    let approximation = Approximation::known(None, vec![Double::ONE; 6], 1e-9, 50.0);
+    let growth = Growth::Power { power: 50.0, log_rho: 5e-3 };
+    let approximation = Approximation::known(None, vec![Double::ONE; 6], 1e-9, growth);
     let stretch = approximation.truncation(6, 1e-6) / approximation.truncation(6, 0.0);
     assert!((stretch / (50.0 * 4e-3f64).exp() - 1.0).abs() < 1e-6, "{stretch}");
+    assert_eq!(approximation.truncation(6, 2e-6), f64::INFINITY);
 }
 
 /// 4Bρ^(1−M)/(ρ − 1) with the bounds of the curve and of its poles, over s if it is odd, on the image of the ellipse:

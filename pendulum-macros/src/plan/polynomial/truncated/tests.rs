@@ -1,5 +1,6 @@
 //! Polynomials in other units and forms, over poles and beside them, against the curves and the series that they are of.
 
+use super::super::approximation::Growth;
 use super::super::approximation::tests::{PLAIN, curves, nearest};
 use super::*;
 use crate::exact::Context;
@@ -157,7 +158,12 @@ fn nothing_beside() {
 fn values_of_the_image() {
     let (_, reduction) = curves("theta0 = 1");
     let map = Moebius { place: 0.5 };
-    let approximation = Approximation::known(Some(map), vec![Double::ONE; 6], 0.0, 0.0);
+    let approximation = Approximation::known(
+        Some(map),
+        vec![Double::ONE; 6],
+        0.0,
+        Growth::Power { power: 0.0, log_rho: f64::INFINITY },
+    );
     for form in Form::ALL {
         for (unit, s) in [(1.0, 0.3), (0.25, 0.4), (8.0, 0.45), (1.0, 0.0)] {
             let reduction = Reduction { unit: Double::new(unit), ..reduction.clone() };
@@ -184,7 +190,15 @@ fn reaches() {
     let kinds: [(_, &dyn Fn(f64) -> f64); 3] = [
         (Approximation::new(curve, None, 1e-9).unwrap(), &square),
         (Approximation::new(&curve.clone().over(arc), None, 1e-9).unwrap(), &|s| 0.25 * (s + 0.5)),
-        (Approximation::known(Some(map), vec![Double::ONE; 6], 0.0, 0.0), &|s| 0.75 * s * s / (s * s + 0.5)),
+        (
+            Approximation::known(
+                Some(map),
+                vec![Double::ONE; 6],
+                0.0,
+                Growth::Power { power: 0.0, log_rho: f64::INFINITY },
+            ),
+            &|s| 0.75 * s * s / (s * s + 0.5),
+        ),
     ];
     for (kind, (approximation, area)) in kinds.iter().enumerate() {
         for (unit, overshoot) in [(1.0, -0.2), (1.0, 0.0), (0.25, 1e-3), (8.0, 0.1)] {
