@@ -39,31 +39,36 @@ impl Arcsine {
     pub(crate) fn lower(&self, b: &mut Builder, y: Id, sign: f64) -> Id {
         if !self.complement {
             let square = b.mul(y, y);
-            let ratio = self.ratio(b, square);
-            let single = b.mul(y, ratio);
-            let two = b.constant(2.0 * sign);
-            return b.mul(single, two);
+            let ratio = self.ratio(b, square, 2.0 * sign);
+            return b.mul(y, ratio);
         }
         let (one, half) = (b.constant(1.0), b.constant(0.5));
         let rest = b.sub(one, y);
         let c = b.mul(rest, half);
         b.name(c, "c");
-        let (pi, four) = (b.rounded(Double::PI.scale(sign)), b.constant(4.0 * sign));
-        self.lower_of_complement(b, c, [pi, four])
+        let pi = b.rounded(Double::PI.scale(sign));
+        let fourfold = self.of_root(b, c, 4.0 * sign);
+        b.sub(pi, fourfold)
     }
 
     /// Emits sign·(π − 4 arcsin √c), given π and 4 with that sign.
     pub(crate) fn lower_of_complement(&self, b: &mut Builder, c: Id, [pi, four]: [Id; 2]) -> Id {
-        let root = b.push(Op::Root(c));
-        b.name(root, "root");
-        let ratio = self.ratio(b, c);
-        let single = b.mul(root, ratio);
+        let single = self.of_root(b, c, 1.0);
         let fourfold = b.mul(single, four);
         b.sub(pi, fourfold)
     }
 
-    fn ratio(&self, b: &mut Builder, c: Id) -> Id {
-        self.ratio.lower(b, c, &["c", "c2", "c4", "c8", "c16", "c32", "c64", "c128"])
+    /// factor·arcsin √c.
+    fn of_root(&self, b: &mut Builder, c: Id, factor: f64) -> Id {
+        let root = b.push(Op::Root(c));
+        b.name(root, "root");
+        let ratio = self.ratio(b, c, factor);
+        b.mul(root, ratio)
+    }
+
+    /// factor·arcsin √c/√c.
+    fn ratio(&self, b: &mut Builder, c: Id, factor: f64) -> Id {
+        self.ratio.times(factor).lower(b, c, &["c", "c2", "c4", "c8", "c16", "c32", "c64", "c128"])
     }
 
     pub(crate) fn terms(&self) -> usize {

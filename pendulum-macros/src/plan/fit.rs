@@ -48,6 +48,12 @@ impl Fit {
         Self { coefficients, truncation: dropped(terms) + rounding_of_powers(&series[..terms], 3.0) }
     }
 
+    /// So many times the function, a power of two and a sign, by which no digit changes.
+    pub(crate) fn times(&self, factor: f64) -> Self {
+        let coefficients = self.coefficients.iter().map(|&c| c.scale(factor)).collect();
+        Self { coefficients, truncation: self.truncation * factor.abs() }
+    }
+
     /// Emits the polynomial, its truncation charged to the constant term.
     pub(crate) fn lower(&self, b: &mut Builder, z: Id, names: &[&'static str]) -> Id {
         let constant = |(index, c): (usize, &Double)| {

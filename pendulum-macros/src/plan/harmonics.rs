@@ -28,7 +28,7 @@ pub(crate) struct Harmonics {
     pub(crate) sine: Option<Polynomial>,
     /// Weights of cos((2n−1)πs).
     pub(crate) cosines: Vec<Double>,
-    /// Weights of sin((2n−1)πs), where the output is a derivative.
+    /// Weights of sin((2n−1)πs), where the output is a derivative; twice those of y′ if it is an arcsine's.
     pub(crate) sines: Vec<Double>,
     pub(crate) made: Made,
     /// −1 for a mirror image; the weights of a sum that is sin(θ̂/2) are never mirrored.
@@ -115,7 +115,7 @@ impl Harmonics {
         };
         if let Made::OfSine { formula: Formula::Position, .. } = self.made {
             let y = self.argument(b, variables);
-            let x = self.sine_of_angle(b, y);
+            let x = self.sine_of_angle(b, y, Double::ONE);
             b.name(x, "x");
             let (square, one) = (b.mul(y, y), b.constant(1.0));
             let twice = b.add(square, square);
@@ -143,11 +143,7 @@ impl Harmonics {
         let sum = self.argument(b, variables);
         match &self.made {
             Made::OfSine { formula: Formula::Angle(arcsine), .. } => arcsine.lower(b, sum, self.direction),
-            Made::OfSine { formula: Formula::Acceleration(square), .. } => {
-                let sine = self.sine_of_angle(b, sum);
-                let square = b.rounded(-*square);
-                b.mul(sine, square)
-            }
+            Made::OfSine { formula: Formula::Acceleration(square), .. } => self.sine_of_angle(b, sum, -*square),
             _ => sum,
         }
     }
@@ -162,7 +158,7 @@ impl Harmonics {
         self.sum_of_cosines(b, cosine)
     }
 
-    /// The sum of sines; of an arcsine, 2y′/√((1 − y)(1 + y)).
+    /// The sum of sines; of an arcsine, where that is 2y′, over √((1 − y)(1 + y)).
     fn derivative(&self, b: &mut Builder, cosine: Id, sine: Id) -> Id {
         let (first, second) = clenshaw(b, cosine, &self.sines);
         let sum = second.map_or(first, |second| b.add(first, second));
@@ -173,8 +169,7 @@ impl Harmonics {
         }
         let y = self.sum_of_cosines(b, cosine);
         let root = root_of_rest(b, y);
-        let quotient = b.div(slope, root);
-        b.add(quotient, quotient)
+        b.div(slope, root)
     }
 
     fn sum_of_cosines(&self, b: &mut Builder, cosine: Id) -> Id {
@@ -184,10 +179,10 @@ impl Harmonics {
         b.name(sum, ARGUMENT)
     }
 
-    /// sin θ̂, mirrored or not.
-    fn sine_of_angle(&self, b: &mut Builder, y: Id) -> Id {
-        let two = b.constant(2.0 * self.direction);
-        let (root, twice) = (root_of_rest(b, y), b.mul(y, two));
+    /// factor·sin θ̂, mirrored or not.
+    fn sine_of_angle(&self, b: &mut Builder, y: Id, factor: Double) -> Id {
+        let twice = b.rounded(factor * (2.0 * self.direction));
+        let (root, twice) = (root_of_rest(b, y), b.mul(y, twice));
         b.mul(twice, root)
     }
 

@@ -32,19 +32,24 @@ fn random_scene(random: &mut Random) -> String {
     let single = random.one_in(3);
     let start = match random.below(4) {
         0 if !start.contains("velocity0") => format!("{start}, omega = {:.3e}", 10f64.powf(12.0 * random.unit() - 6.0)),
+        // Of near rates the regime is the same, or that beyond the separatrix.
+        0 => format!("{start}, omega = {:.3}", 0.5 + 1.5 * random.unit()),
         _ => start,
     };
     let goal = match (random.below(10), single) {
         (0, _) => format!(", n = {}", random.between(1, 12)),
         (1 | 2, _) => String::new(),
+        // Coarser than an amplitude may be, with phases that overshoot by much.
+        (3, _) => format!(", tol = {:.2e}", 10f64.powf(2.0 * random.unit() - 1.0)),
         (_, true) => format!(", tol = {:.2e}", 10f64.powf(-1.0 - 4.0 * random.unit())),
         (_, false) => format!(", tol = {:.2e}", 10f64.powf(-1.0 - 11.0 * random.unit())),
     };
-    let horizon = match random.below(5) {
+    let horizon = match random.below(6) {
         0 => String::new(),
         1 => format!(", t_max = {:.3}", 10.0 * random.unit() + 0.1),
         2 => format!(", t_max = {:.3e}", 10f64.powf(-3.0 * random.unit())),
-        _ => format!(", t_max = {:.3e}", 10f64.powf(if single { 4.0 } else { 8.0 } * random.unit())),
+        3 => format!(", t_max = {:.3e}", 10f64.powf(if single { 4.0 } else { 8.0 } * random.unit())),
+        _ => format!(", t_max = {:.3e}", 10f64.powf(if single { 7.0 } else { 16.0 } * random.unit())),
     };
     let output = random.choose(&["theta", "theta", "velocity", "acceleration", "position", "wrapped"]);
     let method = match random.below(14) {

@@ -98,8 +98,11 @@ impl Builder {
     /// Converts `x` to `float`, in which the program continues.
     pub(crate) fn convert(&mut self, x: Id, float: Float) -> Id {
         self.float = float;
-        if self.nodes[x].float == float {
-            return x;
+        match self.nodes[x].op {
+            _ if self.nodes[x].float == float => return x,
+            // It was of that type.
+            Op::Widen(narrow) => return narrow,
+            _ => {}
         }
         self.push(if float == Float::F64 { Op::Widen(x) } else { Op::Narrow(x) })
     }

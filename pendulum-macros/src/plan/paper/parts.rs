@@ -105,14 +105,19 @@ impl Sum<'_> {
         let cosine = self.wave(&Curve::cosine(&one), reduction);
         let sine = derivative.then(|| self.wave(&Curve::sine(), reduction));
         let made = self.made(output, reduction);
-        let mirrored = |weights: Vec<Double>| weights.into_iter().map(|weight| weight * direction).collect();
+        let times = |weights: Vec<Double>, factor: f64| weights.into_iter().map(|weight| weight * factor).collect();
+        let mirrored = |weights| times(weights, direction);
         let cosines = match (&made, output) {
             (Made::Sum, Output::Velocity) => Vec::new(),
             (Made::Sum, Output::Acceleration) => mirrored(self.bends()),
             (Made::Sum, _) => mirrored(self.weights.clone()),
             _ => self.weights.clone(),
         };
-        let sines = if derivative { mirrored(self.slopes()) } else { Vec::new() };
+        let sines = match made {
+            Made::Velocity => times(self.slopes(), 2.0 * direction),
+            _ if derivative => mirrored(self.slopes()),
+            _ => Vec::new(),
+        };
         Harmonics { cosine, sine, cosines, sines, made, direction }
     }
 

@@ -40,7 +40,7 @@ impl Aim {
             let left = limit;
             limit *= 0.125;
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
-                let kernel = Passage::new(self.output, orbit.clone(), distances, left);
+                let kernel = Passage::new(self.output, orbit.clone(), distances, reduction.half(), left);
                 let truncation = kernel.truncation * factor;
                 let kernel = self.finished(task, Core::Passage(Box::new(kernel)), None);
                 Ok(Rc::new(Draft::new(kernel, truncation)))

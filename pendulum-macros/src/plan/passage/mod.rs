@@ -67,6 +67,8 @@ pub(crate) struct Passage {
     orbit: Orbit,
     /// The least and the largest |phase| within the horizon.
     distances: [f64; 2],
+    /// The largest that a time beyond the horizon leaves.
+    half: f64,
     images: Images,
     /// Whether Q/P is formed with as little rounding as can be, at the price of a division.
     careful: bool,
@@ -144,8 +146,8 @@ impl Orbit {
 }
 
 impl Passage {
-    /// For phases of these magnitudes, with all approximations within `limit`, in units of the output's factor.
-    pub(crate) fn new(output: Output, orbit: Orbit, distances: [f64; 2], limit: f64) -> Self {
+    /// For phases of these magnitudes, and up to `half` whatever the time, with all approximations within `limit`, in units of the output's factor.
+    pub(crate) fn new(output: Output, orbit: Orbit, distances: [f64; 2], half: f64, limit: f64) -> Self {
         let factor = orbit.factor(output);
         let q = orbit.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
@@ -183,7 +185,7 @@ impl Passage {
         let truncation = left_out.sum::<f64>() + 5.0 * power(q, 6);
         // A truncation of a few units of rounding is asked for where full precision is.
         let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
-        Self { output, orbit, distances, images, careful, even, odd, arctangent, factor, truncation }
+        Self { output, orbit, distances, half, images, careful, even, odd, arctangent, factor, truncation }
     }
 
     /// For the reader.

@@ -14,12 +14,10 @@ impl Passage {
         b.name(tangent, "tangent");
         let square = b.mul(tangent, tangent);
         let ratio = match &self.arctangent {
-            Some(fit) => fit.lower(b, square, &["r", "r2", "r4", "r8", "r16", "r32"]),
+            Some(fit) => fit.times(4.0 * sign).lower(b, square, &["r", "r2", "r4", "r8", "r16", "r32"]),
             None => square,
         };
         let angle = b.mul(tangent, ratio);
-        let factor = b.constant(4.0 * sign);
-        let angle = b.mul(angle, factor);
         let pi = b.rounded(Double::PI.scale(sign));
         b.sub(pi, angle)
     }

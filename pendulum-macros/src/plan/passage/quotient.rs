@@ -5,7 +5,8 @@ use crate::parse::Float;
 use crate::power::power;
 use crate::program::{Builder, Id, Op};
 
-/// The exponent w beyond which E = 2⁻ʷ is nothing beside 1 whatever is asked.
+/// The exponent w beyond which E = 2⁻ʷ is nothing beside 1 whatever is asked, and near which powers of two come to their
+/// end.
 const FURTHEST: f64 = 900.0;
 
 /// f, 2⁻ʲ and q′·2ʲ but for its mantissa, of which the analysis of the rounding knows the ranges.
@@ -57,8 +58,12 @@ impl Passage {
     fn exponential(&self, b: &mut Builder, magnitude: Id) -> Exponential {
         let rate = b.rounded(self.orbit.rate);
         let w = b.mul(magnitude, rate);
-        let furthest = b.constant(FURTHEST);
-        let w = b.push(Op::Min { limit: furthest, x: w });
+        let w = if self.orbit.rate.hi * self.half < FURTHEST {
+            w
+        } else {
+            let furthest = b.constant(FURTHEST);
+            b.push(Op::Min { limit: furthest, x: w })
+        };
         b.name(w, "w");
         let constant = b.constant(Float::F64.magic());
         // −j, so that its bits are the exponent.

@@ -70,7 +70,7 @@ impl Trial {
             Output::Acceleration => Double::new(9.0),
             _ => Double::ONE,
         };
-        let passage = Passage::new(output, self.orbit.clone(), [0.0, 0.5], limit);
+        let passage = Passage::new(output, self.orbit.clone(), [0.0, 0.5], 0.5, limit);
         let kernel = Kernel::from(Core::Passage(Box::new(passage.clone())));
         let program = function(&self.reduction, &[&kernel]);
         let bound = (passage.truncation * factor.hi + passage.rounding(&program, f64::INFINITY)) / factor.hi;
@@ -138,7 +138,7 @@ fn velocities_at_the_lowest_point() {
         let trial = Trial::new(text, "f64");
         let fastest = trial.scene.motion.fastest().to_double();
         for limit in limits {
-            let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), [0.0, 0.5], limit);
+            let kernel = Passage::new(Output::Velocity, trial.orbit.clone(), [0.0, 0.5], 0.5, limit);
             let program = function(&trial.reduction, &[&Core::Passage(Box::new(kernel)).into()]);
             let mut given = program.clone();
             given.nodes[program.named("z").unwrap()].op = Op::Constant { value: 0.0, rest: 0.0 };
@@ -156,7 +156,7 @@ fn the_last_binade_stands_for_all_that_follow() {
         let motion = &scene("struct Motion; velocity0 = 2").motion;
         let (rate, image) = (Double::new(60.0), Double::new(q));
         let orbit = Orbit { rate, sigma: 1.0, image, image_exponent, ..Orbit::separatrix(motion, 1.0) };
-        Passage::new(Output::Theta, orbit, [0.0, 0.5], 1e-16)
+        Passage::new(Output::Theta, orbit, [0.0, 0.5], 0.5, 1e-16)
     };
     for (name, factor, constant) in [("power", 2f64.powi(30), 0.0), ("image_power", -(2f64.powi(15)), 1.0)] {
         let mut b = Builder::new(Float::F64);

@@ -290,7 +290,6 @@ impl<'a> Clock<'a> {
         let launch = self.launch.hi.abs();
         let furthest = (self.anchors() + launch) * (1.0 + 8.0 * self.float.unit());
         let half = self.float.round(furthest).min(LINEAR_HALF);
-        let cap = 2.0 * (LINEAR_HALF + launch) / self.rate.to_f64();
         let (passed, times) = (-(self.launch / rate), libm::exp2(power as f64));
         let scheme = Scheme::Linear { rate: rate.hi, passed, times, half };
         let product = if is_power_of_two(rate.hi) { 0.0 } else { 1.0 };
@@ -305,8 +304,6 @@ impl<'a> Clock<'a> {
             launch: self.launch,
             error: (launch + 1.0) * two_to(-74),
             relative_error: if roundings == 0.0 { 0.0 } else { (roundings + SECOND_ORDER) * self.float.unit() },
-            // Infinite times are seen by it, too.
-            cap: Some(cap.min(self.float.largest())),
             ..Reduction::exact(scheme, Origin::Lowest, self.float)
         }
     }

@@ -2,6 +2,7 @@
 
 use super::{Mirror, Origin, Phase, Reduction, Scheme, is_half};
 use crate::parse::Float;
+use crate::plan::variables::clamp;
 use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
 
@@ -25,7 +26,9 @@ impl Reduction {
             Scheme::AnyTime { words, doubled } => self.any_time(b, t, words, *doubled),
             Scheme::Time { .. } => self.unreduced(b, t),
             Scheme::Linear { rate, passed, times, .. } => {
-                let wide = b.convert(t, Float::F64);
+                let time = unless_infinite(b, t, t);
+                b.name(time, "time");
+                let wide = b.convert(time, Float::F64);
                 linear(b, wide, [*times, *rate], *passed)
             }
         };
@@ -34,14 +37,11 @@ impl Reduction {
         Phase { remainder: b.name(remainder, name), ..phase }
     }
 
-    /// `t` within ±cap, infinite times turned to NaN by t − t.
+    /// `t` within ±cap, and infinite times NaN.
     fn capped(&self, b: &mut Builder, t: Id) -> Id {
         let Some(cap) = self.cap else { return t };
-        let (most, least) = (b.constant(cap), b.constant(-cap));
-        let zero = b.sub(t, t);
-        let upper = b.push(Op::Min { limit: most, x: t });
-        let both = b.push(Op::Max { limit: least, x: upper });
-        let capped = b.add(both, zero);
+        let capped = clamp(b, t, cap);
+        let capped = unless_infinite(b, capped, t);
         b.name(capped, "time")
     }
 
@@ -246,16 +246,20 @@ impl Reduction {
         (b.sub(x, eights), eights)
     }
 
-    /// Infinite times are turned to NaN by t − t.
     fn unreduced(&self, b: &mut Builder, t: Id) -> Phase {
-        let zero = b.sub(t, t);
-        let mut remainder = b.add(t, zero);
+        let mut remainder = unless_infinite(b, t, t);
         if self.scale != 1.0 {
             let scale = b.constant(self.scale);
             remainder = b.mul(remainder, scale);
         }
         Phase { remainder, magic: t, count: t }
     }
+}
+
+/// `x`, but NaN where the time is infinite: there t − t is.
+fn unless_infinite(b: &mut Builder, x: Id, t: Id) -> Id {
+    let zero = b.sub(t, t);
+    b.add(x, zero)
 }
 
 /// Next to t₀ the first difference is exact (Sterbenz), and elsewhere, as the second is, rounded by a part of itself.

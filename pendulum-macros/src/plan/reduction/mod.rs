@@ -130,8 +130,9 @@ pub(crate) fn is_half(x: Double) -> bool {
 /// Times whose powers are of moderate size.
 const MODERATE: Range<f64> = 0.03125..32.0;
 
-/// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision.
-const LINEAR_HALF: f64 = 700.0;
+/// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision: 2⁻⁸⁹⁴ of half
+/// a turn from it.
+const LINEAR_HALF: f64 = 620.0;
 
 impl Reduction {
     /// The time itself, where |t| up to `reach` is half an arc, if its type is good for such times.
