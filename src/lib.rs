@@ -143,7 +143,7 @@ struct Readme;
 /// | `THETA0`, `OMEGA` | θ(0) in rad; ω in rad per unit of t | always |
 /// | `AMPLITUDE` | the largest \|θ\|, rad | for a swing |
 /// | `MODULUS` | k = sin(`AMPLITUDE`/2) of a swing, κ = 2ω/\|θ̇\| at the lowest point of a rotation, 1 on the separatrix | always |
-/// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), (κ in place of k) | for swings and rotations |
+/// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), κ in place of k in a rotation | for swings and rotations |
 /// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation | for swings and rotations |
 /// | `METHOD: &str` | `"polynomial"`; where that would be long `"pieces"` (a table of polynomials), near the top `"passage"` (through the lowest point; also the separatrix); or the `method` of the paper or `"series"` that was asked for | always |
 /// | `TERMS: usize` | terms (harmonics) of the first output | always |

@@ -171,21 +171,21 @@ impl Wave {
     /// Σ wₙ cos((2n−1)πs), nothing omitted.
     pub(crate) fn harmonics(weights: &[Double]) -> Self {
         let terms = weights.iter().enumerate().map(|(index, &weight)| (2 * index as u32 + 1, weight)).collect();
-        Self { terms, ..Self::cosine(Double::ONE) }
+        Self { terms, ..Self::cosine() }
     }
 
     /// sin(πs).
     pub(crate) fn sine() -> Self {
-        Self { parity: Parity::Odd, ..Self::cosine(Double::ONE) }
+        Self { parity: Parity::Odd, ..Self::cosine() }
     }
 
-    /// scale·cos(πs).
-    pub(crate) fn cosine(scale: Double) -> Self {
+    /// cos(πs).
+    fn cosine() -> Self {
         Self {
             parity: Parity::Even,
             linear: Double::ZERO,
             constant: Double::ZERO,
-            terms: vec![(1, scale)],
+            terms: vec![(1, Double::ONE)],
             omitted: 0.0,
             first_omitted: 1 + STEP,
             envelope: None,

@@ -216,14 +216,6 @@ impl Curve {
         let size = Size { largest: 1.0, slope: steepest, moment: steepest, unit: 1.0 };
         Self { wave: Wave::sine(), pulses: None, arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
-
-    /// θ0 cos(πs): small angles, Eqs. 3 and 17.
-    pub(crate) fn cosine(amplitude: &Real) -> Self {
-        let largest = amplitude.to_f64();
-        let slope = largest * std::f64::consts::PI;
-        let size = Size { largest, slope, moment: slope / 2.0, unit: 1.0 };
-        Self { wave: Wave::cosine(amplitude.to_double()), size, ..Self::sine() }
-    }
 }
 
 /// The functions of the phase that outputs are made of.

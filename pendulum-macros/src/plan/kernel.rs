@@ -53,7 +53,7 @@ impl Kernel {
         self.finish.rounding(self.core.rounding(reduction, cap), reduction.float)
     }
 
-    /// Of what isn't an angle that takes a finish.
+    /// The polynomial, if the output is that and nothing is done to it afterwards.
     pub(super) fn polynomial(&self) -> Option<&Polynomial> {
         match self {
             Self { core: Core::Polynomial(polynomial), finish: Finish::Nothing } => Some(polynomial),

@@ -16,6 +16,7 @@ mod memo;
 mod met;
 mod moebius;
 mod moments;
+mod observed;
 mod offer;
 mod paper;
 mod part;
@@ -174,12 +175,4 @@ impl Plan {
 }
 
 #[cfg(test)]
-mod full_precision_tests;
-#[cfg(test)]
-mod probe;
-#[cfg(test)]
-mod random_tests;
-#[cfg(test)]
 pub(crate) mod tests;
-#[cfg(test)]
-mod truth;

@@ -113,8 +113,8 @@ impl Pulses {
         if sum.is_finite() { bound * INFLATION_OF_SUMS } else { f64::INFINITY }
     }
 
-    /// Bounds the pulse of the nearest lowest point on the later half of an ellipse of these semi-axes: in each cell where it is nearest to that
-    /// and farthest from the real axis.
+    /// Bounds the pulse of the nearest lowest point on the later half of an ellipse of these semi-axes: in each cell where
+    /// it is nearest to that and farthest from the real axis.
     fn nearest(&self, centre: f64, long: f64, high: f64) -> f64 {
         let cosine = |x: f64| {
             let b = self.rate * high * libm::sqrt(1.0 - power((x - centre) / long, 2));

@@ -43,7 +43,6 @@ fn curves_of_swings() {
         stated(theta0, &curves.angle(), [1.001, 1.001, 1.1]);
         stated(theta0, &curves.velocity(), [1.001, 1.001, 1.1]);
         stated(theta0, &curves.acceleration(), [1.001, 1.001, 1.11]);
-        stated("cosine", &Curve::cosine(&swing.amplitude), [1.001, 1.001, 6.0]);
         // Their slopes count with the other factor's.
         for half in [curves.half_sine(), curves.half_cosine()] {
             assert!(sampled(&half, 0.0)[0] <= half.size.largest * (1.0 + 1e-9));
@@ -129,7 +128,8 @@ fn signs_of_swings() {
     for curve in [curves.angle(), curves.velocity(), curves.acceleration(), curves.half_sine()] {
         assert!(curve.alternates);
     }
-    assert!(!curves.half_cosine().alternates && Curve::sine().alternates && Curve::cosine(&swing.amplitude).alternates);
+    let cosine = Curve::harmonics(&[Double::ONE]);
+    assert!(!curves.half_cosine().alternates && Curve::sine().alternates && cosine.alternates);
 }
 
 /// An error of the phase costs its slope, and a part relative to that from the lowest point the moment; one relative to

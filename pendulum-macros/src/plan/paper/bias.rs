@@ -232,6 +232,4 @@ pub(super) fn supremum(phases: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64
 }
 
 #[cfg(test)]
-mod edge_tests;
-#[cfg(test)]
 mod tests;

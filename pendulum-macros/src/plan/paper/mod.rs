@@ -9,7 +9,7 @@ mod whole;
 use super::aim::FULL;
 use super::curve::{Curve, Curves, SwingCurves};
 use super::met::Met;
-use super::part::observed;
+use super::observed::{BY_RECURRENCE, observed};
 use super::reduction::{Clock, Reduction};
 use super::{Bound, Part, Plan, Refusal};
 use crate::exact::{Context, Real};
@@ -269,9 +269,9 @@ impl Sum<'_> {
         Plan { coefficients: self.coefficients.clone(), ..plan }
     }
 
-    /// The error that an output may have by the recurrence, of whose proven rounding two thirds are observed.
+    /// The error that an output may have by the recurrence.
     fn promise(&self, wanted: &Wanted) -> f64 {
-        self.promise_observed(2.0 / 3.0, wanted)
+        self.promise_observed(BY_RECURRENCE, wanted)
     }
 
     /// What the promise leaves to the phase and pieces.

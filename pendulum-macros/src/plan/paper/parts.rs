@@ -101,8 +101,7 @@ impl Sum<'_> {
     fn harmonics(&self, output: Output, reduction: &Reduction) -> Harmonics {
         let direction = self.direction();
         let derivative = output == Output::Velocity;
-        let one = self.scene.motion.omega.context().integer(1);
-        let cosine = self.wave(&Curve::cosine(&one), reduction);
+        let cosine = self.wave(&Curve::harmonics(&[Double::ONE]), reduction);
         let sine = derivative.then(|| self.wave(&Curve::sine(), reduction));
         let made = self.made(output, reduction);
         let times = |weights: Vec<Double>, factor: f64| weights.into_iter().map(|weight| weight * factor).collect();

@@ -6,9 +6,9 @@ use crate::motion::Regime;
 use crate::parse::Float;
 use crate::plan::kernel::Core;
 use crate::plan::plan;
-use crate::plan::probe::{assert_tight, evenly, largest_error};
+use crate::plan::tests::probe::{assert_tight, evenly, largest_error};
 use crate::plan::tests::scene;
-use crate::plan::truth::{State, distance};
+use crate::plan::tests::truth::{State, distance};
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 pub(super) fn planned(text: &str) -> Result<Plan, Refusal> {

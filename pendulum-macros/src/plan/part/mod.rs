@@ -10,6 +10,7 @@ mod polynomials;
 use super::aim::Aim;
 use super::curve::Curve;
 use super::kernel::{Core, Kernel};
+use super::observed::observed;
 use super::reduction::Reduction;
 use super::task::Task;
 use super::turning::{AT_TOP, Finish, Turning};
@@ -26,16 +27,6 @@ pub(super) use polynomials::Approximations;
 use std::f64::consts::PI;
 use std::rc::Rc;
 
-/// The largest part of what is proven that is observed where that is most of 2⁻⁴⁹ or 2⁻²⁰, but for errors that are met in
-/// full: of 4000 swings 0.79 in `f64` (which had 0.65 of it proven), and 0.835 in `f32`, in which a plan has fewer
-/// roundings and more of all times can be tried (`full_precision_tests::margins`).
-pub(super) fn observed(float: Float) -> f64 {
-    match float {
-        Float::F64 => 0.79,
-        Float::F32 => 0.84,
-    }
-}
-
 /// From these tolerances on a bound had better not be mostly of rounding, which is hardly ever at its worst: `MAX_ERROR` is
 /// to be at most four times what can be observed.
 fn close_from(float: Float) -> f64 {
@@ -45,11 +36,16 @@ fn close_from(float: Float) -> f64 {
     }
 }
 
+/// Turns are rounded besides.
+fn with_turns(kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Bound {
+    Bound { evaluation: bound.evaluation + kernel.finish.rounding_of_turns(reduction), ..bound }
+}
+
 impl Aim {
     /// The kernel of the first of three rounds that keeps the promise, or the least bound reached, in units of the
     /// tolerance. A round is told what the phase and the rounding of the kernel of the one before leave, and gives a
-    /// draft; or what can be reached at best, which ends the search. One that takes more than `most`
-    /// of the limit is of no use: neither is a second round then, nor what it would reach.
+    /// draft; or what can be reached at best, which ends the search. One that takes more than `most` of the limit is of no
+    /// use: neither is a second round then, nor what it would reach.
     fn first_kept(
         &self,
         reduction: &Reduction,
@@ -68,8 +64,7 @@ impl Aim {
             let Draft { kernel, truncation, .. } = &*draft;
             let evaluation = draft.rounding(reduction, room - phase - truncation);
             let bound = Bound { truncation: *truncation, phase, evaluation };
-            let turns = if self.grows() { 0.0 } else { kernel.finish.rounding_of_turns(reduction) };
-            rounding = bound.evaluation + turns;
+            rounding = self.judged(kernel, bound, reduction).evaluation;
             match self.accept(kernel, bound, reduction) {
                 Ok(part) if part.share <= most => return Ok(part),
                 Ok(part) => reached = reached.min(part.error()),
@@ -79,12 +74,9 @@ impl Aim {
         Err(reached)
     }
 
-    /// The part if it keeps the promise, else the bound reached, in units of the tolerance. At full precision the turns
-    /// of an angle that grows without bound cost what they cost: the promise is about the rest.
+    /// The part if it keeps the promise, else the bound reached, in units of the tolerance.
     pub(super) fn accept(&self, kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
-        let turns = kernel.finish.rounding_of_turns(reduction);
-        let whole = Bound { evaluation: bound.evaluation + turns, ..bound };
-        let judged = if self.grows() { bound } else { whole };
+        let judged = self.judged(kernel, bound, reduction);
         if judged.total().is_nan() || judged.total() > self.limit {
             return Err(judged.total() / self.size.unit);
         }
@@ -95,7 +87,7 @@ impl Aim {
             output,
             description: kernel.core.describe(),
             kernel: kernel.clone(),
-            bound: whole,
+            bound: with_turns(kernel, bound, reduction),
             unit,
             largest,
             share,
@@ -124,9 +116,11 @@ impl Aim {
         more - self.size.slope * reduction.seldom
     }
 
-    /// Whether what its turns are rounded by doesn't count.
-    fn grows(&self) -> bool {
-        self.goal == Goal::Full && self.output == Output::Theta
+    /// The bound that the promise is about: at full precision the turns of an angle that grows without bound cost what
+    /// they cost.
+    fn judged(&self, kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Bound {
+        let grows = self.goal == Goal::Full && self.output == Output::Theta;
+        if grows { bound } else { with_turns(kernel, bound, reduction) }
     }
 
     /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else

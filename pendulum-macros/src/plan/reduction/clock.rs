@@ -13,8 +13,10 @@ use pendulum_runtime::double::Double;
 /// The longest horizon in anchors, 2⁵⁴: 2⁵³ periods of a swing, which passes two in each.
 const UNLIMITED: f64 = (1_u64 << 54) as f64;
 
-/// The rounding of remainders up to ½ as they become `f32`, and of one just beyond ½ in a sum of any time.
+/// The rounding of remainders up to ½ as they become `f32`.
 const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
+
+/// That of a sum just beyond ½ in `f64`, by which any time is reduced.
 const SUM: f64 = f64::EPSILON / 4.0;
 
 /// Roundings of what is rounded, in units of the one that is counted: each is 2⁻²⁴ of it at most.

@@ -1,6 +1,6 @@
 //! Which of several ways that keep a promise is taken, at full precision with room.
 
-use crate::plan::part::observed;
+use crate::plan::observed::{FOR_A_MOMENT, observed};
 use crate::plan::reduction::Reduction;
 use crate::scene::Goal;
 
@@ -9,9 +9,6 @@ use crate::scene::Goal;
 pub(super) const COMFORTABLE: f64 = 0.475;
 /// The part that still keeps it, where more room costs more than that twentieth.
 pub(super) const TOLERABLE: f64 = 0.49;
-/// What is observed of what is proven where the phase is the time itself, whose error is no part of the bound: of 700
-/// swings in `f32` (`full_precision_tests::margins`).
-const OBSERVED_FOR_A_MOMENT: f64 = 0.94;
 /// How much more what is comfortable may cost than what is tolerable.
 pub(super) const DEARER: f64 = 1.05;
 
@@ -55,7 +52,7 @@ pub(super) struct Limits {
 impl Limits {
     pub(super) fn of(goal: Goal, reduction: &Reduction) -> Self {
         let [comfortable, tolerable] = match goal {
-            Goal::Full if reduction.is_time() => [TOLERABLE / OBSERVED_FOR_A_MOMENT; 2],
+            Goal::Full if reduction.is_time() => [TOLERABLE / FOR_A_MOMENT; 2],
             Goal::Full => [COMFORTABLE, TOLERABLE].map(|expected| expected / observed(reduction.float)),
             _ => [1.0; 2],
         };

@@ -3,7 +3,7 @@
 use super::candidate::Way;
 use super::choice::{COMFORTABLE, DEARER, TOLERABLE};
 use super::*;
-use crate::plan::part::observed;
+use crate::plan::observed::observed;
 use crate::plan::reduction::Origin;
 use crate::plan::tests::scene;
 use crate::plan::{Bound, kernel};

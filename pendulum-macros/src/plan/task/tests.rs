@@ -6,7 +6,7 @@ use crate::parse::Float;
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Origin;
 use crate::plan::tests::scene;
-use crate::plan::truth::State;
+use crate::plan::tests::truth::State;
 use pendulum_runtime::double::Double;
 
 const ALL: &str = "outputs = [theta, velocity, acceleration, position]";

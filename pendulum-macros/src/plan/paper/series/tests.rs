@@ -4,7 +4,7 @@ use super::super::tests::{planned, truncation};
 use super::super::*;
 use crate::fuzz::random::Random;
 use crate::motion::Regime;
-use crate::plan::probe::largest_error;
+use crate::plan::tests::probe::largest_error;
 use crate::plan::tests::scene;
 /// The error of the series is the supremum of its tail, here from samples of it. The bound's own are 16 a wave, so that
 /// it is at most 1/cos(π/16) above. (It isn't θ0 less the sum, which is the error at t = 0: elsewhere it is larger by

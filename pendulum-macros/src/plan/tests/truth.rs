@@ -6,7 +6,7 @@ use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing};
 use crate::parse::Output;
 
 /// θ, θ̇ and what follows from them at one time.
-pub(super) struct State {
+pub(in crate::plan) struct State {
     theta: Real,
     /// θ less its turns.
     wrapped: Real,
@@ -15,7 +15,7 @@ pub(super) struct State {
 }
 
 impl State {
-    pub(super) fn at(motion: &Motion, t: f64) -> Self {
+    pub(in crate::plan) fn at(motion: &Motion, t: f64) -> Self {
         let context = motion.omega.context();
         let t = context.float(t).expect("a finite time");
         match &motion.regime {
@@ -25,7 +25,7 @@ impl State {
         }
     }
 
-    pub(super) fn output(&self, output: Output) -> Vec<Real> {
+    pub(in crate::plan) fn output(&self, output: Output) -> Vec<Real> {
         let square = self.omega.square();
         match output {
             Output::Theta => vec![self.theta.clone()],
@@ -179,7 +179,7 @@ fn passed(separatrix: &Separatrix, omega: &Real, t: &Real) -> State {
 }
 
 /// √Σ(value − exact)².
-pub(super) fn distance(context: Context, values: &[f64], exact: &[Real]) -> f64 {
+pub(in crate::plan) fn distance(context: Context, values: &[f64], exact: &[Real]) -> f64 {
     let square = |(value, exact): (&f64, &Real)| {
         let Some(value) = context.float(*value) else { return context.power_of_two(4000) };
         (value - exact).square()

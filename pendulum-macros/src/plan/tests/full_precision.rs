@@ -2,16 +2,16 @@
 //! value (48 of 1 for a position), and seen within half of that (a position within all of it).
 //!
 //! ```text
-//! PENDULA_SCENES=500 cargo test --release -p pendulum-macros full_precision_tests::many -- --ignored --nocapture
+//! PENDULA_SCENES=500 cargo test --release -p pendulum-macros plan::tests::full_precision::many -- --ignored --nocapture
 //! ```
 
 use super::probe::{Probe, assert_tight, evenly, largest_error};
-use super::tests::scene;
-use super::*;
+use super::scene;
 use crate::fuzz::random::Random;
 use crate::fuzz::setting;
 use crate::parse::Float;
 use crate::plan::curve::{Curves as _, SwingCurves};
+use crate::plan::*;
 use pendulum_runtime::double::Double;
 
 /// From 1e-9 to π − 1e-9, and as near to the separatrix from above; launched anywhere; for any time or a short one.
@@ -183,7 +183,7 @@ fn margin(scene: &Scene, plan: &Plan, random: &mut Random, times: usize) -> f64 
     worst.1
 }
 
-/// What is observed of what is proven, on which the choice of plans rests (`part::observed`): of `PENDULA_SCENES` swings
+/// What is observed of what is proven, on which the choice of plans rests (`observed`): of `PENDULA_SCENES` swings
 /// from `PENDULA_FUZZ_SEED` that take most of 2⁻⁴⁹ or 2⁻²⁰.
 #[test]
 #[ignore = "minutes"]

@@ -1,12 +1,17 @@
-//! What the planner chooses, and what it refuses. That plans keep their bounds is tested in `random_tests`.
+//! What the planner chooses, and what it refuses. That plans keep their bounds is tested in `random`.
 
-use super::probe::{assert_tight, evenly};
+mod full_precision;
+pub(super) mod probe;
+mod random;
+pub(super) mod truth;
+
 use super::*;
 use crate::check::check;
 use crate::fuzz::random::Random;
 use crate::parse::parse;
 use crate::program::Op;
 use crate::report::Report;
+use probe::{assert_tight, evenly};
 
 pub(crate) fn scene(text: &str) -> Scene {
     let mut report = Report::default();

@@ -1,27 +1,27 @@
 //! Where an interpreted plan is tried against the exact motion in multiple precision, for tests.
 
-use super::tests::scene;
+use super::scene;
 use super::truth::{State, distance};
-use super::turning::is_wrapped;
-use super::*;
 use crate::fuzz::random::Random;
+use crate::plan::turning::is_wrapped;
+use crate::plan::*;
 
 /// Where a plan is tried.
-pub(super) struct Probe<'a> {
+pub(in crate::plan) struct Probe<'a> {
     scene: &'a Scene,
-    pub(super) program: &'a Program,
+    pub(in crate::plan) program: &'a Program,
     output: Output,
     /// Time between two turning points, or two passages over the top.
-    pub(super) step: f64,
+    pub(in crate::plan) step: f64,
     /// The time of the first anchor.
     first: f64,
-    pub(super) horizon: f64,
-    pub(super) bound: f64,
-    pub(super) worst: (f64, f64),
+    pub(in crate::plan) horizon: f64,
+    pub(in crate::plan) bound: f64,
+    pub(in crate::plan) worst: (f64, f64),
 }
 
 impl<'a> Probe<'a> {
-    pub(super) fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
+    pub(in crate::plan) fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
         let (step, launch) = match &scene.motion.regime {
             Regime::Swing(swing) => (swing.period.to_f64() / 2.0, swing.launch.to_f64()),
             Regime::Rotation(rotation) => (rotation.period.to_f64(), rotation.launch.to_f64() + 0.5),
@@ -44,7 +44,7 @@ impl<'a> Probe<'a> {
     }
 
     /// The error at the time of the scene's type nearest to `t` within the horizon.
-    pub(super) fn at(&mut self, t: f64) -> f64 {
+    pub(in crate::plan) fn at(&mut self, t: f64) -> f64 {
         let most = self.scene.float.round_down(self.horizon);
         let t = self.scene.float.round(t).clamp(-most, most);
         let exact = State::at(&self.scene.motion, t).output(self.output);
@@ -75,7 +75,7 @@ impl<'a> Probe<'a> {
     }
 
     /// Everywhere that is known to be bad, and at random.
-    pub(super) fn everywhere(&mut self, random: &mut Random, density: usize) {
+    pub(in crate::plan) fn everywhere(&mut self, random: &mut Random, density: usize) {
         let (step, horizon) = (self.step, self.horizon);
         for t in [0.0, self.first, horizon, -horizon, horizon * (2.0 * random.unit() - 1.0)] {
             self.anchor(t, density);
@@ -92,7 +92,13 @@ impl<'a> Probe<'a> {
 }
 
 /// The largest error found of a plan, which is within its bound.
-pub(super) fn largest_error(text: &str, scene: &Scene, plan: &Plan, random: &mut Random, density: usize) -> f64 {
+pub(in crate::plan) fn largest_error(
+    text: &str,
+    scene: &Scene,
+    plan: &Plan,
+    random: &mut Random,
+    density: usize,
+) -> f64 {
     let mut probe = Probe::new(scene, plan);
     probe.everywhere(random, density);
     let part = &plan.parts[0];
@@ -103,12 +109,12 @@ pub(super) fn largest_error(text: &str, scene: &Scene, plan: &Plan, random: &mut
 }
 
 /// So many parts of a horizon to either side, its ends among them.
-pub(super) fn evenly(count: i32) -> impl Iterator<Item = f64> {
+pub(in crate::plan) fn evenly(count: i32) -> impl Iterator<Item = f64> {
     (-count..=count).map(move |i| f64::from(i) / f64::from(count))
 }
 
 /// At these parts of the horizon the error is within its bound, which is at most `most` times the largest.
-pub(super) fn assert_tight(text: &str, most: f64, parts: impl Iterator<Item = f64>) {
+pub(in crate::plan) fn assert_tight(text: &str, most: f64, parts: impl Iterator<Item = f64>) {
     let scene = scene(text);
     let plan = plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
     let mut probe = Probe::new(&scene, &plan);

@@ -2,15 +2,15 @@
 //! close to the largest error that can be found.
 //!
 //! ```text
-//! PENDULA_SCENES=2000 cargo test --release -p pendulum-macros random_tests::many -- --ignored --nocapture
+//! PENDULA_SCENES=2000 cargo test --release -p pendulum-macros plan::tests::random::many -- --ignored --nocapture
 //! ```
 
 use super::probe::{Probe, largest_error};
-use super::tests::scene;
-use super::*;
+use super::scene;
 use crate::fuzz::random::Random;
 use crate::fuzz::setting;
 use crate::parse::Float;
+use crate::plan::*;
 use crate::program::Op;
 use crate::supremum::norm;
 

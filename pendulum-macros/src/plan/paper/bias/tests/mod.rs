@@ -1,5 +1,7 @@
 //! The bounds against samples: never below, and hardly above where the worst cases meet.
 
+mod edges;
+
 use super::*;
 use crate::motion::Regime;
 use crate::plan::tests::scene;
