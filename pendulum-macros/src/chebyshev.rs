@@ -121,6 +121,33 @@ pub(crate) fn value(series: &[Double], x: Double) -> Double {
     first - x * second
 }
 
+/// Σ cⱼTⱼ(u), j from `first` on, by Clenshaw's recurrence.
+pub(crate) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
+    let (mut next, mut after) = (0.0, 0.0);
+    let doubled = 2.0 * u;
+    // By index, since unoptimised iterators would take the planner twice as long. Those before `first` are nought.
+    let mut index = coefficients.len();
+    while index > 0 {
+        index -= 1;
+        (next, after) = (coefficients[index] + doubled * next - after, next);
+    }
+    for _ in 1..first {
+        (next, after) = (doubled * next - after, next);
+    }
+    if first == 0 { next - u * after } else { u * next - after }
+}
+
+/// T₀(u), T₁(u), …
+pub(crate) fn polynomials(terms: usize, u: f64) -> Vec<f64> {
+    let mut all = Vec::with_capacity(terms);
+    let (mut this, mut next) = (1.0, u);
+    while all.len() < terms {
+        all.push(this);
+        (this, next) = (next, 2.0 * u * next - this);
+    }
+    all
+}
+
 /// cos πx for |x| ≤ 1.5, within 2⁻¹⁰⁰ (Taylor's series of cosine or sine on [0, π/4]).
 pub(crate) fn cos_pi(x: Double) -> Double {
     let x = x.abs();
@@ -224,6 +251,18 @@ pub(crate) fn scale(mut powers: Vec<Double>, scale: Double) -> Vec<Double> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sums_of_chebyshev_polynomials() {
+        for first in [0, 1, 2, 9] {
+            for u in [-1.0, -0.3, 0.0, 0.77, 1.0_f64] {
+                let t = |j: usize| (j as f64 * u.acos()).cos();
+                let expected = 2.0 * t(first) - 0.5 * t(first + 1) + 0.25 * t(first + 2);
+                let found = sum(&[2.0, -0.5, 0.25], first, u);
+                assert!((found - expected).abs() < 1e-13, "{first} {u}: {found} {expected}");
+            }
+        }
+    }
 
     #[test]
     fn cosine_of_known_angles() {

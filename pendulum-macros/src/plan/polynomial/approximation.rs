@@ -8,6 +8,7 @@
 //! others make up for it (`nearest.rs`): the supremum of what is left out is bounded in `tail.rs`. M is chosen so that
 //! the former is negligible; the latter, explicitly known, is the truncation error.
 
+use super::interval::square;
 use super::leeway::Leeway;
 use super::nearest::Corrections;
 use super::pole::Pole;
@@ -129,7 +130,7 @@ impl Approximation {
     fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, interpolation: &Interpolation) -> Self {
         let Interpolation { points, rho, error } = *interpolation;
         let sample = |u: Double| {
-            let s = if curve.parity() == Parity::Neither { u * 0.5 } else { ((u + Double::ONE) * 0.125).sqrt() };
+            let s = if curve.parity() == Parity::Neither { u * 0.5 } else { square(u).sqrt() };
             let value = pole.map_or(Double::ONE, |pole| pole.at(u)) * curve.at(s);
             if curve.parity() == Parity::Odd { value / s } else { value }
         };

@@ -4,7 +4,7 @@
 //! f(ŝ)| + δ·|f′| + r·|zf′| with f′ at most δ + r/2 away from ŝ ([`Size::phase_error`](crate::plan::curve::Size)). What
 //! counts as truncation is by how much the supremum of the first two exceeds δ·sup |f′|, which is counted as the phase's.
 
-use super::tail::{CELLS, angle};
+use super::interval::{CELLS, angle};
 use crate::plan::curve::Curve;
 
 /// The slopes of a curve that is the steeper the farther the phase is from its anchor, and the error of that.
@@ -15,7 +15,7 @@ pub(crate) struct Leeway {
     /// What it makes where the curve is steepest, over what it leaves there of the promise, about.
     ratio: f64,
     steepest: f64,
-    /// Bounds of |f′| between the angles of `tail.rs`.
+    /// Bounds of |f′| between the angles of `interval.rs`.
     slopes: Vec<f64>,
 }
 

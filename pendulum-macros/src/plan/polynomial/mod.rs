@@ -6,6 +6,7 @@
 //! polynomial about the lowest point.
 
 mod approximation;
+pub(super) mod interval;
 mod leeway;
 mod nearest;
 pub(crate) mod pade;

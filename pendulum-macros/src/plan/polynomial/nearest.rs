@@ -7,9 +7,10 @@
 //! 5): it halves the error of a velocity, and near the top makes a third of it. It needn't be exact, since whatever it
 //! gives is bounded as any other series is.
 
+use super::interval::p;
 use super::pole::Pole;
-use super::tail::{p, sum};
 use super::weight::Weight;
+use crate::chebyshev::{polynomials, sum};
 use crate::series::Parity;
 use std::f64::consts::PI;
 
@@ -35,7 +36,7 @@ impl Corrections {
         let levelled = |reference: &[usize]| {
             let row = |(index, &point): (usize, &usize)| {
                 let level = sign(index) / points.weights[point];
-                chebyshev(terms, points.cosines[point]).into_iter().chain([level, left[point]]).collect()
+                polynomials(terms, points.cosines[point]).into_iter().chain([level, left[point]]).collect()
             };
             let mut of_terms = solved(reference.iter().enumerate().map(row).collect())?;
             of_terms.truncate(terms);
@@ -63,7 +64,7 @@ pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, weight: Weight)
         let row = |(index, &point): (usize, &usize)| {
             let (u, value) = (points.cosines[point], values[point]);
             let level = sign(index) * at(divisor, u) / points.weights[point];
-            chebyshev(terms, u).into_iter().chain([-value, -p(u) * value, level, p(u) * p(u) * value]).collect()
+            polynomials(terms, u).into_iter().chain([-value, -p(u) * value, level, p(u) * p(u) * value]).collect()
         };
         let mut numerator = solved(reference.iter().enumerate().map(row).collect())?;
         let free = numerator.split_off(terms);
@@ -78,17 +79,6 @@ pub(super) fn polished(pole: Pole, series: &[f64], terms: usize, weight: Weight)
 
 fn sign(index: usize) -> f64 {
     if index.is_multiple_of(2) { 1.0 } else { -1.0 }
-}
-
-/// T₀(u), T₁(u), …
-fn chebyshev(terms: usize, u: f64) -> Vec<f64> {
-    let mut all = Vec::with_capacity(terms);
-    let (mut this, mut next) = (1.0, u);
-    while all.len() < terms {
-        all.push(this);
-        (this, next) = (next, 2.0 * u * next - this);
-    }
-    all
 }
 
 /// Where errors are looked at, and what they count there.

@@ -1,5 +1,6 @@
 //! Nearest singularities, divided out.
 
+use super::interval::square;
 use crate::parse::Float;
 use crate::plan::variables::Variables;
 use crate::program::{Builder, Id};
@@ -136,7 +137,7 @@ impl Pole {
 
     /// At 8p − 1 = u.
     pub(super) fn at(self, u: Double) -> Double {
-        let p = (u + Double::ONE) * 0.125;
+        let p = square(u);
         self.pairs().iter().fold(Double::ONE, |product, pair| product * pair.at(p))
     }
 

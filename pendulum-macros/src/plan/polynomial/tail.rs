@@ -2,14 +2,12 @@
 //! made those vanish that were by far the largest.
 
 use super::approximation::at_most_cosh;
+use super::interval::{CELLS, angle, p};
 use super::weight::Weight;
+use crate::chebyshev::sum;
 use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::supremum::worst;
-use std::f64::consts::PI;
-
-/// Angles at which the sum is evaluated.
-pub(super) const CELLS: u32 = 192;
 
 /// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, times its weight, for |u| ≤ 1, where p = (1 + u)/8 is the square of a phase up
 /// to `reach`; less what a leeway spares there, if there is one.
@@ -87,32 +85,6 @@ const CLOSE: f64 = 1.01;
 /// Of so many derivatives, two orders apart, the values at the angles are looked at.
 const DEEPEST: usize = 3;
 
-/// p where 8p − 1 = u.
-pub(super) fn p(u: f64) -> f64 {
-    ((1.0 + u) / 8.0).max(0.0)
-}
-
-/// Where a cell begins.
-pub(super) fn angle(cell: u32) -> f64 {
-    PI / f64::from(CELLS) * f64::from(cell)
-}
-
-/// Σ cⱼTⱼ(u), j from `first` on, by Clenshaw's recurrence.
-pub(super) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
-    let (mut next, mut after) = (0.0, 0.0);
-    let doubled = 2.0 * u;
-    // By index, since unoptimised iterators would take the planner twice as long. Those before `first` are nought.
-    let mut index = coefficients.len();
-    while index > 0 {
-        index -= 1;
-        (next, after) = (coefficients[index] + doubled * next - after, next);
-    }
-    for _ in 1..first {
-        (next, after) = (doubled * next - after, next);
-    }
-    if first == 0 { next - u * after } else { u * next - after }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -121,18 +93,7 @@ mod tests {
     use crate::plan::polynomial::nearest::Corrections;
     use crate::series::Parity;
     use pendulum_runtime::double::Double;
-
-    #[test]
-    fn sums_of_chebyshev_polynomials() {
-        for first in [0, 1, 2, 9] {
-            for u in [-1.0, -0.3, 0.0, 0.77, 1.0_f64] {
-                let t = |j: usize| (j as f64 * u.acos()).cos();
-                let expected = 2.0 * t(first) - 0.5 * t(first + 1) + 0.25 * t(first + 2);
-                let found = sum(&[2.0, -0.5, 0.25], first, u);
-                assert!((found - expected).abs() < 1e-13, "{first} {u}: {found} {expected}");
-            }
-        }
-    }
+    use std::f64::consts::PI;
 
     /// Never below what is found densely, and hardly above.
     #[test]

@@ -1,8 +1,8 @@
 //! What an error of a series counts.
 
+use super::interval::p;
 use super::leeway::Leeway;
 use super::pole::Pole;
-use super::tail::p;
 use crate::series::Parity;
 
 /// Over poles it counts the more the nearer they are, of an odd curve as many times as the phase is long; where a curve is

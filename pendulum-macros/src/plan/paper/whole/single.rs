@@ -17,6 +17,7 @@ use crate::plan::Bound;
 use crate::plan::form::{Division, Form};
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::moebius::Moebius;
+use crate::plan::polynomial::interval::square;
 use crate::plan::polynomial::{Approximation, Growth, Numerator};
 use crate::plan::reduction::Reduction;
 use crate::series::Wave;
@@ -96,7 +97,7 @@ struct Distance {
 impl Chart<'_> {
     /// The phase at u.
     fn phase(self, u: Double) -> Double {
-        let image = (u + Double::ONE) * 0.125;
+        let image = square(u);
         self.map.map_or(image, |map| map.inverse(image)).sqrt()
     }
 
