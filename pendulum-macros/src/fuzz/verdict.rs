@@ -256,6 +256,8 @@ fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
     let mut scene = scene.clone();
     if message.contains("leave `method` out, and give a short `t_max`") {
         scene = Scene { method: None, ..scene.over_a_period() };
+    } else if message.contains("give a short `t_max`") || message.contains("give a shorter `t_max`") {
+        scene = scene.over_a_period();
     } else if message.contains("leave `method` and `tol` out") {
         scene = Scene { method: None, goal: Goal::Full, ..scene };
     } else if message.contains("leave `method` out, and use `float = f64`") {

@@ -2,7 +2,7 @@
 
 use super::{cheapest, offer};
 use crate::motion::{ALWAYS_OVERSHOOTS, Regime};
-use crate::parse::{Float, Output, source};
+use crate::parse::{Float, Method, Output, source};
 use crate::scene::{Goal, Scene};
 
 /// Why there is no plan.
@@ -64,6 +64,9 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
     let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
     let without_method = Scene { method: None, ..scene.clone() };
     match (scene.goal, scene.float) {
+        (Goal::Tolerance(_), _) if scene.method == Some(Method::SmallAngle) && is_planned(&scene.over_a_period()) => {
+            "give a short `t_max`, since the period of small angles isn't that of this one, or leave `method` out"
+        }
         _ if scene.method.is_some() && is_planned(&without_method) => "leave `method` out",
         (_, Float::F32) if scene.method.is_some() && is_planned(&in_f64(scene)) => "use `float = f64`",
         (_, Float::F32) if scene.method.is_some() && is_planned(&in_f64(&without_method)) => {
@@ -71,6 +74,9 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
         }
         (Goal::Tolerance(_), _) if turns && scene.t_max.is_none() && best.is_finite() => {
             "give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
+        }
+        (Goal::Tolerance(_), _) if turns && best.is_finite() && is_planned(&scene.over_a_period()) => {
+            "give a shorter `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
         }
         (Goal::Tolerance(_), _) if scene.method.is_some() => {
             if turns && is_planned(&without_method.over_a_period()) {

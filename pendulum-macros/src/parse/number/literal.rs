@@ -94,7 +94,9 @@ fn unknown(name: &Ident, unit: &str) -> String {
         return A_PERIOD.to_owned();
     }
     let (_, what) = meaning(&name.to_string());
-    format!("`{name}` is {what}")
+    let in_radians = matches!(ascii(&name.to_string()), "omega" | "tol") && meant(unit, &["deg"]).is_some();
+    let remedy = if in_radians { "; multiply degrees by `π/180`" } else { "" };
+    format!("`{name}` is {what}{remedy}")
 }
 
 /// The mistake of a unit after the number, as in `99.4 cm`, where it is none that is a suffix with a space before it.

@@ -77,12 +77,16 @@ fn unknown(shown: &str, last: &str) -> String {
     let of_pi = last.strip_prefix("FRAC_PI_").map(|divisor| format!("π/{divisor}"));
     let known = match last {
         "PI" => Some("PI".to_owned()),
-        "TAU" => Some("2π".to_owned()),
+        "TAU" | "tau" => Some("2π".to_owned()),
         "SQRT_2" => Some("sqrt(2)".to_owned()),
         _ => of_pi,
     };
     let remedy = known.map_or_else(
-        || "write the number itself, with `π`, `PI` or `pi` and `sqrt(…)` where needed".to_owned(),
+        || {
+            "write the number itself, with `π`, `PI` or `pi` and `sqrt(…)` where needed; of numbers known only at run time \
+             `pendula::Pendulum` makes a motion"
+                .to_owned()
+        },
         |known| format!("write `{known}`"),
     );
     format!("`{shown}` can't be evaluated here: a macro sees names, not values; {remedy}")

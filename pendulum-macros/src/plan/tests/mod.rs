@@ -320,6 +320,9 @@ fn refusals_are_explained() {
     };
     for (text, part) in [
         ("velocity0 = 3, tol = 1e-15", "or give a `t_max`"),
+        ("velocity0 = 2.5, tol = 1e-12, t_max = 1e7, outputs = [theta, velocity]", "shorter `t_max`"),
+        ("velocity0 = 2.5, tol = 1e-12, t_max = 1e7, outputs = [theta, wrapped]", "or use the output `wrapped`"),
+        ("theta0 = 10deg, tol = 1e-2, method = small_angle", "give a short `t_max`"),
         ("velocity0 = 3, tol = 1e-17, outputs = [wrapped]", "or leave `tol` out for full precision"),
         ("velocity0 = 3, tol = 1e-17, t_max = 10", "or leave `tol` out for full precision"),
         ("theta0 = 1, tol = 1e-17", "`tol = 1e-17` is finer than can be promised here: the best is "),
