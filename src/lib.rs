@@ -30,6 +30,7 @@
 //! |---|---|
 //! | an amplitude (or a state) known when you write the program | [`pendulum!`] |
 //! | an amplitude (or a state) known when the program runs | [`Pendulum::new`], [`Pendulum::from_state`] |
+//! | an angle, and need the time at which it is passed | [`Pendulum::time_at`]; of an item's motion, that of `Pendulum::from_state(Clock::THETA0, Clock::VELOCITY0, Clock::OMEGA)` |
 //! | the paper's approximation with N terms | `pendulum!(theta0 = …, n = 4)`, [`Pendulum::fourier`] |
 //! | an elliptic integral or function near k = 1 | [`elliptic`] |
 //!
@@ -140,7 +141,8 @@ struct Readme;
 ///
 /// | constant | meaning | exists |
 /// |---|---|---|
-/// | `THETA0`, `OMEGA` | θ(0) in rad; ω in rad per unit of t | always |
+/// | `THETA0`, `VELOCITY0`, `OMEGA` | θ(0) in rad; θ̇(0) and ω in rad per unit of t | always |
+/// | `T_MAX` | the horizon, rounded down: what is promised of errors holds for \|t\| up to it | always |
 /// | `AMPLITUDE` | the largest \|θ\|, rad | for a swing |
 /// | `MODULUS` | k = sin(`AMPLITUDE`/2) of a swing, κ = 2ω/\|θ̇\| at the lowest point of a rotation, 1 on the separatrix | always |
 /// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), κ in place of k in a rotation | for swings and rotations |
@@ -181,6 +183,18 @@ struct Readme;
 /// let (x, y) = Load::position(1.0);
 /// assert!((x * x + y * y - 1.0).abs() < 1e-11);
 /// assert!(Load::AMPLITUDE > 0.3); // launched in mid-swing: it goes higher than it started
+/// ```
+///
+/// Functions coerce to function pointers, by which several motions stand in one array:
+///
+/// ```
+/// use pendula::pendulum;
+/// pendulum! { struct Short; theta0 = 1, g = 9.81, length = 0.5, float = f32, tol = 1e-4, t_max = 3600 }
+/// pendulum! { struct Long; theta0 = 0.4, g = 9.81, length = 2, float = f32, tol = 1e-4, t_max = 3600 }
+/// const SWINGS: [(fn(f32) -> f32, f32); 2] = [(Short::theta, Short::PERIOD), (Long::theta, Long::PERIOD)];
+/// for (theta, period) in SWINGS {
+///     assert!((theta(period) - theta(0.0)).abs() < 3e-4);
+/// }
 /// ```
 ///
 /// A loop over an array of times becomes vector instructions if the function is called in it or in its closure, as in

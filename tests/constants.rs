@@ -65,3 +65,19 @@ fn angles_in_degrees_and_radians_are_the_same_reals() {
     assert_eq!(Degrees::COEFFICIENTS.map(f64::to_bits), Radians::COEFFICIENTS.map(f64::to_bits));
     assert_eq!(Degrees::theta(0.3).to_bits(), Radians::theta(0.3).to_bits());
 }
+
+/// A state and a horizon as they were given; a horizon is rounded down, since the promise ends there.
+#[test]
+fn the_launch_and_the_horizon() {
+    pendula::pendulum! {
+        struct Launched;
+        theta0 = 0.3, velocity0 = -4/5, tol = 1e-6, t_max = 0.1, float = f32
+    }
+    pendula::pendulum! {
+        struct Released;
+        theta0 = 1, omega = 2
+    }
+    assert_eq!((Launched::THETA0, Launched::VELOCITY0, Launched::OMEGA), (0.3, -0.8, 1.0));
+    assert_eq!(Launched::T_MAX, 0.1_f32.next_down());
+    assert_eq!((Released::VELOCITY0, Released::T_MAX), (0.0, 2f64.powi(53) * Released::PERIOD));
+}

@@ -18,7 +18,7 @@ fn largest_error_at_release() -> Result<(), Error> {
     let largest = motion.supremum(1)?;
     println!("  1. “The maximum error is always at t = 0.” With N = 2 at θ0 = {}:", motion.label());
     println!(
-        "     at t = 0 {:.3} %, but {:.2} % at t = {:.4} T. `MAX_ERROR` is the supremum, not the error at t = 0.\n",
+        "     at t = 0 {:.3} %, but {:.2} % at t = {:.4} T. `MAX_ERROR` bounds the supremum, not the error at t = 0.\n",
         100.0 * at_release,
         100.0 * largest.relative,
         largest.at,

@@ -1,5 +1,8 @@
 //! The number types of the interface.
 
+use core::fmt::{Debug, Display};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
 mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
@@ -7,7 +10,39 @@ mod sealed {
 }
 
 /// `f32` or `f64`: the type of t and of the results. `f32` computes in `f64` and rounds once.
-pub trait Scalar: sealed::Sealed + Copy + core::fmt::Debug + Default + PartialOrd + 'static {
+///
+/// Code for either has what both have of arithmetic, and may send motions to threads:
+///
+/// ```
+/// # use pendulum_runtime::{Pendulum, Scalar};
+/// /// Means of θ over a quarter of a period.
+/// fn mean<F: Scalar>(motion: &Pendulum<F>) -> F {
+///     let step = motion.period() / F::from(400);
+///     let angle = |i: u16| motion.theta(F::from(i) * step + step / F::from(2));
+///     (0..100).map(angle).fold(F::default(), |sum, theta| sum + theta) / F::from(100)
+/// }
+/// let motion = Pendulum::<f32>::new(0.1, 1.0)?;
+/// assert!((mean(&motion) / motion.amplitude() - core::f32::consts::FRAC_2_PI).abs() < 1e-3);
+/// # Ok::<(), pendulum_runtime::Error>(())
+/// ```
+pub trait Scalar:
+    sealed::Sealed
+    + Copy
+    + Debug
+    + Default
+    + Display
+    + PartialOrd
+    + Send
+    + Sync
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + From<u16>
+    + Into<f64>
+    + 'static
+{
     /// Exactly.
     #[doc(hidden)]
     fn widen(self) -> f64;

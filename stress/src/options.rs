@@ -6,7 +6,7 @@ use std::thread;
 /// How to call it.
 pub const USAGE: &str = "usage: pendula-stress exhaustive|times|amplitudes|coefficients [OPTIONS]
   --threads N         threads to use (default: all)
-  --inputs N          inputs per row of the table (default: that of docs/ACCURACY.md); exhaustive tries all
+  --inputs N          inputs per row of the table (default: a billion times; else those of docs/ACCURACY.md); exhaustive tries all
   --only TEXT         of `times` only the classes with TEXT in their name, or with that output
   --record DATE PATH  writes the table, under this date, into PATH (docs/ACCURACY.md)";
 

@@ -11,7 +11,8 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The names of those that some regime has; a stub has them all.
-pub(super) const OF_MOTION: [&str; 8] = ["THETA0", "OMEGA", "AMPLITUDE", "MODULUS", "K", "K_PRIME", "NOME", "PERIOD"];
+pub(super) const OF_MOTION: [&str; 10] =
+    ["THETA0", "VELOCITY0", "OMEGA", "T_MAX", "AMPLITUDE", "MODULUS", "K", "K_PRIME", "NOME", "PERIOD"];
 
 /// Every constant that makes sense for the regime and the plan.
 pub(super) fn all(scene: &Scene, plan: &Plan) -> TokenStream {
@@ -29,7 +30,13 @@ fn motion(scene: &Scene) -> Writer {
     let motion = &scene.motion;
     let mut constants = Writer { float: scene.float, written: Vec::new() };
     constants.real("THETA0", &motion.theta0, "θ at t = 0, rad.");
+    constants.real("VELOCITY0", &motion.velocity0, "θ̇ at t = 0, rad per unit of t.");
     constants.real("OMEGA", &motion.omega, "ω, the rate of small oscillations, rad per unit of t.");
+    constants.number(
+        "T_MAX",
+        scene.float.round_down(scene.horizon()),
+        "The errors are bounded for all |t| up to this.",
+    );
     match &motion.regime {
         Regime::Swing(swing) => {
             constants.real("AMPLITUDE", &swing.amplitude, "The largest |θ|, rad.");

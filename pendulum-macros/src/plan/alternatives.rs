@@ -22,13 +22,15 @@ pub(super) fn reasons(scene: &Scene) -> Vec<String> {
     let mut lost = Vec::new();
     if theta.terms().len() > 1 {
         let error = error_of_cosine(&theta);
-        lost.push(format!("`{}`: it is wrong by about {error:.0e} rad", Method::Harmonic.word()));
+        let enough = if error <= aim { ", and a cosine costs no less" } else { "" };
+        lost.push(format!("`{}`: it is wrong by about {error:.0e} rad{enough}", Method::Harmonic.word()));
     }
     // The mean of |error·cos| is half of the first coefficient that is left out, and at most 2/π of the largest error.
     let needed = |after: usize| theta.terms().iter().skip(after).all(|(_, a)| a.hi.abs() * FRAC_PI_4 <= aim);
     let harmonics = (1..theta.terms().len()).find(|&terms| needed(terms)).unwrap_or(theta.terms().len());
+    let word = if harmonics == 1 { "harmonic" } else { "harmonics" };
     lost.push(format!(
-        "`{}`: it takes {harmonics} harmonics at least, of three operations each, and a cosine",
+        "`{}`: it takes {harmonics} {word} at least, of three operations each, and a cosine",
         Method::Series.word()
     ));
     lost.push(format!(

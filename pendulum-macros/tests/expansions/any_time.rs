@@ -44,8 +44,12 @@ pub struct Forever;
 impl Forever {
     /// θ at t = 0, rad.
     pub const THETA0: f64 = 1.5707963267948966;
+    /// θ̇ at t = 0, rad per unit of t.
+    pub const VELOCITY0: f64 = 0.0;
     /// ω, the rate of small oscillations, rad per unit of t.
     pub const OMEGA: f64 = 1.0;
+    /// The errors are bounded for all |t| up to this.
+    pub const T_MAX: f64 = 6.680008020649225e16;
     /// The largest |θ|, rad.
     pub const AMPLITUDE: f64 = 1.5707963267948966;
     /// k = sin(amplitude/2), the modulus.

@@ -47,8 +47,12 @@ pub struct Clock;
 impl Clock {
     /// θ at t = 0, rad.
     pub const THETA0: f64 = 2.748893571891069;
+    /// θ̇ at t = 0, rad per unit of t.
+    pub const VELOCITY0: f64 = 0.0;
     /// ω, the rate of small oscillations, rad per unit of t.
     pub const OMEGA: f64 = 3.1415307243047144;
+    /// The errors are bounded for all |t| up to this.
+    pub const T_MAX: f64 = 86400.0;
     /// The largest |θ|, rad.
     pub const AMPLITUDE: f64 = 2.748893571891069;
     /// k = sin(amplitude/2), the modulus.

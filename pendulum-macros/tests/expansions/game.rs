@@ -44,8 +44,12 @@ pub(crate) struct Lamp;
 impl Lamp {
     /// θ at t = 0, rad.
     pub const THETA0: f32 = 2.0;
+    /// θ̇ at t = 0, rad per unit of t.
+    pub const VELOCITY0: f32 = 0.0;
     /// ω, the rate of small oscillations, rad per unit of t.
     pub const OMEGA: f32 = 1.0;
+    /// The errors are bounded for all |t| up to this.
+    pub const T_MAX: f32 = 1000.0;
     /// The largest |θ|, rad.
     pub const AMPLITUDE: f32 = 2.0;
     /// k = sin(amplitude/2), the modulus.

@@ -44,8 +44,12 @@ struct Pushed;
 impl Pushed {
     /// θ at t = 0, rad.
     pub const THETA0: f64 = 1.0;
+    /// θ̇ at t = 0, rad per unit of t.
+    pub const VELOCITY0: f64 = -0.5;
     /// ω, the rate of small oscillations, rad per unit of t.
     pub const OMEGA: f64 = 3.0;
+    /// The errors are bounded for all |t| up to this.
+    pub const T_MAX: f64 = 2.016009414973334e16;
     /// The largest |θ|, rad.
     pub const AMPLITUDE: f64 = 1.0164196714351632;
     /// k = sin(amplitude/2), the modulus.

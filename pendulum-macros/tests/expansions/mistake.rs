@@ -31,7 +31,9 @@ pub struct Wrong;
 #[allow(missing_docs)]
 impl Wrong {
     pub const THETA0: f64 = 0.0;
+    pub const VELOCITY0: f64 = 0.0;
     pub const OMEGA: f64 = 0.0;
+    pub const T_MAX: f64 = 0.0;
     pub const AMPLITUDE: f64 = 0.0;
     pub const MODULUS: f64 = 0.0;
     pub const K: f64 = 0.0;

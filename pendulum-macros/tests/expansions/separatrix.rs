@@ -33,8 +33,12 @@ pub struct Over;
 impl Over {
     /// θ at t = 0, rad.
     pub const THETA0: f32 = 0.0;
+    /// θ̇ at t = 0, rad per unit of t.
+    pub const VELOCITY0: f32 = 2.0;
     /// ω, the rate of small oscillations, rad per unit of t.
     pub const OMEGA: f32 = 1.0;
+    /// The errors are bounded for all |t| up to this.
+    pub const T_MAX: f32 = 3.4028235e38;
     /// k = 1: between swinging and turning over.
     pub const MODULUS: f32 = 1.0;
     /// The kind of plan.
