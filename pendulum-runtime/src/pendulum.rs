@@ -68,7 +68,8 @@ impl<F: Scalar> Pendulum<F> {
     }
 
     /// In the state (`theta`, `velocity`) at t = 0: any angle (whole turns are kept) and any angular velocity, rad per
-    /// unit of t. Swing, separatrix or rotation is decided in twice the working precision.
+    /// unit of t. Swing, separatrix or rotation is decided in twice the working precision; a state that differs from rest
+    /// by subnormal numbers alone may be taken for it.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Frequency`] if ω ≤ 0; [`Error::Velocity`] if |velocity|/ω exceeds 10²⁹⁰.
@@ -177,7 +178,7 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow_or_infinite(self.motion.period())
     }
 
-    /// The largest |θ| from the vertical, to 1 ulp: |θ0| of a swing, 0 at rest, π on the separatrix, ∞ for a rotation.
+    /// The largest |θ| from the vertical, to 1 ulp of a normal number: |θ0| of a swing, 0 at rest, π on the separatrix, ∞ for a rotation.
     #[must_use]
     pub fn amplitude(&self) -> F {
         F::narrow_or_infinite(self.motion.amplitude)

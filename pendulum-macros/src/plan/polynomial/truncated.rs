@@ -45,7 +45,7 @@ impl Truncated<'_> {
         let shift = shortened.shifts(chunk)?.within(limit / (unit * approximation.weight(0.0)))?;
         let variable = self.variable(form, shift.by);
         let mut coefficients = self.powers(variable);
-        if !is_moderate(&coefficients, self.quarter(), reduction.float) {
+        if !can_be_adapted(&coefficients, self.quarter(), reduction.float) {
             return None;
         }
         let numerator = self.numerator(numerator, &mut coefficients);
@@ -228,7 +228,7 @@ fn lost_to_underflow(terms: usize, area: Double) -> f64 {
 
 /// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes
 /// of 1e-268 and periods of 1e150 have plans, but not by adapted coefficients.
-fn is_moderate(coefficients: &[Double], quarter: f64, float: Float) -> bool {
+fn can_be_adapted(coefficients: &[Double], quarter: f64, float: Float) -> bool {
     let widest = if float == Float::F64 { 1e12 } else { 1e3 };
     let largest = coefficients
         .iter()

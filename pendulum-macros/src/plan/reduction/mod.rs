@@ -127,8 +127,8 @@ pub(crate) fn is_half(x: Double) -> bool {
     x.lo == 0.0 && (2.0 * x.hi).fract() == 0.0
 }
 
-/// Times whose powers are of moderate size.
-const MODERATE: Range<f64> = 0.03125..32.0;
+/// Times whose powers are of moderate size as they are.
+const UNSCALED: Range<f64> = 0.03125..32.0;
 
 /// Farther than this from the lowest point, in units of 1/ω, the separatrix is at the top in any precision: 2⁻⁸⁹⁴ of half
 /// a turn from it.
@@ -137,7 +137,7 @@ const LINEAR_HALF: f64 = 620.0;
 impl Reduction {
     /// The time itself, where |t| up to `reach` is half an arc, if its type is good for such times.
     pub(crate) fn time(reach: f64, lopsided: bool, float: Float) -> Option<Self> {
-        let scale = if MODERATE.contains(&reach) { 1.0 } else { two_to(-1 - exponent(reach)) };
+        let scale = if UNSCALED.contains(&reach) { 1.0 } else { two_to(-1 - exponent(reach)) };
         float.moderate().contains(&reach).then(|| Self {
             unit: Double::new(0.5 / scale) / reach,
             scale,

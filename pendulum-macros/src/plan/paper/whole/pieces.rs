@@ -33,8 +33,7 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise>
     let size: f64 = weights.iter().map(|w| w.hi.abs()).sum();
     let sum = Wave::harmonics(weights);
     // Second words of small coefficients underflow.
-    let moderate = size > 1e-150;
-    COUNTS.into_iter().filter(|_| moderate).find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) / 512.0))
+    COUNTS.into_iter().filter(|_| size > 1e-150).find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) / 512.0))
 }
 
 fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {

@@ -220,7 +220,7 @@ fn reaches() {
 #[test]
 fn moderate_polynomials() {
     let moderate = |coefficient: f64, terms: usize, quarter: f64, float: Float| {
-        is_moderate(&vec![Double::new(coefficient); terms], quarter, float)
+        can_be_adapted(&vec![Double::new(coefficient); terms], quarter, float)
     };
     for (coefficient, terms, quarter, float, expected) in [
         (1.0, 5, 0.25, Float::F64, true),
