@@ -291,6 +291,9 @@ fn remedies_that_help() {
     refused(fine, "leave `method` and `tol` out for full precision");
     planned(&fine.replace("tol = 1e-18, method = polynomial, ", ""));
     refused("velocity0 = 2 + 1e-194, tol = 1e-25, method = polynomial", "leave `method` and `tol` out");
+    // ω² is beyond every float, with a method as without.
+    let far = "struct A; theta0 = π - 1e-7, omega = 1e307, outputs = [velocity], tol = 1e-2, t_max = 5.5e-302";
+    refused(&format!("{far}, method = series"), "choose numbers nearer to 1");
     let single = "struct A; theta0 = 1, tol = 1e-12, float = f32, method = ";
     refused(&format!("{single}polynomial"), "use `float = f64`");
     refused(&format!("{single}harmonic"), "leave `method` out, and use `float = f64`");

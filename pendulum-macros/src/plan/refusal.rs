@@ -61,45 +61,68 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 
 /// What else than a larger tolerance would help.
 fn closer(best: f64, scene: &Scene) -> &'static str {
-    let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
+    let nearer = || match scene.float {
+        Float::F32 => "use `float = f64`, which comes closer",
+        Float::F64 if scene.outputs.len() > 1 => "choose numbers nearer to 1, or fewer outputs",
+        Float::F64 => "choose numbers nearer to 1",
+    };
+    by_another_method(scene)
+        .or_else(|| with_fewer_turns(best, scene))
+        .or_else(|| at_full_precision(best, scene))
+        .unwrap_or_else(nearer)
+}
+
+/// Where a method is forced.
+fn by_another_method(scene: &Scene) -> Option<&'static str> {
     let without_method = Scene { method: None, ..scene.clone() };
-    match (scene.goal, scene.float) {
-        (Goal::Tolerance(_), _) if scene.method == Some(Method::SmallAngle) && is_planned(&scene.over_a_period()) => {
-            "give a short `t_max`, since the period of small angles isn't that of this one, or leave `method` out"
+    let in_f64 = |scene: &Scene| Scene { float: Float::F64, ..scene.clone() };
+    match (scene.method?, scene.float) {
+        (Method::SmallAngle, _) if is_planned(&scene.over_a_period()) => {
+            Some("give a short `t_max`, since the period of small angles isn't that of this one, or leave `method` out")
         }
-        _ if scene.method.is_some() && is_planned(&without_method) => "leave `method` out",
-        (_, Float::F32) if scene.method.is_some() && is_planned(&in_f64(scene)) => "use `float = f64`",
-        (_, Float::F32) if scene.method.is_some() && is_planned(&in_f64(&without_method)) => {
-            "leave `method` out, and use `float = f64`"
-        }
-        (Goal::Tolerance(_), _) if turns && scene.t_max.is_none() && best.is_finite() => {
-            "give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
-        }
-        (Goal::Tolerance(_), _) if turns && best.is_finite() && is_planned(&scene.over_a_period()) => {
-            "give a shorter `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`"
-        }
-        (Goal::Tolerance(_), _) if scene.method.is_some() => {
-            if turns && is_planned(&without_method.over_a_period()) {
-                "leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns"
-            } else {
-                "leave `method` and `tol` out for full precision"
-            }
-        }
-        (Goal::Tolerance(_), Float::F64) if best.is_finite() => "leave `tol` out for full precision",
-        (_, Float::F32) => "use `float = f64`, which comes closer",
-        _ if scene.outputs.len() > 1 => "choose numbers nearer to 1, or fewer outputs",
-        _ => "choose numbers nearer to 1",
+        _ if is_planned(&without_method) => Some("leave `method` out"),
+        (_, Float::F32) if is_planned(&in_f64(scene)) => Some("use `float = f64`"),
+        (_, Float::F32) if is_planned(&in_f64(&without_method)) => Some("leave `method` out, and use `float = f64`"),
+        _ => None,
     }
 }
 
-/// A remedy is tried before it is advised: what is in the way of a forced method may be the rounding of the float, or of
-/// a rotation's turns.
-fn is_planned(scene: &Scene) -> bool {
-    cheapest(scene).is_ok()
+/// Where it is the rounding of a rotation's turns that is in the way of a tolerance.
+fn with_fewer_turns(best: f64, scene: &Scene) -> Option<&'static str> {
+    let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
+    let is_kept_over_a_period = |scene: &Scene| is_planned(&scene.over_a_period());
+    match scene.goal {
+        Goal::Tolerance(_) if !turns => None,
+        Goal::Tolerance(_) if best.is_finite() && scene.t_max.is_none() => {
+            Some("give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`")
+        }
+        Goal::Tolerance(_) if best.is_finite() && is_kept_over_a_period(scene) => Some(
+            "give a shorter `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`",
+        ),
+        Goal::Tolerance(_)
+            if scene.method.is_some() && is_kept_over_a_period(&Scene { method: None, ..scene.clone() }) =>
+        {
+            Some("leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns")
+        }
+        _ => None,
+    }
 }
 
-fn in_f64(scene: &Scene) -> Scene {
-    Scene { float: Float::F64, ..scene.clone() }
+/// Where a tolerance is finer than that.
+fn at_full_precision(best: f64, scene: &Scene) -> Option<&'static str> {
+    let full = || Scene { method: None, goal: Goal::Full, ..scene.clone() };
+    match (scene.goal, scene.method, scene.float) {
+        (Goal::Tolerance(_), Some(_), _) if is_planned(&full()) => {
+            Some("leave `method` and `tol` out for full precision")
+        }
+        (Goal::Tolerance(_), None, Float::F64) if best.is_finite() => Some("leave `tol` out for full precision"),
+        _ => None,
+    }
+}
+
+/// A remedy is tried before it is advised.
+fn is_planned(scene: &Scene) -> bool {
+    cheapest(scene).is_ok()
 }
 
 /// `n` terms have an error whatever it is, but not everywhere one that can be bounded.
