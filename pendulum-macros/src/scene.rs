@@ -34,6 +34,11 @@ impl Scene {
         Self { t_max: self.motion.period().cloned(), ..self.clone() }
     }
 
+    /// The same, by whatever method serves.
+    pub(crate) fn by_any_method(&self) -> Self {
+        Self { method: None, ..self.clone() }
+    }
+
     /// The same, asking for that tolerance.
     pub(crate) fn asking(&self, tolerance: f64) -> Self {
         Self { goal: Goal::Tolerance(tolerance), ..self.clone() }

@@ -27,10 +27,11 @@ use core::marker::PhantomData;
 /// π − θ0 and of 7.5e-6 in the period, so after n periods the phase is off by n · 7.5e-6 periods. The same holds for a
 /// velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state beside the separatrix. Of a state in
 /// motion 1 − k² is a difference, carried to 2⁻¹⁰² of the smaller of cos(θ/2) and 1 − cos(θ/2), down to 10⁻²⁹⁰: θ is
-/// then within the promise plus 2⁻⁴⁵·|∂θ/∂v|·ulp(v), v being the initial velocity (to first order, which is all there is
-/// to say where an ulp crosses the separatrix); so are the period, K, k′ and q. It counts next to the separatrix alone,
-/// where `period` has been seen 65 ulp off, `complementary_modulus` 1370. What this type computes is the motion of the number it was given, not of the one that was meant;
-/// where that is a formula such as π − 10⁻¹², the macro `pendulum!` takes it exactly.
+/// then within the promise plus 2⁻⁴⁵·|∂θ/∂v|·ulp(v), v being the initial velocity (to first order, which is all there
+/// is to say where an ulp crosses the separatrix); so are the period, K, k′ and q. It counts next to the separatrix
+/// alone, where `period` has been seen 65 ulp off, `complementary_modulus` 1370. What this type computes is the motion
+/// of the number it was given, not of the one that was meant; where that is a formula such as π − 10⁻¹², the macro
+/// `pendulum!` takes it exactly.
 ///
 /// ```
 /// # use pendulum_runtime::{Error, Pendulum};

@@ -255,15 +255,15 @@ fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
 fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
     let mut scene = scene.clone();
     if message.contains("leave `method` out, and give a short `t_max`") {
-        scene = Scene { method: None, ..scene.over_a_period() };
+        scene = scene.over_a_period().by_any_method();
     } else if message.contains("give a short `t_max`") || message.contains("give a shorter `t_max`") {
         scene = scene.over_a_period();
     } else if message.contains("leave `method` and `tol` out") {
-        scene = Scene { method: None, goal: Goal::Full, ..scene };
+        scene = Scene { goal: Goal::Full, ..scene.by_any_method() };
     } else if message.contains("leave `method` out, and use `float = f64`") {
-        scene = Scene { method: None, float: Float::F64, ..scene };
+        scene = Scene { float: Float::F64, ..scene.by_any_method() };
     } else if message.contains("leave `method` out") {
-        scene.method = None;
+        scene = scene.by_any_method();
     } else if is_extreme(&scene) || message.contains("give a `t_max`") {
         return Ok(());
     } else if message.contains("use `float = f64`") {

@@ -1,3 +1,5 @@
+//! Calls as they are read, and what is said of each mistake.
+
 use super::*;
 
 fn request(text: &str) -> Result<Request> {

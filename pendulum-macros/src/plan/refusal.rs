@@ -74,15 +74,16 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
 
 /// Where a method is forced.
 fn by_another_method(scene: &Scene) -> Option<&'static str> {
-    let without_method = Scene { method: None, ..scene.clone() };
-    let in_f64 = |scene: &Scene| Scene { float: Float::F64, ..scene.clone() };
+    let in_f64 = |scene: Scene| Scene { float: Float::F64, ..scene };
     match (scene.method?, scene.float) {
         (Method::SmallAngle, _) if is_planned(&scene.over_a_period()) => {
             Some("give a short `t_max`, since the period of small angles isn't that of this one, or leave `method` out")
         }
-        _ if is_planned(&without_method) => Some("leave `method` out"),
-        (_, Float::F32) if is_planned(&in_f64(scene)) => Some("use `float = f64`"),
-        (_, Float::F32) if is_planned(&in_f64(&without_method)) => Some("leave `method` out, and use `float = f64`"),
+        _ if is_planned(&scene.by_any_method()) => Some("leave `method` out"),
+        (_, Float::F32) if is_planned(&in_f64(scene.clone())) => Some("use `float = f64`"),
+        (_, Float::F32) if is_planned(&in_f64(scene.by_any_method())) => {
+            Some("leave `method` out, and use `float = f64`")
+        }
         _ => None,
     }
 }
@@ -90,27 +91,24 @@ fn by_another_method(scene: &Scene) -> Option<&'static str> {
 /// Where it is the rounding of a rotation's turns that is in the way of a tolerance.
 fn with_fewer_turns(best: f64, scene: &Scene) -> Option<&'static str> {
     let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
-    let is_kept_over_a_period = |scene: &Scene| is_planned(&scene.over_a_period());
-    match scene.goal {
-        Goal::Tolerance(_) if !turns => None,
-        Goal::Tolerance(_) if best.is_finite() && scene.t_max.is_none() => {
-            Some("give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`")
-        }
-        Goal::Tolerance(_) if best.is_finite() && is_kept_over_a_period(scene) => Some(
-            "give a shorter `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`",
-        ),
-        Goal::Tolerance(_)
-            if scene.method.is_some() && is_kept_over_a_period(&Scene { method: None, ..scene.clone() }) =>
-        {
-            Some("leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns")
-        }
-        _ => None,
+    if !turns || !matches!(scene.goal, Goal::Tolerance(_)) {
+        return None;
+    }
+    let over_a_period = scene.over_a_period();
+    if best.is_finite() && scene.t_max.is_none() {
+        Some("give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`")
+    } else if best.is_finite() && is_planned(&over_a_period) {
+        Some("give a shorter `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`")
+    } else if scene.method.is_some() && is_planned(&over_a_period.by_any_method()) {
+        Some("leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns")
+    } else {
+        None
     }
 }
 
 /// Where a tolerance is finer than that.
 fn at_full_precision(best: f64, scene: &Scene) -> Option<&'static str> {
-    let full = || Scene { method: None, goal: Goal::Full, ..scene.clone() };
+    let full = || Scene { goal: Goal::Full, ..scene.by_any_method() };
     match (scene.goal, scene.method, scene.float) {
         (Goal::Tolerance(_), Some(_), _) if is_planned(&full()) => {
             Some("leave `method` and `tol` out for full precision")

@@ -212,7 +212,8 @@ impl Variables {
     }
 }
 
-fn at_most(b: &mut Builder, x: Id, limit: f64) -> Id {
+/// x, or the limit where that is less.
+pub(super) fn at_most(b: &mut Builder, x: Id, limit: f64) -> Id {
     let limit = b.constant(limit);
     b.push(Op::Min { limit, x })
 }

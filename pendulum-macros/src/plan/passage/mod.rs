@@ -146,7 +146,8 @@ impl Orbit {
 }
 
 impl Passage {
-    /// For phases of these magnitudes, and up to `half` whatever the time, with all approximations within `limit`, in units of the output's factor.
+    /// For phases of these magnitudes, and up to `half` whatever the time, with all approximations within `limit`, in
+    /// units of the output's factor.
     pub(crate) fn new(output: Output, orbit: Orbit, distances: [f64; 2], half: f64, limit: f64) -> Self {
         let factor = orbit.factor(output);
         let q = orbit.q();

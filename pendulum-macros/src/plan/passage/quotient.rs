@@ -2,6 +2,7 @@
 
 use super::{Images, Passage};
 use crate::parse::Float;
+use crate::plan::variables::at_most;
 use crate::power::power;
 use crate::program::{Builder, Id, Op};
 
@@ -58,12 +59,7 @@ impl Passage {
     fn exponential(&self, b: &mut Builder, magnitude: Id) -> Exponential {
         let rate = b.rounded(self.orbit.rate);
         let w = b.mul(magnitude, rate);
-        let w = if self.orbit.rate.hi * self.half < FURTHEST {
-            w
-        } else {
-            let furthest = b.constant(FURTHEST);
-            b.push(Op::Min { limit: furthest, x: w })
-        };
+        let w = if self.orbit.rate.hi * self.half < FURTHEST { w } else { at_most(b, w, FURTHEST) };
         b.name(w, "w");
         let constant = b.constant(Float::F64.magic());
         // −j, so that its bits are the exponent.

@@ -183,8 +183,8 @@ fn margin(scene: &Scene, plan: &Plan, random: &mut Random, times: usize) -> f64 
     worst.1
 }
 
-/// What is observed of what is proven, on which the choice of plans rests (`observed`): of `PENDULA_SCENES` swings
-/// from `PENDULA_FUZZ_SEED` that take most of 2⁻⁴⁹ or 2⁻²⁰.
+/// What is observed of what is proven, on which the choice of plans rests (`observed`): of `PENDULA_SCENES` swings from
+/// `PENDULA_FUZZ_SEED` that take most of 2⁻⁴⁹ or 2⁻²⁰.
 #[test]
 #[ignore = "minutes"]
 fn margins() {

@@ -1,8 +1,10 @@
-//! What the planner chooses, and what it refuses. That plans keep their bounds is tested in `random`.
+//! What the planner chooses, and what it refuses. That plans keep their bounds is tested in `random`, and that
+//! these are close in `tight`.
 
 mod full_precision;
 pub(super) mod probe;
 mod random;
+mod tight;
 pub(super) mod truth;
 
 use super::*;
