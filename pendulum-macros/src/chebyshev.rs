@@ -131,7 +131,9 @@ pub(crate) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
         index -= 1;
         (next, after) = (coefficients[index] + doubled * next - after, next);
     }
-    for _ in 1..first {
+    let mut order = first;
+    while order > 1 {
+        order -= 1;
         (next, after) = (doubled * next - after, next);
     }
     if first == 0 { next - u * after } else { u * next - after }

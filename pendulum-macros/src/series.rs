@@ -231,45 +231,48 @@ impl Wave {
         self.omitted += by;
     }
 
-    /// The value at the phase s, |s| ≤ 1.5.
+    /// The value at the phase s, |s| ≤ 1.5, by Clenshaw's recurrence: from term to term waves φ obey φₙ₊₁ = 2 cos(2πs)φₙ −
+    /// φₙ₋₁, so that Σ aₙφₙ = b₀φ₀ − b₁φ₋₁ with bₙ = aₙ + 2 cos(2πs)bₙ₊₁ − bₙ₊₂.
     pub(crate) fn at(&self, s: Double) -> Double {
         let (cosine, sine) = (cos_pi(s), sin_pi(s));
-        // Recurrence for cos(mπs), sin(mπs): rotation by 2πs, one step of the series.
-        let turn = (cosine * cosine - sine * sine, cosine * sine * 2.0);
-        let mut phase = match self.terms.first() {
-            Some(&(2, _)) => turn,
-            _ => (cosine, sine),
-        };
-        let mut sum = self.constant + self.linear * s;
-        for &(_, amplitude) in &self.terms {
-            sum = sum + amplitude * if self.parity == Parity::Even { phase.0 } else { phase.1 };
-            phase = (phase.0 * turn.0 - phase.1 * turn.1, phase.1 * turn.0 + phase.0 * turn.1);
+        let turn = cosine * cosine - sine * sine;
+        let twice = turn * 2.0;
+        let (mut this, mut next) = (Double::ZERO, Double::ZERO);
+        for &(_, amplitude) in self.terms.iter().rev() {
+            (this, next) = (amplitude + twice * this - next, this);
         }
-        sum
+        let of_even_multiples = matches!(self.terms.first(), Some(&(2, _)));
+        let [first, before] = match (self.parity, of_even_multiples) {
+            (Parity::Even, true) => [turn, Double::ONE],
+            (Parity::Even, false) => [cosine, cosine],
+            (_, true) => [cosine * sine * 2.0, Double::ZERO],
+            (_, false) => [sine, -sine],
+        };
+        self.constant + self.linear * s + (this * first - next * before)
     }
 
     /// The value at the phase s in one word: wrong by less than 10⁻¹¹ of the terms' sum.
     pub(crate) fn roughly(&self, s: f64) -> f64 {
-        let angle = PI * s;
-        let (mut sine, mut cosine) = libm::sincos(f64::from(self.terms.first().map_or(1, |term| term.0)) * angle);
-        let (turn_sine, turn) = libm::sincos(f64::from(STEP) * angle);
-        let mut sum = self.constant.hi + self.linear.hi * s;
-        for &(_, amplitude) in &self.terms {
-            sum += amplitude.hi * if self.parity == Parity::Even { cosine } else { sine };
-            (cosine, sine) = (cosine * turn - sine * turn_sine, sine * turn + cosine * turn_sine);
-        }
-        sum
+        self.constant.hi + self.linear.hi * s + self.sum_roughly(s, self.parity, |_, amplitude| amplitude)
     }
 
     /// The derivative likewise.
     pub(crate) fn slope_roughly(&self, s: f64) -> f64 {
-        let pi = PI;
-        let slope = |&(m, amplitude): &(u32, Double)| {
-            let (sine, cosine) = libm::sincos(pi * f64::from(m) * s);
-            let wave = if self.parity == Parity::Even { -sine } else { cosine };
-            amplitude.hi * pi * f64::from(m) * wave
-        };
-        self.linear.hi + self.terms.iter().map(slope).sum::<f64>()
+        let (parity, sign) = if self.parity == Parity::Even { (Parity::Odd, -PI) } else { (Parity::Even, PI) };
+        self.linear.hi + self.sum_roughly(s, parity, |m, amplitude| sign * f64::from(m) * amplitude)
+    }
+
+    /// Σ sₘ cos(mπs) or Σ sₘ sin(mπs), with sizes sₘ made of m and aₘ.
+    fn sum_roughly(&self, s: f64, parity: Parity, size: impl Fn(u32, f64) -> f64) -> f64 {
+        let angle = PI * s;
+        let (mut sine, mut cosine) = libm::sincos(f64::from(self.terms.first().map_or(1, |term| term.0)) * angle);
+        let (turn_sine, turn) = libm::sincos(f64::from(STEP) * angle);
+        let mut sum = 0.0;
+        for &(m, amplitude) in &self.terms {
+            sum += size(m, amplitude.hi) * if parity == Parity::Even { cosine } else { sine };
+            (cosine, sine) = (cosine * turn - sine * turn_sine, sine * turn + cosine * turn_sine);
+        }
+        sum
     }
 
     /// Bounds |value| for |Im s| ≤ `height` and |s| ≤ 4; infinite beyond the strip of convergence.
@@ -307,11 +310,15 @@ impl Wave {
         self.tail(0.0, of_slope)
     }
 
-    /// Bounds what a value is rounded by. The phase's cosine and sine are within 2⁻¹⁰⁰, so the turn from term to term is
-    /// within 2⁻⁹⁷, and each term's cosine by as much again for each turn; adding loses 2⁻¹⁰³ of all of them each time.
+    /// Bounds what a value is rounded by. The recurrence gives the sum with what each step is off by added to its
+    /// amplitude, times a wave, of which none exceeds 1. Cosine and sine of πs are within 2⁻¹⁰⁰, hence 2 cos 2πs within
+    /// 2⁻⁹⁷ and a step within 2⁻⁹⁶ of the sums it is made of. These, like Chebyshev's Uₙ, add up to at most
+    /// Σ |aₙ|(n + 1)(n + 2)/2.
     pub(crate) fn rounding(&self) -> f64 {
-        let added = self.terms.len() as f64 * two_to(-103);
-        let of = |&(m, a): &(u32, Double)| a.hi.abs() * (f64::from(m + 1) * two_to(-97) + added);
+        let of = |&(m, a): &(u32, Double)| {
+            let above = f64::from(m / STEP + 1);
+            a.hi.abs() * above * (above + 1.0) * two_to(-96)
+        };
         self.terms.iter().map(of).sum::<f64>() + (self.constant.hi.abs() + self.linear.hi.abs()) * two_to(-100)
     }
 }

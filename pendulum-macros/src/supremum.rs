@@ -39,6 +39,7 @@ impl Halving {
     /// Bounds a function on [low, high], given one on any interval.
     pub(crate) fn largest(self, [low, high]: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64 {
         const GAIN: f64 = 0.97;
+        const NARROW: f64 = 1.0 / 64.0;
         let at = |index: u32| {
             if index == self.cells { high } else { low + (high - low) * f64::from(index) / f64::from(self.cells) }
         };
@@ -54,6 +55,13 @@ impl Halving {
             let Some([before, low, high]) = worst.filter(|&[worst, ..]| worst > settled.max(self.least)) else { break };
             open.pop();
             let middle = 0.5 * (low + high);
+            if before > self.cap {
+                // What a part of it is bounded by the whole is found to be at least, and mostly it is hardly more.
+                let [there, ..] = part(middle, middle + NARROW * slice);
+                if there > self.cap {
+                    return there;
+                }
+            }
             let halves = [part(low, middle), part(middle, high)];
             let after = halves[0][0].max(halves[1][0]);
             if before.is_finite() && after > GAIN * before && high - low <= slice {

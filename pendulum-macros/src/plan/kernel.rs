@@ -4,7 +4,7 @@ use super::harmonics::Harmonics;
 use super::passage::Passage;
 use super::pieces::{Complement, Halves, Pieces};
 use super::polynomial::Polynomial;
-use super::reduction::{Mirror, Origin, Reduction};
+use super::reduction::{Mirror, Origin, Phase, Reduction};
 use super::turning::Finish;
 use super::variables::Variables;
 use super::{Function, Part};
@@ -12,7 +12,7 @@ use crate::parse::Output;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::Halving;
+use crate::supremum::{Halving, largest};
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -150,24 +150,34 @@ impl Core {
 
     /// As [`Kernel::rounding`].
     pub(super) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
-        let whole = |signs| program(reduction, &[(self, &Finish::Nothing)], signs);
+        let whole = || program(reduction, &[(self, &Finish::Nothing)]);
         match self {
             Self::Pieces(pieces) => pieces.rounding(),
             Self::Halves(halves) => halves.rounding(),
             Self::Complement(complement) => complement.rounding(),
-            Self::Passage(passage) => passage.rounding(&whole(true), cap),
-            Self::Harmonics(harmonics) => harmonics.rounding(&whole(true), reduction, cap),
-            // Of either sign it is the same, and bounded better where the sign is known.
-            Self::Polynomial(_) | Self::Circle(_) => rounding_of_polynomials(&whole(false), reduction, cap),
+            Self::Passage(passage) => passage.rounding(&whole(), cap),
+            Self::Harmonics(harmonics) => harmonics.rounding(&whole(), reduction, cap),
+            Self::Polynomial(_) | Self::Circle(_) => {
+                let program = self.of_phase(reduction);
+                let phase = program.named(reduction.origin.phase());
+                over_phases(reduction, cap, |low, high| {
+                    program.norm_of_rounding(phase.map(|phase| (phase, Known::between(low, high))).as_slice())
+                })
+            }
         }
     }
-}
 
-/// The norm of the rounding of polynomials over the whole range of the phase, of which nothing else is known.
-fn rounding_of_polynomials(program: &Program, reduction: &Reduction, cap: f64) -> f64 {
-    let phase = reduction.origin.phase();
-    let program = &program.after_named(&[phase]);
-    over_phases(reduction, cap, |low, high| program.rounding_given(&[(phase, Known::between(low, high))]))
+    /// What it computes of the phase as it is reduced, of which nothing else is known, but for the signs: of either the
+    /// rounding is the same, and bounded better where the sign is known.
+    fn of_phase(&self, reduction: &Reduction) -> Program {
+        let mut b = Builder::new(reduction.float);
+        let remainder = b.input();
+        b.name(remainder, reduction.origin.phase());
+        let phase = Phase { remainder, magic: remainder, count: remainder };
+        let variables = Variables::lower(&mut b, phase, reduction, self.is_odd()).unsigned();
+        let results = self.lower(&mut b, &variables, RESULT);
+        b.finish(results)
+    }
 }
 
 /// The largest of the bounds on parts of the range of phases, or some number above `cap`. The motion is fastest, and the
@@ -176,11 +186,12 @@ fn rounding_of_polynomials(program: &Program, reduction: &Reduction, cap: f64) -
 pub(super) fn over_phases(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
     let [low, high] = reduction.range();
     let slice = (high - low) / f64::from(CELLS.pow(4));
-    let [from, to] = if reduction.origin == Origin::Anchor { [high - slice, high] } else { [low, low + slice] };
-    let there = bound(from, to);
+    let (first, last) = ([low, low + slice], [high - slice, high]);
+    let ends = if reduction.origin == Origin::Anchor { [last, first] } else { [first, last] };
+    let at_ends = largest(ends.into_iter().map(|[from, to]| bound(from, to)), cap);
     let least = if cap.is_finite() { cap / NOTHING } else { 0.0 };
     let halving = Halving { cells: CELLS, slices: CELLS * CELLS, most: MOST_HALVED, least, cap };
-    if there > cap { there } else { halving.largest([low, high], bound) }
+    if at_ends > cap { at_ends } else { halving.largest([low, high], bound) }
 }
 
 /// The square of this is the number of subintervals of the phase on which the rounding is analysed separately, at least
@@ -217,11 +228,11 @@ pub(super) const RESULT: &str = "result";
 /// One function of the time, the kernels' results its own.
 pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {
     let kernels: Vec<_> = kernels.iter().map(|Kernel { core, finish }| (core, finish)).collect();
-    program(reduction, &kernels, true)
+    program(reduction, &kernels)
 }
 
-/// The same with or without the signs that anchors and sides give.
-fn program(reduction: &Reduction, kernels: &[(&Core, &Finish)], signs: bool) -> Program {
+/// The same of cores and how they finish.
+fn program(reduction: &Reduction, kernels: &[(&Core, &Finish)]) -> Program {
     const NAMES: [&str; 2] = ["first_result", "second_result"];
     let mut b = Builder::new(reduction.float);
     let t = b.input();
@@ -229,7 +240,7 @@ fn program(reduction: &Reduction, kernels: &[(&Core, &Finish)], signs: bool) -> 
     let phase = reduction.lower(&mut b, t);
     let odd = kernels.iter().any(|(core, _)| core.is_odd());
     let alone = kernels.len() == 1;
-    let variables = Variables { alone, signs, ..Variables::lower(&mut b, phase, reduction, odd) };
+    let variables = Variables { alone, ..Variables::lower(&mut b, phase, reduction, odd) };
     let names = if alone { [RESULT; 2] } else { NAMES };
     let mut results = Vec::new();
     for (&(core, finish), name) in kernels.iter().zip(names) {

@@ -84,7 +84,8 @@ impl Builder {
     /// Appends `op`; an operation that is there already is shared.
     pub(crate) fn push(&mut self, op: Op) -> Id {
         // It follows its operands. By index, since unoptimised iterators would take the planner twice as long.
-        let mut id = op.operands().into_iter().max().map_or(0, |operand| operand + 1);
+        let mut id = 0;
+        op.each_operand(|operand| id = id.max(operand + 1));
         while let Some(node) = self.nodes.get(id) {
             if node.float == self.float && node.op == op {
                 return id;

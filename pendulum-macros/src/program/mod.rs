@@ -95,7 +95,7 @@ pub(crate) enum Op {
 }
 
 /// An operation, the type of its result, and the name it has in the emitted code (unnamed ones are inlined).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Node {
     pub(crate) op: Op,
     pub(crate) float: Float,
@@ -140,14 +140,12 @@ impl Op {
         }
     }
 
-    /// The nodes it reads.
-    pub(crate) fn operands(self) -> Vec<Id> {
-        let mut all = Vec::new();
+    /// The nodes it reads, one after the other.
+    pub(crate) fn each_operand(self, mut read: impl FnMut(Id)) {
         self.map(|id| {
-            all.push(id);
+            read(id);
             id
         });
-        all
     }
 }
 
@@ -179,14 +177,16 @@ impl Program {
         }
         for id in (0..self.nodes.len()).rev() {
             if needed[id] {
-                self.nodes[id].op.operands().into_iter().for_each(|operand| needed[operand] = true);
+                self.nodes[id].op.each_operand(|operand| needed[operand] = true);
             }
         }
         let mut renamed = vec![Id::MAX; self.nodes.len()];
-        let mut nodes = Vec::new();
-        for (id, node) in self.nodes.into_iter().enumerate().filter(|(id, _)| needed[*id]) {
-            renamed[id] = nodes.len();
-            nodes.push(Node { op: node.op.map(|id| renamed[id]), ..node });
+        let mut nodes = Vec::with_capacity(self.nodes.len());
+        for (id, node) in self.nodes.iter().enumerate() {
+            if needed[id] {
+                renamed[id] = nodes.len();
+                nodes.push(Node { op: node.op.map(|id| renamed[id]), ..*node });
+            }
         }
         let looks_up = nodes.iter().any(|node: &Node| matches!(node.op, Op::Row { .. }));
         let table = if looks_up { self.table } else { Vec::new() };

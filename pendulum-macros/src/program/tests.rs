@@ -202,16 +202,12 @@ fn operands() {
         let (nodes, table) = (constants.chain([node(op)]).collect(), Vec::new());
         let program = Program { nodes, results: vec![5], table }.pruned();
         let (result, used) = program.nodes.split_last().unwrap();
-        let values: Vec<f64> = result
-            .op
-            .operands()
-            .iter()
-            .map(|&id| match used[id].op {
-                Op::Constant { value, .. } => value,
-                other => panic!("{other:?}"),
-            })
-            .collect();
-        let before: Vec<f64> = op.operands().iter().map(|&id| id as f64).collect();
+        let (mut values, mut before) = (Vec::new(), Vec::new());
+        result.op.each_operand(|id| match used[id].op {
+            Op::Constant { value, .. } => values.push(value),
+            other => panic!("{other:?}"),
+        });
+        op.each_operand(|id| before.push(id as f64));
         assert_eq!(values, before, "{op:?}");
         assert_eq!(program.results, [used.len()], "{op:?}");
         assert_eq!(used.len(), before.len(), "{op:?}");

@@ -16,8 +16,8 @@
 ///
 /// Not chosen:
 ///
-/// * a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
-/// * a polynomial in s² over two pairs of poles, adapted in blocks of 4 for `theta`: it can promise only 2.3e-15
+/// * a polynomial in s² over poles, adapted in blocks of 4 for `theta`: it can promise no better than 2.3e-15
+/// * a polynomial in s² over two pairs of poles, adapted in blocks of 4 for `theta`: it can promise no better than 2.2e-15
 /// * a polynomial in s² over poles, by powers for `theta`: it costs 0.5 additions more
 /// * pieces, phase by exact products with the rate in 4 words: it costs as much as 109 additions, this plan as 58
 /// * `harmonic`: it is wrong by about 4e-2 rad
@@ -69,7 +69,7 @@ impl Forever {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 60;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.8802147209829706e-15;
+    pub const MAX_ERROR: f64 = 1.8802148951673183e-15;
     /// θ(t), rad; NaN if t is not finite. 60 operations.
     #[inline(always)]
     #[must_use]

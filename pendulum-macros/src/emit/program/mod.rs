@@ -44,7 +44,7 @@ fn names(program: &Program) -> Vec<Option<Ident>> {
     let mut uses = vec![0; program.nodes.len()];
     for node in &program.nodes {
         let twice = matches!(node.op, Op::Min { .. } | Op::Max { .. });
-        node.op.operands().into_iter().for_each(|operand| uses[operand] += if twice { 2 } else { 1 });
+        node.op.each_operand(|operand| uses[operand] += if twice { 2 } else { 1 });
     }
     let mut taken: Vec<String> = Vec::new();
     let mut unique = |wanted: &str| {

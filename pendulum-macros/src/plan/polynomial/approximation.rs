@@ -49,6 +49,9 @@ pub(crate) struct Approximation {
     shortened: Memo<(usize, bool), Rc<Shortened>>,
     /// The terms for a limit and an overshoot.
     enough: Memo<[f64; 2], Option<usize>>,
+    /// What so many terms are corrected by, with a leeway of such a ratio: with a little more or less of one they would be
+    /// by hardly anything else.
+    corrections: Rc<Memo<(usize, f64), Rc<[f64]>>>,
 }
 
 /// A series of so many terms that stands for a longer one.
@@ -154,6 +157,7 @@ impl Approximation {
             leeway: None,
             shortened: Memo::default(),
             enough: Memo::default(),
+            corrections: Rc::default(),
         }
     }
 
@@ -174,6 +178,7 @@ impl Approximation {
             leeway: None,
             shortened: Memo::default(),
             enough: Memo::default(),
+            corrections: Rc::default(),
         }
     }
 
@@ -216,9 +221,11 @@ impl Approximation {
         if !makes_up || dropped.is_empty() {
             return Shortened::new(kept.to_vec(), dropped, terms);
         }
-        let corrections = Corrections::new(&dropped, terms, self.weights()).of_terms;
+        let ratio = self.leeway.as_ref().map_or(0.0, Leeway::ratio);
+        let correct = || Corrections::new(&dropped, terms, self.weights()).of_terms.into();
+        let corrections = self.corrections.get((terms, ratio), correct);
         // What the sums are rounded by counts with the conversion to powers.
-        let series = kept.iter().zip(&corrections).map(|(c, correction)| *c + Double::new(*correction)).collect();
+        let series = kept.iter().zip(&*corrections).map(|(c, correction)| *c + Double::new(*correction)).collect();
         let left = corrections.iter().map(|correction| -correction).chain(dropped).collect();
         Shortened::new(series, left, 0)
     }

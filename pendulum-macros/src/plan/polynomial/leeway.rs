@@ -31,6 +31,10 @@ impl Leeway {
         Self { error, ratio, steepest, slopes: (0..CELLS).map(slope).collect() }
     }
 
+    pub(super) fn ratio(&self) -> f64 {
+        self.ratio
+    }
+
     /// What the approximation may be wrong by at u, in units of what it may where the curve is steepest.
     pub(super) fn at(&self, u: f64) -> f64 {
         let cell = (libm::acos(u.clamp(-1.0, 1.0)) / angle(1)) as usize;

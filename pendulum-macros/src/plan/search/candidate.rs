@@ -178,7 +178,7 @@ impl Candidate<'_> {
         let least = chosen.map(|index| tried[index].cost);
         let why = |one: &Tried| match (one.reached, least) {
             (Some(reached), _) if reached.is_infinite() => None,
-            (Some(reached), _) if reached >= error => Some(format!("can promise only {reached:.1e}")),
+            (Some(reached), _) if reached >= error => Some(format!("can promise no better than {reached:.1e}")),
             (_, least) => least.map(|least| more(one.cost - least)),
         };
         let (word, parity) = (all.aim.output.word(), all.aim.curves.first().map_or(Parity::Even, Curve::parity));

@@ -121,7 +121,8 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
     let (candidate, Outputs { parts, mut rejected, .. }) = choice.made().ok_or_else(closest)?;
     let error = worst(parts.iter().map(Part::error));
     let worse = lost.iter().filter(|lost| lost.reached > error);
-    let line = |lost: &Lost| format!("{}: it can promise only {:.1e}", lost.candidate.describe(), lost.reached);
+    let line =
+        |lost: &Lost| format!("{}: it can promise no better than {:.1e}", lost.candidate.describe(), lost.reached);
     rejected.extend(worse.map(line));
     Ok(Chosen { candidate, parts, rejected })
 }

@@ -52,8 +52,11 @@ impl Program {
         let mut slopes = vec![Slope::ZERO; self.nodes.len()];
         slopes[result] = Slope { low: 1.0, high: 1.0 };
         let mut error = 0.0;
-        for id in (0..=result).rev() {
-            let slope = slopes[id];
+        // By index, since unoptimised iterators would take the planner longer.
+        let mut above = result + 1;
+        while above > 0 {
+            above -= 1;
+            let (id, slope) = (above, slopes[above]);
             if slope.magnitude() == 0.0 {
                 continue;
             }

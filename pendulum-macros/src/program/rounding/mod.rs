@@ -110,7 +110,12 @@ impl Program {
     pub(crate) fn rounding_given(&self, given: &[(&str, Known)]) -> f64 {
         let given: Vec<(Id, Known)> =
             given.iter().filter_map(|&(name, known)| Some((self.named(name)?, known))).collect();
-        norm(self.rounding(&given).iter().map(|known| known.error))
+        self.norm_of_rounding(&given)
+    }
+
+    /// The same, given nodes by their numbers.
+    pub(crate) fn norm_of_rounding(&self, given: &[(Id, Known)]) -> f64 {
+        norm(self.rounding(given).iter().map(|known| known.error))
     }
 
     /// The error bound of each result where the nodes `given` hold values in the intervals stated.
