@@ -49,10 +49,13 @@ pub(crate) struct Approximation {
     shortened: Memo<(usize, bool), Rc<Shortened>>,
     /// The terms for a limit and an overshoot.
     enough: Memo<[f64; 2], Option<usize>>,
-    /// What so many terms are corrected by, with a leeway of such a ratio: with a little more or less of one they would be
-    /// by hardly anything else.
-    corrections: Rc<Memo<(usize, f64), Rc<[f64]>>>,
+    /// Shared by all leeways.
+    corrections: Rc<Corrected>,
 }
+
+/// What so many terms are corrected by, with a leeway of such a ratio: whatever else that is, it would hardly be by
+/// anything else.
+type Corrected = Memo<(usize, f64), Rc<[f64]>>;
 
 /// A series of so many terms that stands for a longer one.
 #[derive(Debug)]
