@@ -129,12 +129,16 @@ pub(crate) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
     let mut index = coefficients.len();
     while index > 0 {
         index -= 1;
-        (next, after) = (coefficients[index] + doubled * next - after, next);
+        let this = coefficients[index] + doubled * next - after;
+        after = next;
+        next = this;
     }
     let mut order = first;
     while order > 1 {
         order -= 1;
-        (next, after) = (doubled * next - after, next);
+        let this = doubled * next - after;
+        after = next;
+        next = this;
     }
     if first == 0 { next - u * after } else { u * next - after }
 }

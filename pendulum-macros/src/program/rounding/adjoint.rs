@@ -4,7 +4,7 @@
 //! derivatives taken somewhere between the computed and the exact values (mean value theorem). Intervals that hold both
 //! make the bound rigorous.
 
-use super::{INFLATION, Known, of_given, products};
+use super::{INFLATION, Known, products};
 use crate::program::{Id, Op, Program};
 
 /// An interval of derivatives.
@@ -47,9 +47,9 @@ impl Known {
 }
 
 impl Program {
-    /// Bounds the error of node `result`; infinite where it isn't differentiable.
-    pub(super) fn adjoint_error(&self, result: Id, known: &[Known], given: &[(Id, Known)]) -> f64 {
-        let mut slopes = vec![Slope::ZERO; self.nodes.len()];
+    /// Bounds the error of node `result`; infinite where it isn't differentiable. What is given doesn't follow from others.
+    pub(super) fn adjoint_error(&self, result: Id, known: &[Known], is_given: &[bool]) -> f64 {
+        let slopes = &mut vec![Slope::ZERO; result + 1][..];
         slopes[result] = Slope { low: 1.0, high: 1.0 };
         let mut error = 0.0;
         // By index, since unoptimised iterators would take the planner longer.
@@ -57,13 +57,15 @@ impl Program {
         while above > 0 {
             above -= 1;
             let (id, slope) = (above, slopes[above]);
-            if slope.magnitude() == 0.0 {
+            let steepest = slope.magnitude();
+            if steepest == 0.0 {
                 continue;
             }
-            if known[id].local > 0.0 {
-                error += slope.magnitude() * known[id].local;
+            let local = known[id].local;
+            if local > 0.0 {
+                error += steepest * local;
             }
-            if of_given(given, id).is_none() && !pass_back(id, self.nodes[id].op, slope, known, &mut slopes) {
+            if !is_given[id] && !pass_back(id, self.nodes[id].op, slope, known, slopes) {
                 return f64::INFINITY;
             }
         }

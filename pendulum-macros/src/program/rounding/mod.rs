@@ -80,9 +80,19 @@ fn hull([a, b, c, d]: [f64; 4]) -> (f64, f64) {
     (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
 }
 
-/// The interval of the products of numbers from two intervals.
+/// The interval of the products of numbers from two intervals, mostly of one sign each.
 pub(crate) fn products(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-    hull([a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1])
+    if a.0 >= 0.0 && b.0 >= 0.0 {
+        (a.0 * b.0, a.1 * b.1)
+    } else if a.0 >= 0.0 && b.1 <= 0.0 {
+        (a.1 * b.0, a.0 * b.1)
+    } else if a.1 <= 0.0 && b.0 >= 0.0 {
+        (a.0 * b.1, a.1 * b.0)
+    } else if a.1 <= 0.0 && b.1 <= 0.0 {
+        (a.1 * b.1, a.0 * b.0)
+    } else {
+        hull([a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1])
+    }
 }
 
 /// Some thousands of the smallest numbers, 2⁻¹⁰⁶⁰: what sums and products in two words are wrong by, whose second word
@@ -120,28 +130,21 @@ impl Program {
 
     /// The error bound of each result where the nodes `given` hold values in the intervals stated.
     pub(crate) fn rounding(&self, given: &[(Id, Known)]) -> Vec<Known> {
+        let mut is_given = vec![false; self.nodes.len()];
+        for &(id, _) in given {
+            is_given[id] = true;
+        }
         let mut known: Vec<Known> = Vec::with_capacity(self.nodes.len());
         for (id, node) in self.nodes.iter().enumerate() {
-            known.push(sound(of_given(given, id).unwrap_or_else(|| inflate(step(node.op, node.float, &known)))));
+            let here = if is_given[id] { given.iter().find(|(given, _)| *given == id) } else { None };
+            known.push(sound(here.map_or_else(|| inflate(step(node.op, node.float, &known)), |&(_, known)| known)));
         }
         let result = |&id: &Id| {
             let forward = known[id];
-            Known { error: forward.error.min(self.adjoint_error(id, &known, given)), ..forward }
+            Known { error: forward.error.min(self.adjoint_error(id, &known, &is_given)), ..forward }
         };
         self.results.iter().map(result).collect()
     }
-}
-
-/// What is given of a node, if anything. By index, since unoptimised iterators would take the planner three times as long.
-fn of_given(given: &[(Id, Known)], id: Id) -> Option<Known> {
-    let mut index = 0;
-    while index < given.len() {
-        if given[index].0 == id {
-            return Some(given[index].1);
-        }
-        index += 1;
-    }
-    None
 }
 
 /// Of what is bounded by no number nothing is known: no minimum may pass it over.
@@ -206,7 +209,7 @@ fn sum(a: Known, b: Known, float: Float) -> Known {
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
-    let (low, high) = rounded(a.corners(b, |x, y| x * y), float);
+    let (low, high) = rounded(products((a.low, a.high), (b.low, b.high)), float);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
     let reach = |most| ends.into_iter().all(|(x, y)| is_within(two_prod(x, y), most));
     let power = |x: Known| x.is_number() && x.error == 0.0 && is_power_of_two(x.low.abs());
@@ -277,7 +280,7 @@ fn root(x: Known, float: Float) -> Known {
 }
 
 pub(crate) fn is_power_of_two(x: f64) -> bool {
-    x.is_normal() && x.to_bits() & ((1 << 52) - 1) == 0
+    x.to_bits() & ((1 << 52) - 1) == 0 && x.is_normal()
 }
 
 #[cfg(test)]

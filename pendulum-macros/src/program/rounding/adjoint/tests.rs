@@ -108,26 +108,29 @@ fn roundings_are_weighted_by_derivatives() {
     let minus = b.constant(-3.0);
     let product = b.mul(sum, minus);
     let mut program = b.finish(vec![product]);
-    let given = (0, Known::between(1.0, 1.25));
+    let (given, time) = ([0].as_slice(), Known::between(1.0, 1.25));
     let forward = |program: &Program| {
-        let mut known = vec![given.1];
+        let mut known = vec![time];
         (1..program.nodes.len())
             .for_each(|id| known.push(super::super::step(program.nodes[id].op, Float::F64, &known)));
         known
     };
+    let error = |program: &Program, known: &[Known], given: &[Id]| {
+        let is_given: Vec<bool> = (0..known.len()).map(|id| given.contains(&id)).collect();
+        program.adjoint_error(4, known, &is_given)
+    };
     let unit = f64::EPSILON / 2.0;
-    let found = program.adjoint_error(4, &forward(&program), &[given]);
+    let found = error(&program, &forward(&program), given);
     let expected = 3.0 * (1e-12 + unit) + 4.0 * unit;
     assert!((found / (expected * INFLATION) - 1.0).abs() < 1e-14, "{found:e} for {expected:e}");
     // What is given is given with its error, which counts, and has no operands.
     program.nodes[2].op = Op::Head(0);
     let known = forward(&program);
-    assert_eq!(program.adjoint_error(4, &known, &[given]), f64::INFINITY);
-    let sum = (2, Known::within(1.0, 1.5, 1e-9));
+    assert_eq!(error(&program, &known, given), f64::INFINITY);
     let mut known = known;
-    known[2] = sum.1;
+    known[2] = Known::within(1.0, 1.5, 1e-9);
     known[4] = super::super::step(program.nodes[4].op, Float::F64, &known);
-    let found = program.adjoint_error(4, &known, &[given, sum]);
+    let found = error(&program, &known, &[0, 2]);
     let expected = 3e-9 + 4.0 * unit;
     assert!((found / (expected * INFLATION) - 1.0).abs() < 1e-14, "{found:e} for {expected:e}");
 }
