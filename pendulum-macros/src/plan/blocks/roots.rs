@@ -37,6 +37,10 @@ pub(super) fn roots(powers: &[f64]) -> Option<Vec<f64>> {
 /// All roots of a polynomial, lowest power first, between those of its derivative; `None` unless all are real.
 fn real_roots(powers: &[f64]) -> Option<Vec<f64>> {
     let (&leading, lower) = powers.split_last()?;
+    if let [constant] = lower {
+        let root = -constant / leading;
+        return root.is_finite().then(|| vec![root]);
+    }
     if lower.is_empty() {
         return Some(Vec::new());
     }
