@@ -2,11 +2,22 @@
 
 use std::collections::BinaryHeap;
 
+/// The larger error; infinite if the second is no number.
+pub(crate) fn larger(most: f64, error: f64) -> f64 {
+    if error <= most {
+        most
+    } else if error.is_nan() {
+        f64::INFINITY
+    } else {
+        error
+    }
+}
+
 /// The largest of the errors, or the first that is above `cap`; infinite where one is no number.
 pub(crate) fn largest(errors: impl Iterator<Item = f64>, cap: f64) -> f64 {
     let mut largest: f64 = 0.0;
     for error in errors {
-        largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
+        largest = larger(largest, error);
         if largest > cap {
             break;
         }

@@ -12,6 +12,7 @@ use super::pole::Pole;
 use super::weight::Weight;
 use crate::chebyshev::{polynomials, sum};
 use crate::series::Parity;
+use crate::supremum::larger;
 use std::f64::consts::PI;
 
 /// Points looked at between two extrema.
@@ -123,27 +124,44 @@ impl Points {
         (0..count).map(|index| 2 * index * (self.cosines.len() - 1) / whole).collect()
     }
 
+    /// By index here and below, since unoptimised iterators would take the planner twice as long.
     fn largest(&self, errors: &[f64]) -> f64 {
-        errors.iter().zip(&self.weights).map(|(error, weight)| (error * weight).abs()).fold(0.0, f64::max)
+        let (mut most, mut point) = (0.0, 0);
+        while point < errors.len() {
+            most = larger(most, (errors[point] * self.weights[point]).abs());
+            point += 1;
+        }
+        most
     }
 
     /// As many points at which the weighted errors are extreme and alternate, the largest among them; `None` where that
     /// is no gain: where they are level at the points that there are, or don't alternate so often.
     fn exchanged(&self, reference: &[usize], errors: &[f64]) -> Option<Vec<usize>> {
-        let weighted: Vec<f64> = errors.iter().zip(&self.weights).map(|(error, weight)| error * weight).collect();
+        let mut weighted = errors.to_vec();
+        let mut point = 0;
+        while point < weighted.len() {
+            weighted[point] *= self.weights[point];
+            point += 1;
+        }
+        let weighted = &weighted[..];
         let size = |point: usize| weighted[point].abs();
         let least = reference.iter().map(|&point| size(point)).fold(f64::INFINITY, f64::min);
         if self.largest(errors) <= LEVEL * least {
             return None;
         }
         let mut extrema: Vec<usize> = Vec::new();
-        for (point, error) in weighted.iter().enumerate() {
-            match extrema.last_mut() {
-                Some(last) if weighted[*last] * error >= 0.0 => {
-                    *last = if size(point) > size(*last) { point } else { *last }
+        let mut start = 0;
+        while start < weighted.len() {
+            // The largest of those of the same sign.
+            let (mut last, mut point) = (start, start + 1);
+            while point < weighted.len() && weighted[last] * weighted[point] >= 0.0 {
+                if size(point) > size(last) {
+                    last = point;
                 }
-                _ => extrema.push(point),
+                point += 1;
             }
+            extrema.push(last);
+            start = point;
         }
         while extrema.len() > reference.len() {
             let (&first, &last) = (extrema.first()?, extrema.last()?);

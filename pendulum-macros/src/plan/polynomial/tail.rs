@@ -7,7 +7,7 @@ use super::weight::Weight;
 use crate::chebyshev::sum;
 use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
-use crate::supremum::worst;
+use crate::supremum::{larger, worst};
 
 /// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, times its weight, for |u| ≤ 1, where p = (1 + u)/8 is the square of a phase up
 /// to `reach`; less what a leeway spares there, if there is one.
@@ -38,21 +38,34 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach
         derivatives[..depth].iter().rev().fold(derivatives[depth].0, largest)
     };
     let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
-    let is_met = |(_, pair): &(usize, &[(f64, f64)])| pair[1].0 <= reach * reach;
-    // Of a cell where the second derivative is at most so much.
-    let error = |(index, pair): (usize, &[(f64, f64)]), second: f64| {
-        let sum = worst([pair[0].1, pair[1].1]) + eighth * second;
-        // With the rounding of all this.
-        let spared = weight.leeway.map_or(0.0, |leeway| leeway.spared(index));
-        sum * weight.between(pair[1].0, pair[0].0) * INFLATION_OF_SUMS - spared
+    // What an error in a cell counts, with the rounding of all this.
+    let counts = |pair: &[(f64, f64)]| weight.between(pair[1].0, pair[0].0) * INFLATION_OF_SUMS;
+    let counts: Vec<f64> = points.windows(2).map(counts).collect();
+    // In a cell where the second derivative is at most so much.
+    let error = |cell: usize, second: f64| {
+        let sum = larger(points[cell].1, points[cell + 1].1) + eighth * second;
+        let spared = weight.leeway.map_or(0.0, |leeway| leeway.spared(cell));
+        sum * counts[cell] - spared
     };
-    let cells = || points.windows(2).enumerate().filter(is_met);
-    let close = CLOSE * worst(cells().map(|cell| error(cell, 0.0)));
-    let bounds = cells().map(|cell| {
-        let bound = |depth: usize| error(cell, bent(cell.0, depth));
-        (0..DEEPEST).map(bound).find(|&bound| bound <= close).unwrap_or_else(|| bound(DEEPEST))
-    });
-    worst(bounds)
+    // Those that are met come last. By index, since unoptimised iterators would take the planner twice as long.
+    let first_met = points[1..].iter().take_while(|(p, _)| *p > reach * reach).count();
+    let (mut close, mut most) = (0.0, 0.0);
+    let mut cell = first_met;
+    while cell < counts.len() {
+        close = larger(close, CLOSE * error(cell, 0.0));
+        cell += 1;
+    }
+    cell = first_met;
+    while cell < counts.len() {
+        let (mut depth, mut bound) = (0, error(cell, derivatives[0].0));
+        while bound > close && depth < DEEPEST {
+            depth += 1;
+            bound = error(cell, bent(cell, depth));
+        }
+        most = larger(most, bound);
+        cell += 1;
+    }
+    most
 }
 
 /// Bounds |Σ cⱼTⱼ(u)| beyond the end, where u = cosh η, η from 0 to `ellipse`, and Tⱼ = cosh jη: by its values at some η
