@@ -66,6 +66,11 @@ impl Halving {
             let Some([before, low, high]) = worst.filter(|&[worst, ..]| worst > settled.max(self.least)) else { break };
             open.pop();
             let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                // There is no number between its ends.
+                settled = settled.max(before);
+                continue;
+            }
             if before > self.cap {
                 // What a part of it is bounded by the whole is found to be at least, and mostly it is hardly more.
                 let [there, ..] = part(middle, middle + NARROW * slice);
@@ -153,6 +158,20 @@ mod tests {
         assert!(found >= all && looked.get() == 8, "{found} {}", looked.get());
         let nowhere = |_: f64, high: f64| if high == 1.0 { f64::NAN } else { 1.0 };
         assert_eq!(halving.largest([0.0, 1.0], nowhere), f64::INFINITY);
+    }
+
+    /// An interval of next to no numbers, or of one, isn't halved.
+    #[test]
+    fn what_cannot_be_halved() {
+        for (high, most) in [(1.0, 8), (1.0_f64.next_up(), 8), (1.0_f64.next_up().next_up(), 20)] {
+            let looked = std::cell::Cell::new(0);
+            let bound = |low: f64, high: f64| {
+                looked.set(looked.get() + 1);
+                1.0 + low + high
+            };
+            assert_eq!(by_halves([1.0, high], 8, 1000, bound), 1.0 + high + high);
+            assert!(looked.get() <= most, "{high}: {}", looked.get());
+        }
     }
 
     /// A bound is cut short only where it is above the cap.
