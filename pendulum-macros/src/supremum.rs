@@ -2,14 +2,14 @@
 
 use std::collections::BinaryHeap;
 
-/// The larger error; infinite if the second is no number.
-pub(crate) fn larger(most: f64, error: f64) -> f64 {
-    if error <= most {
-        most
-    } else if error.is_nan() {
-        f64::INFINITY
+/// The larger of two errors; infinite if one is no number.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a >= b {
+        a
+    } else if b > a {
+        b
     } else {
-        error
+        f64::INFINITY
     }
 }
 
@@ -50,7 +50,7 @@ impl Halving {
     /// Bounds a function on [low, high], given one on any interval.
     pub(crate) fn largest(self, [low, high]: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64 {
         const GAIN: f64 = 0.97;
-        const NARROW: f64 = 1.0 / 64.0;
+        const NARROW: f64 = 1.0 / 512.0;
         let at = |index: u32| {
             if index == self.cells { high } else { low + (high - low) * f64::from(index) / f64::from(self.cells) }
         };
@@ -73,7 +73,7 @@ impl Halving {
             }
             if before > self.cap {
                 // What a part of it is bounded by the whole is found to be at least, and mostly it is hardly more.
-                let [there, ..] = part(middle, middle + NARROW * slice);
+                let [there, ..] = part(middle, middle + NARROW * (high - low));
                 if there > self.cap {
                     return there;
                 }
@@ -158,6 +158,16 @@ mod tests {
         assert!(found >= all && looked.get() == 8, "{found} {}", looked.get());
         let nowhere = |_: f64, high: f64| if high == 1.0 { f64::NAN } else { 1.0 };
         assert_eq!(halving.largest([0.0, 1.0], nowhere), f64::INFINITY);
+    }
+
+    /// Beyond the interval the function may be anything.
+    #[test]
+    fn nothing_beyond_the_interval_is_looked_at() {
+        let bound = |low: f64, high: f64| {
+            assert!(0.0 <= low && high <= 1.0, "{low} {high}");
+            if high == 1.0 && high - low > 1e-5 { f64::INFINITY } else { 1.0 }
+        };
+        assert_eq!(Halving { cells: 8, slices: 64, most: 64, least: 0.0, cap: 2.0 }.largest([0.0, 1.0], bound), 1.0);
     }
 
     /// An interval of next to no numbers, or of one, isn't halved.

@@ -41,9 +41,6 @@ fn real_roots(powers: &[f64]) -> Option<Vec<f64>> {
         let root = -constant / leading;
         return root.is_finite().then(|| vec![root]);
     }
-    if lower.is_empty() {
-        return Some(Vec::new());
-    }
     let derivative: Vec<f64> = powers.iter().enumerate().skip(1).map(|(power, c)| power as f64 * c).collect();
     // Cauchy's bound.
     let bound = 1.0 + lower.iter().map(|c| (c / leading).abs()).fold(0.0, f64::max);

@@ -150,18 +150,8 @@ impl Approximation {
         while series.len() > 2 && series.last().is_some_and(|last| last.hi.abs() < negligible * 1e-3) {
             remainder += series.pop().map_or(0.0, |last| last.hi.abs());
         }
-        Self {
-            parity: curve.parity(),
-            pole,
-            map: None,
-            series,
-            remainder,
-            growth: Growth::Points { points, log_rho: libm::log(rho) },
-            leeway: None,
-            shortened: Memo::default(),
-            enough: Memo::default(),
-            corrections: Rc::default(),
-        }
+        let growth = Growth::Points { points, log_rho: libm::log(rho) };
+        Self { parity: curve.parity(), pole, ..Self::known(None, series, remainder, growth) }
     }
 
     /// The same of a phase that leaves a leeway.

@@ -45,7 +45,7 @@ impl Corrections {
             let errors = left.iter().zip(&points.cosines).map(error).collect();
             Some((of_terms, errors))
         };
-        let none = (vec![0.0; terms], points.largest(&left));
+        let none = (vec![0.0; terms], largest(&points.weighted(&left)));
         let (of_terms, left) =
             points.exchange(terms + 1, weight.parity, levelled).filter(|best| best.1 < none.1).unwrap_or(none);
         Self { of_terms, left }
@@ -108,11 +108,12 @@ impl Points {
         let mut reference = self.extrema(count, parity);
         for _ in 0..ROUNDS {
             let Some((found, errors)) = levelled(&reference) else { break };
-            let largest = self.largest(&errors);
+            let weighted = self.weighted(&errors);
+            let largest = largest(&weighted);
             if best.as_ref().is_none_or(|(_, least)| largest < *least) {
                 best = Some((found, largest));
             }
-            let Some(next) = self.exchanged(&reference, &errors) else { break };
+            let Some(next) = exchanged(&reference, &weighted, largest) else { break };
             reference = next;
         }
         best
@@ -124,51 +125,55 @@ impl Points {
         (0..count).map(|index| 2 * index * (self.cosines.len() - 1) / whole).collect()
     }
 
-    /// By index here and below, since unoptimised iterators would take the planner twice as long.
-    fn largest(&self, errors: &[f64]) -> f64 {
-        let (mut most, mut point) = (0.0, 0);
-        while point < errors.len() {
-            most = larger(most, (errors[point] * self.weights[point]).abs());
-            point += 1;
-        }
-        most
-    }
-
-    /// As many points at which the weighted errors are extreme and alternate, the largest among them; `None` where that
-    /// is no gain: where they are level at the points that there are, or don't alternate so often.
-    fn exchanged(&self, reference: &[usize], errors: &[f64]) -> Option<Vec<usize>> {
+    /// What errors count. By index here and below, since unoptimised iterators would take the planner twice as
+    /// long.
+    fn weighted(&self, errors: &[f64]) -> Vec<f64> {
         let mut weighted = errors.to_vec();
         let mut point = 0;
         while point < weighted.len() {
             weighted[point] *= self.weights[point];
             point += 1;
         }
-        let weighted = &weighted[..];
-        let size = |point: usize| weighted[point].abs();
-        let least = reference.iter().map(|&point| size(point)).fold(f64::INFINITY, f64::min);
-        if self.largest(errors) <= LEVEL * least {
-            return None;
-        }
-        let mut extrema: Vec<usize> = Vec::new();
-        let mut start = 0;
-        while start < weighted.len() {
-            // The largest of those of the same sign.
-            let (mut last, mut point) = (start, start + 1);
-            while point < weighted.len() && weighted[last] * weighted[point] >= 0.0 {
-                if size(point) > size(last) {
-                    last = point;
-                }
-                point += 1;
-            }
-            extrema.push(last);
-            start = point;
-        }
-        while extrema.len() > reference.len() {
-            let (&first, &last) = (extrema.first()?, extrema.last()?);
-            extrema.remove(if size(first) < size(last) { 0 } else { extrema.len() - 1 });
-        }
-        (extrema.len() == reference.len()).then_some(extrema)
+        weighted
     }
+}
+
+fn largest(weighted: &[f64]) -> f64 {
+    let (mut most, mut point) = (0.0, 0);
+    while point < weighted.len() {
+        most = larger(most, weighted[point].abs());
+        point += 1;
+    }
+    most
+}
+
+/// As many points at which the weighted errors are extreme and alternate, the largest among them; `None` where that
+/// is no gain: where they are level at the points that there are, or don't alternate so often.
+fn exchanged(reference: &[usize], weighted: &[f64], largest: f64) -> Option<Vec<usize>> {
+    let size = |point: usize| weighted[point].abs();
+    let least = reference.iter().map(|&point| size(point)).fold(f64::INFINITY, f64::min);
+    if largest <= LEVEL * least {
+        return None;
+    }
+    let mut extrema: Vec<usize> = Vec::new();
+    let mut start = 0;
+    while start < weighted.len() {
+        // The largest of those of the same sign.
+        let (mut last, mut point) = (start, start + 1);
+        while point < weighted.len() && weighted[last] * weighted[point] >= 0.0 {
+            if size(point) > size(last) {
+                last = point;
+            }
+            point += 1;
+        }
+        extrema.push(last);
+        start = point;
+    }
+    while extrema.len() > reference.len() {
+        let (&first, &last) = (extrema.first()?, extrema.last()?);
+        extrema.remove(if size(first) < size(last) { 0 } else { extrema.len() - 1 });
+    }
+    (extrema.len() == reference.len()).then_some(extrema)
 }
 
 /// What is left of an equation without its first unknown, by one that has it. By index, since unoptimised iterators would

@@ -47,25 +47,19 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach
         let spared = weight.leeway.map_or(0.0, |leeway| leeway.spared(cell));
         sum * counts[cell] - spared
     };
-    // Those that are met come last. By index, since unoptimised iterators would take the planner twice as long.
+    // Those that are met come last.
     let first_met = points[1..].iter().take_while(|(p, _)| *p > reach * reach).count();
-    let (mut close, mut most) = (0.0, 0.0);
-    let mut cell = first_met;
-    while cell < counts.len() {
-        close = larger(close, CLOSE * error(cell, 0.0));
-        cell += 1;
-    }
-    cell = first_met;
-    while cell < counts.len() {
+    let met = first_met..counts.len();
+    let close = CLOSE * worst(met.clone().map(|cell| error(cell, 0.0)));
+    let bound = |cell: usize| {
         let (mut depth, mut bound) = (0, error(cell, derivatives[0].0));
         while bound > close && depth < DEEPEST {
             depth += 1;
             bound = error(cell, bent(cell, depth));
         }
-        most = larger(most, bound);
-        cell += 1;
-    }
-    most
+        bound
+    };
+    worst(met.map(bound))
 }
 
 /// Bounds |Σ cⱼTⱼ(u)| beyond the end, where u = cosh η, η from 0 to `ellipse`, and Tⱼ = cosh jη: by its values at some η
