@@ -38,7 +38,8 @@ pub(crate) struct Halving {
     pub(crate) cells: u32,
     /// Parts wider than a slice are halved whatever that gains; so many slices are as long as the interval.
     pub(crate) slices: u32,
-    /// Parts that are halved at most.
+    /// Parts that are halved at most; four times as many where the bound is next to the cap, and more may tell on which
+    /// side of it.
     pub(crate) most: usize,
     /// What is below this is as good as nothing, and bounded no better.
     pub(crate) least: f64,
@@ -61,9 +62,12 @@ impl Halving {
         let mut open: BinaryHeap<[u64; 3]> =
             (0..self.cells).map(|index| ordered(part(at(index), at(index + 1)))).collect();
         let mut settled: f64 = 0.0;
-        for _ in 0..self.most {
+        for halved in 0..4 * self.most {
             let worst = open.peek().map(|worst| worst.map(f64::from_bits));
             let Some([before, low, high]) = worst.filter(|&[worst, ..]| worst > settled.max(self.least)) else { break };
+            if halved >= self.most && !self.is_next_to_cap(before) {
+                break;
+            }
             open.pop();
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
@@ -90,6 +94,11 @@ impl Halving {
             }
         }
         open.peek().map_or(settled, |&[worst, ..]| settled.max(f64::from_bits(worst)))
+    }
+
+    fn is_next_to_cap(&self, bound: f64) -> bool {
+        const NEXT: f64 = 0.1;
+        (bound - self.cap).abs() <= NEXT * self.cap && self.cap.is_finite()
     }
 }
 
@@ -158,6 +167,26 @@ mod tests {
         assert!(found >= all && looked.get() == 8, "{found} {}", looked.get());
         let nowhere = |_: f64, high: f64| if high == 1.0 { f64::NAN } else { 1.0 };
         assert_eq!(halving.largest([0.0, 1.0], nowhere), f64::INFINITY);
+    }
+
+    /// Where more halving may tell whether a bound is above the cap it is gone on with, elsewhere not.
+    #[test]
+    fn what_is_next_to_the_cap_is_halved_more_often() {
+        let halved = |cap: f64| {
+            let looked = std::cell::Cell::new(0);
+            let bound = |low: f64, high: f64| {
+                looked.set(looked.get() + 1);
+                1.0 + 32.0 * (high - low)
+            };
+            let halving = Halving { cells: 8, slices: 4096, most: 16, least: 0.0, cap };
+            (halving.largest([0.0, 1.0], bound), looked.get())
+        };
+        let (at_last, far) = halved(0.5);
+        assert!(at_last > 0.5 && far < 12, "{at_last} {far}");
+        for cap in [8.0, f64::INFINITY] {
+            assert_eq!(halved(cap), (3.0, 8 + 2 * 16), "{cap}");
+        }
+        assert_eq!(halved(2.9).0, 2.0);
     }
 
     /// Beyond the interval the function may be anything.

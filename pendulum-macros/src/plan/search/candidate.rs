@@ -11,6 +11,7 @@ use crate::plan::part::Approximations;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
+use std::iter;
 use std::rc::Rc;
 
 /// What polynomials are asked for: an output, by its number, that takes at most such a part of its limit.
@@ -35,10 +36,46 @@ pub(super) struct Found {
 }
 
 /// The outputs of a candidate, what they cost more than was estimated, and why other forms of them lost.
+#[derive(Default)]
 pub(super) struct Outputs {
     pub(super) parts: Vec<Part>,
     pub(super) more: f64,
     pub(super) rejected: Vec<String>,
+}
+
+impl Outputs {
+    fn and(mut self, others: Self) -> Self {
+        self.parts.extend(others.parts);
+        self.more += others.more;
+        self.rejected.extend(others.rejected);
+        self
+    }
+}
+
+/// What is asked of a candidate.
+#[derive(Clone, Copy)]
+pub(super) struct Demand {
+    /// The part of its limit that each output takes at most.
+    pub(super) most: f64,
+    /// What it costs less than.
+    pub(super) cost: f64,
+    /// The output, by its number, that is likely not to be had: it is looked at first.
+    pub(super) hardest: usize,
+}
+
+impl Demand {
+    /// At any cost.
+    pub(super) const fn at_most(most: f64) -> Self {
+        Self { most, cost: f64::INFINITY, hardest: 0 }
+    }
+}
+
+/// Why a candidate isn't taken.
+pub(super) enum Failure {
+    /// An output, by its number, takes more than was asked for, and what was reached.
+    Unreached { output: usize, reached: f64 },
+    /// It costs too much.
+    Dear,
 }
 
 /// One way of computing all outputs.
@@ -110,37 +147,54 @@ impl Candidate<'_> {
         kind(self) == kind(other) && own.iter().zip(others).all(|(own, other)| *own >= other)
     }
 
-    /// The outputs, each of which takes at most a part of the limit of it, or what was reached.
-    pub(super) fn outputs(&self, scene: &Scene, most: f64) -> Result<Outputs, f64> {
+    /// The outputs, or the first reason not to take them.
+    pub(super) fn outputs(&self, scene: &Scene, demand: Demand) -> Result<Outputs, Failure> {
+        let Demand { most, cost, hardest } = demand;
         let Prospect { task, approximations, pieces, .. } = self.prospect;
         if let Way::Pieces(index) = self.way {
-            let parts = pieces[index].parts(task, self.reduction, most)?;
+            let parts = pieces[index].parts(task, self.reduction, most);
+            let parts = parts.map_err(|reached| Failure::Unreached { output: hardest, reached })?;
             return Ok(Outputs { parts, more: 0.0, rejected: Vec::new() });
         }
-        let (mut parts, mut more, mut rejected) = (Vec::new(), 0.0, Vec::new());
-        for (output, all) in approximations.iter().enumerate() {
-            let passage = || {
-                let part = all.aim.passage_part(task, &all.drafts, self.reduction, most)?;
-                Ok((part, waiting(scene.float) * all.aim.passage_estimate()))
-            };
-            let mut polynomials = || {
-                let asked = Asked { output, reduction: self.reduction.clone(), most };
-                let found = self.prospect.found.get(asked, || Rc::new(self.polynomials(scene, all, most)));
-                rejected.extend_from_slice(&found.rejected);
-                found.part.clone()
-            };
-            // What one way can't promise of an output the other may; of all of them it is a candidate of its own.
-            let mixed = task.aims.len() > 1;
-            let (part, cost) = match self.way {
-                Way::Passage if mixed => passage().or_else(|reached| polynomials().map_err(|other| other.min(reached))),
-                Way::Passage => passage(),
-                _ if mixed => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
-                _ => polynomials(),
-            }?;
-            parts.push(part);
-            more += cost - self.estimate(scene, all);
+        let others = (0..approximations.len()).filter(|&output| output != hardest);
+        let (mut ones, mut more) = (Vec::new(), 0.0);
+        for output in iter::once(hardest).chain(others) {
+            let one = self.output(scene, output, most).map_err(|reached| Failure::Unreached { output, reached })?;
+            more += one.more;
+            ones.push((output, one));
+            if self.cost + more >= cost {
+                return Err(Failure::Dear);
+            }
         }
-        Ok(Outputs { parts, more, rejected })
+        ones.sort_by_key(|&(output, _)| output);
+        let ones = ones.into_iter().map(|(_, one)| one);
+        Ok(ones.fold(Outputs::default(), Outputs::and))
+    }
+
+    /// One of them alone, or what was reached.
+    fn output(&self, scene: &Scene, output: usize, most: f64) -> Result<Outputs, f64> {
+        let Prospect { task, approximations, found, .. } = self.prospect;
+        let all = &approximations[output];
+        let mut rejected = Vec::new();
+        let passage = || {
+            let part = all.aim.passage_part(task, &all.drafts, self.reduction, most)?;
+            Ok((part, waiting(scene.float) * all.aim.passage_estimate()))
+        };
+        let mut polynomials = || {
+            let asked = Asked { output, reduction: self.reduction.clone(), most };
+            let found = found.get(asked, || Rc::new(self.polynomials(scene, all, most)));
+            rejected.extend_from_slice(&found.rejected);
+            found.part.clone()
+        };
+        // What one way can't promise of an output the other may; of all of them it is a candidate of its own.
+        let mixed = approximations.len() > 1;
+        let (part, cost) = match self.way {
+            Way::Passage if mixed => passage().or_else(|reached| polynomials().map_err(|other| other.min(reached))),
+            Way::Passage => passage(),
+            _ if mixed => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
+            _ => polynomials(),
+        }?;
+        Ok(Outputs { parts: vec![part], more: cost - self.estimate(scene, all), rejected })
     }
 
     /// What an output was estimated to cost.
@@ -158,7 +212,7 @@ impl Candidate<'_> {
         let mut choice = Choice::new();
         let mut tried = Vec::new();
         for (index, (variant, cost)) in all.variants(self.reduction).into_iter().enumerate() {
-            if choice.is_made(cost) {
+            if cost >= choice.dear() {
                 tried.push(Tried { variant, cost, reached: None });
                 break;
             }

@@ -65,12 +65,12 @@ impl<T> Choice<T> {
         Self { best: None }
     }
 
-    /// Whether nothing of that cost or more would be taken.
-    pub(super) fn is_made(&self, cost: f64) -> bool {
-        self.best.as_ref().is_some_and(|best| match best.room {
-            Room::Comfortable => cost >= best.cost,
-            Room::Tolerable => cost > DEARER * best.cost,
-            Room::Little => false,
+    /// The cost from which on nothing would be taken.
+    pub(super) fn dear(&self) -> f64 {
+        self.best.as_ref().map_or(f64::INFINITY, |best| match best.room {
+            Room::Comfortable => best.cost,
+            Room::Tolerable => (DEARER * best.cost).next_up(),
+            Room::Little => f64::INFINITY,
         })
     }
 
@@ -129,7 +129,7 @@ mod tests {
             let limits = Limits::of(scene.goal, &prospect.reductions[0]);
             let mut choice = Choice::new();
             for (index, &(estimate, cost, share)) in found.iter().enumerate() {
-                if choice.is_made(estimate) {
+                if estimate >= choice.dear() {
                     break;
                 }
                 if share <= choice.most(limits, estimate) {

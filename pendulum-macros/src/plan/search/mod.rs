@@ -12,7 +12,7 @@ use super::task::Task;
 use super::{Part, Plan, Refusal, alternatives, verify};
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
-use candidate::{Candidate, Outputs};
+use candidate::{Candidate, Demand, Failure, Outputs};
 use choice::{Choice, Limits};
 use prospect::Prospect;
 
@@ -101,7 +101,7 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
     let mut lost = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         let Candidate { reduction, cost, .. } = *candidate;
-        if choice.is_made(cost) || candidate.is_late(scene) && choice.has_any() {
+        if cost >= choice.dear() || candidate.is_late(scene) && choice.has_any() {
             break;
         }
         let limits = Limits::of(scene.goal, reduction);
@@ -109,12 +109,15 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
         if lost.iter().any(|lost: &Lost| lost.most >= most && candidate.is_no_finer(lost.candidate)) {
             continue;
         }
-        match candidate.outputs(scene, most) {
+        // What the last couldn't give the next is asked for first.
+        let hardest = lost.last().map_or(0, |lost| lost.output);
+        match candidate.outputs(scene, Demand { most, cost: choice.dear(), hardest }) {
             Ok(outputs) => {
                 let Outputs { parts, more, .. } = &outputs;
                 choice.offer(limits, cost + more, largest_share(parts), (index, outputs));
             }
-            Err(reached) => lost.push(Lost { candidate, most, reached }),
+            Err(Failure::Dear) => {}
+            Err(Failure::Unreached { output, reached }) => lost.push(Lost { candidate, most, output, reached }),
         }
     }
     let closest = || lost.iter().map(|lost| lost.reached).fold(f64::INFINITY, f64::min);
@@ -131,6 +134,7 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
 struct Lost<'a> {
     candidate: &'a Candidate<'a>,
     most: f64,
+    output: usize,
     reached: f64,
 }
 

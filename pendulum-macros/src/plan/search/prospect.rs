@@ -1,6 +1,6 @@
 //! A task, the whole motion or an arc of it, and all ways of doing it.
 
-use super::candidate::{Asked, Candidate, Found, Way, waiting};
+use super::candidate::{Asked, Candidate, Demand, Found, Way, waiting};
 use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::form::Variant;
@@ -83,7 +83,9 @@ impl Prospect {
         let in_pieces = self.pieces.iter().enumerate().flat_map(|(index, pieces)| {
             let one = move |reduction| {
                 let candidate = Candidate { prospect: self, reduction, way: Way::Pieces(index), cost: 0.0 };
-                Some(worst(candidate.outputs(scene, f64::INFINITY).ok()?.parts.iter().map(Part::error)))
+                Some(worst(
+                    candidate.outputs(scene, Demand::at_most(f64::INFINITY)).ok()?.parts.iter().map(Part::error),
+                ))
             };
             pieces.reductions.iter().filter_map(one)
         });

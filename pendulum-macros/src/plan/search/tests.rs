@@ -20,7 +20,7 @@ fn prospects(text: &str) -> (Scene, Vec<Prospect>) {
 }
 
 fn planned(scene: &Scene, candidate: &Candidate) -> Option<Plan> {
-    Some(joined(candidate.reduction, candidate.outputs(scene, f64::INFINITY).ok()?.parts))
+    Some(joined(candidate.reduction, candidate.outputs(scene, Demand::at_most(f64::INFINITY)).ok()?.parts))
 }
 
 /// Of polynomials the estimates come close to what the plans are that might be taken, so that the cheapest is tried first.
@@ -41,7 +41,9 @@ fn estimated_costs() {
         for candidate in candidates(&scene, &prospects) {
             assert!(candidate.cost >= before, "{text}: {}", candidate.describe());
             before = candidate.cost;
-            let Ok(outputs) = candidate.outputs(&scene, Limits::of(scene.goal, candidate.reduction).tolerable) else {
+            let Ok(outputs) =
+                candidate.outputs(&scene, Demand::at_most(Limits::of(scene.goal, candidate.reduction).tolerable))
+            else {
                 continue;
             };
             let plan = joined(candidate.reduction, outputs.parts);
@@ -74,6 +76,8 @@ fn comfortable_plans() {
         "velocity0 = 2.1, outputs = [acceleration]",
         "velocity0 = 2.01",
         "theta0 = 2.449, t_max = 1e4, outputs = [acceleration]",
+        "theta0 = 0.99π, t_max = 100, outputs = [velocity]",
+        "theta0 = 2.449, outputs = [position], float = f32",
     ] {
         let (scene, prospects) = prospects(text);
         let [comfortable, enough] = limits(&scene);
@@ -91,7 +95,7 @@ fn comfortable_plans() {
         let (mut found, mut costs) = (Vec::new(), Vec::new());
         for candidate in candidates(&scene, &prospects).into_iter().filter(|one| one.resort(&scene) == 0) {
             let Prospect { task, approximations, .. } = candidate.prospect;
-            let outputs = |most: f64| candidate.outputs(&scene, most).ok();
+            let outputs = |most: f64| candidate.outputs(&scene, Demand::at_most(most)).ok();
             let Some(Outputs { parts, more, .. }) = goals(&found).into_iter().find_map(outputs) else { continue };
             found.push((candidate.cost + more, largest_share(&parts)));
             costs.push(joined(candidate.reduction, parts).functions[0].program.cost());
@@ -129,7 +133,8 @@ fn phases_that_are_no_finer() {
     ] {
         let (scene, prospects) = prospects(text);
         let candidates = candidates(&scene, &prospects);
-        let lost: Vec<bool> = candidates.iter().map(|one| one.outputs(&scene, limits(&scene)[1]).is_err()).collect();
+        let lost: Vec<bool> =
+            candidates.iter().map(|one| one.outputs(&scene, Demand::at_most(limits(&scene)[1])).is_err()).collect();
         for (first, other) in candidates.iter().enumerate().filter(|&(first, _)| lost[first]) {
             let is_skipped = |&index: &usize| index != first && candidates[index].is_no_finer(other);
             for index in (0..candidates.len()).filter(is_skipped) {
@@ -279,5 +284,37 @@ fn many_pieces_are_the_last_resort() {
         let plan = cheapest(&scene, &prospects).unwrap();
         let description = &plan.parts[0].description;
         assert!(description.starts_with(&format!("{pieces} polynomials")), "{text}: {description}");
+    }
+}
+
+/// Whichever output is looked at first, and at no more than what is asked.
+#[test]
+fn outputs_in_any_order() {
+    let (scene, prospects) = prospects("theta0 = 0.95π, t_max = 100, outputs = [theta, velocity, position]");
+    let candidates = candidates(&scene, &prospects);
+    let demand = Demand::at_most(f64::INFINITY);
+    let serves = |candidate: &Candidate| Some((candidate.cost, candidate.outputs(&scene, demand).ok()?));
+    let (candidate, (estimate, found)) =
+        candidates.iter().find_map(|candidate| Some((candidate, serves(candidate)?))).unwrap();
+    let cost = estimate + found.more;
+    for hardest in 0..3 {
+        let outputs = |cost: f64| candidate.outputs(&scene, Demand { cost, hardest, ..demand });
+        let same = outputs(cost + 0.01).ok().unwrap();
+        let kernels = |of: &Outputs| of.parts.iter().map(|part| part.kernel.clone()).collect::<Vec<_>>();
+        assert_eq!((kernels(&same), same.more), (kernels(&found), found.more));
+        assert_eq!(same.rejected, found.rejected);
+        assert!(matches!(outputs(cost - 0.01), Err(Failure::Dear)));
+    }
+}
+
+/// What can't be had is named, also where another is looked at first that can't.
+#[test]
+fn outputs_that_cannot_be_had() {
+    let (scene, prospects) = prospects("theta0 = 0.95π, outputs = [theta, velocity]");
+    let candidates = candidates(&scene, &prospects);
+    for hardest in [0, 1] {
+        let demand = Demand { hardest, ..Demand::at_most(1e-3) };
+        let failure = candidates[0].outputs(&scene, demand).err();
+        assert!(matches!(failure, Some(Failure::Unreached { output, .. }) if output == hardest));
     }
 }
