@@ -78,8 +78,9 @@ impl Aim {
             }
             [curve] => {
                 let exact = curve.at(s) * (sign(curve.alternates) * task.direction);
-                let error = (Double::new(values[0]) - exact).hi.abs();
-                Some(if self.output == Output::Wrapped { error.min((TAU - error).abs()) } else { error })
+                let apart = Double::new(values[0]) - exact;
+                let turns = if self.output == Output::Wrapped { (apart.hi / TAU).round() } else { 0.0 };
+                Some((apart - Double::PI * (2.0 * turns)).hi.abs())
             }
             [sine, cosine] => {
                 let (sine, cosine) = (sine.at(s) * sign(sine.alternates), cosine.at(s));

@@ -257,6 +257,17 @@ fn a_spoilt_plan_is_seen_by_the_planner_itself() {
     assert_eq!(verify::broken(&scene, &task, &plan), Some(Output::Theta));
 }
 
+/// On the other side of the top a wrapped angle is a turn away, to its last place: rounded, it would be off by more than
+/// truncation leaves here.
+#[test]
+fn a_turn_is_exact() {
+    let text = "theta0 = π, velocity0 = 7.564e-10, tol = 2.69e-8, outputs = [wrapped]";
+    for step in 25..45 {
+        let scene = scene(&format!("struct Motion; {text}, t_max = {}", 0.51 + 1e-5 * f64::from(step)));
+        assert!(plan(&scene).is_ok(), "{step}");
+    }
+}
+
 /// Each result of each output that it knows the curve of, by a millionth of it.
 #[test]
 fn any_spoilt_result_is_seen() {

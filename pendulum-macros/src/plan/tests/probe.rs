@@ -5,6 +5,7 @@ use super::truth::{State, distance};
 use crate::fuzz::random::Random;
 use crate::plan::turning::is_wrapped;
 use crate::plan::*;
+use std::slice;
 
 /// Where a plan is tried.
 pub(in crate::plan) struct Probe<'a> {
@@ -49,11 +50,14 @@ impl<'a> Probe<'a> {
         let t = self.scene.float.round(t).clamp(-most, most);
         let exact = State::at(&self.scene.motion, t).output(self.output);
         let values = self.program.run(t);
-        let mut error = distance(self.scene.motion.omega.context(), &values, &exact);
+        let context = self.scene.motion.omega.context();
+        let mut error = distance(context, &values, &exact);
         if self.output == Output::Wrapped {
             // At the top π and −π are one angle.
             assert!(is_wrapped(values[0]), "{t}: {values:?}");
-            error = error.min((std::f64::consts::TAU - error).abs());
+            let turn = context.pi().scale(1);
+            let others = [&exact[0] + &turn, &exact[0] - &turn];
+            error = others.iter().map(|other| distance(context, &values, slice::from_ref(other))).fold(error, f64::min);
         }
         if error > self.worst.1 {
             self.worst = (t, error);
