@@ -3,6 +3,7 @@
 use super::{Elliptic, Swing};
 use crate::exact::Real;
 use pendulum_runtime::double::Double;
+use std::iter;
 
 /// What is said where no useful number of terms is without overshoot.
 pub(crate) const ALWAYS_OVERSHOOTS: &str = "`fourier` can't come near the motion at this amplitude: with as many terms as \
@@ -10,18 +11,14 @@ pub(crate) const ALWAYS_OVERSHOOTS: &str = "`fourier` can't come near the motion
                                             `method` out";
 
 impl Swing {
-    /// b₂ₙ₋₁ of Eq. 22, the coefficient of sin((2n−1)πu/2K) in the Fourier series of sn(u; k):
+    /// The first `terms` of b₂ₙ₋₁ of Eq. 22, the coefficient of sin((2n−1)πu/2K) in the Fourier series of sn(u; k):
     /// (2π/kK) q^{n−1/2}/(1 − q^{2n−1}), for n ≥ 1.
-    pub(crate) fn fourier_coefficient(&self, n: usize) -> Real {
+    pub(crate) fn fourier_coefficients(&self, terms: usize) -> Vec<Real> {
         let Elliptic { modulus, quarter, nome, .. } = &self.elliptic;
         let context = nome.context();
-        let odd = nome.power(2 * n - 1);
-        context.pi().scale(1) * odd.sqrt() / (modulus * quarter * (context.integer(1) - odd))
-    }
-
-    /// The first `terms` of them.
-    pub(crate) fn fourier_coefficients(&self, terms: usize) -> Vec<Real> {
-        (1..=terms).map(|n| self.fourier_coefficient(n)).collect()
+        let factor = context.pi().scale(1) / (modulus * quarter);
+        let powers = iter::successors(Some(nome.sqrt()), |power| Some(power * nome));
+        powers.take(terms).map(|power| &factor * &power / (context.integer(1) - power.square())).collect()
     }
 
     /// (−1)ⁿ⁻¹ k b₂ₙ₋₁, of cos((2n−1)πs) in k sn(u + K), given the b₂ₙ₋₁ from n = 1 on.
@@ -42,7 +39,7 @@ impl Swing {
         let half_ulp = unit / 2.0;
         let q = self.elliptic.nome.to_f64();
         // b₁ is within [1, 4/π] at every amplitude; from here on the ratio alone, which can't underflow too early.
-        let mut term = self.fourier_coefficient(1).to_f64();
+        let mut term = self.fourier_coefficients(1)[0].to_f64();
         let mut odd_power = q;
         let mut n = 0;
         loop {
