@@ -57,17 +57,10 @@ impl Outputs {
 pub(super) struct Demand {
     /// The part of its limit that each output takes at most.
     pub(super) most: f64,
-    /// What it costs less than.
-    pub(super) cost: f64,
+    /// What is too much for it to cost.
+    pub(super) dear: f64,
     /// The output, by its number, that is likely not to be had: it is looked at first.
     pub(super) hardest: usize,
-}
-
-impl Demand {
-    /// At any cost.
-    pub(super) const fn at_most(most: f64) -> Self {
-        Self { most, cost: f64::INFINITY, hardest: 0 }
-    }
 }
 
 /// Why a candidate isn't taken.
@@ -149,12 +142,13 @@ impl Candidate<'_> {
 
     /// The outputs, or the first reason not to take them.
     pub(super) fn outputs(&self, scene: &Scene, demand: Demand) -> Result<Outputs, Failure> {
-        let Demand { most, cost, hardest } = demand;
+        let Demand { most, dear, hardest } = demand;
         let Prospect { task, approximations, pieces, .. } = self.prospect;
         if let Way::Pieces(index) = self.way {
             let parts = pieces[index].parts(task, self.reduction, most);
+            // It isn't told of which.
             let parts = parts.map_err(|reached| Failure::Unreached { output: hardest, reached })?;
-            return Ok(Outputs { parts, more: 0.0, rejected: Vec::new() });
+            return Ok(Outputs { parts, ..Outputs::default() });
         }
         let others = (0..approximations.len()).filter(|&output| output != hardest);
         let (mut ones, mut more) = (Vec::new(), 0.0);
@@ -162,7 +156,8 @@ impl Candidate<'_> {
             let one = self.output(scene, output, most).map_err(|reached| Failure::Unreached { output, reached })?;
             more += one.more;
             ones.push((output, one));
-            if self.cost + more >= cost {
+            // Hardly any output costs less than was estimated.
+            if self.cost + more >= dear {
                 return Err(Failure::Dear);
             }
         }

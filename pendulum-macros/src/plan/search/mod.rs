@@ -32,7 +32,7 @@ pub(super) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
 pub(super) fn least_error(scene: &Scene) -> f64 {
     let least = |mut task: Task| {
         task.aims.iter_mut().for_each(Aim::at_full_precision);
-        Prospect::new(scene, task).most_accurate(scene)
+        Prospect::new(scene, task).most_accurate()
     };
     tasks(scene).into_iter().map(least).fold(f64::INFINITY, f64::min)
 }
@@ -101,7 +101,8 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
     let mut lost = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         let Candidate { reduction, cost, .. } = *candidate;
-        if cost >= choice.dear() || candidate.is_late(scene) && choice.has_any() {
+        let dear = choice.dear();
+        if cost >= dear || candidate.is_late(scene) && choice.has_any() {
             break;
         }
         let limits = Limits::of(scene.goal, reduction);
@@ -111,7 +112,7 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
         }
         // What the last couldn't give the next is asked for first.
         let hardest = lost.last().map_or(0, |lost| lost.output);
-        match candidate.outputs(scene, Demand { most, cost: choice.dear(), hardest }) {
+        match candidate.outputs(scene, Demand { most, dear, hardest }) {
             Ok(outputs) => {
                 let Outputs { parts, more, .. } = &outputs;
                 choice.offer(limits, cost + more, largest_share(parts), (index, outputs));

@@ -1,6 +1,6 @@
 //! A task, the whole motion or an arc of it, and all ways of doing it.
 
-use super::candidate::{Asked, Candidate, Demand, Found, Way, waiting};
+use super::candidate::{Asked, Candidate, Found, Way, waiting};
 use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::form::Variant;
@@ -66,7 +66,7 @@ impl Prospect {
     }
 
     /// The least that can be promised of the worst output, whatever it costs.
-    pub(super) fn most_accurate(&self, scene: &Scene) -> f64 {
+    pub(super) fn most_accurate(&self) -> f64 {
         let Self { approximations, reductions, .. } = self;
         let worst_output = |reduction: &Reduction| {
             let least = |all: &Approximations| {
@@ -80,12 +80,10 @@ impl Prospect {
             from_there.min_by(|a, b| (a.error + a.relative_error).total_cmp(&(b.error + b.relative_error)))
         };
         let others = [Origin::Anchor, Origin::Lowest].into_iter().filter_map(of).map(worst_output);
-        let in_pieces = self.pieces.iter().enumerate().flat_map(|(index, pieces)| {
-            let one = move |reduction| {
-                let candidate = Candidate { prospect: self, reduction, way: Way::Pieces(index), cost: 0.0 };
-                Some(worst(
-                    candidate.outputs(scene, Demand::at_most(f64::INFINITY)).ok()?.parts.iter().map(Part::error),
-                ))
+        let in_pieces = self.pieces.iter().flat_map(|pieces| {
+            let one = |reduction| {
+                let parts = pieces.parts(&self.task, reduction, f64::INFINITY).ok()?;
+                Some(worst(parts.iter().map(Part::error)))
             };
             pieces.reductions.iter().filter_map(one)
         });

@@ -19,8 +19,13 @@ fn prospects(text: &str) -> (Scene, Vec<Prospect>) {
     (scene, prospects)
 }
 
+/// What takes at most a part of its limit, at any cost.
+fn at_most(candidate: &Candidate, scene: &Scene, most: f64) -> Result<Outputs, Failure> {
+    candidate.outputs(scene, Demand { most, dear: f64::INFINITY, hardest: 0 })
+}
+
 fn planned(scene: &Scene, candidate: &Candidate) -> Option<Plan> {
-    Some(joined(candidate.reduction, candidate.outputs(scene, Demand::at_most(f64::INFINITY)).ok()?.parts))
+    Some(joined(candidate.reduction, at_most(candidate, scene, f64::INFINITY).ok()?.parts))
 }
 
 /// Of polynomials the estimates come close to what the plans are that might be taken, so that the cheapest is tried first.
@@ -41,9 +46,7 @@ fn estimated_costs() {
         for candidate in candidates(&scene, &prospects) {
             assert!(candidate.cost >= before, "{text}: {}", candidate.describe());
             before = candidate.cost;
-            let Ok(outputs) =
-                candidate.outputs(&scene, Demand::at_most(Limits::of(scene.goal, candidate.reduction).tolerable))
-            else {
+            let Ok(outputs) = at_most(&candidate, &scene, Limits::of(scene.goal, candidate.reduction).tolerable) else {
                 continue;
             };
             let plan = joined(candidate.reduction, outputs.parts);
@@ -95,7 +98,7 @@ fn comfortable_plans() {
         let (mut found, mut costs) = (Vec::new(), Vec::new());
         for candidate in candidates(&scene, &prospects).into_iter().filter(|one| one.resort(&scene) == 0) {
             let Prospect { task, approximations, .. } = candidate.prospect;
-            let outputs = |most: f64| candidate.outputs(&scene, Demand::at_most(most)).ok();
+            let outputs = |most: f64| at_most(&candidate, &scene, most).ok();
             let Some(Outputs { parts, more, .. }) = goals(&found).into_iter().find_map(outputs) else { continue };
             found.push((candidate.cost + more, largest_share(&parts)));
             costs.push(joined(candidate.reduction, parts).functions[0].program.cost());
@@ -133,8 +136,7 @@ fn phases_that_are_no_finer() {
     ] {
         let (scene, prospects) = prospects(text);
         let candidates = candidates(&scene, &prospects);
-        let lost: Vec<bool> =
-            candidates.iter().map(|one| one.outputs(&scene, Demand::at_most(limits(&scene)[1])).is_err()).collect();
+        let lost: Vec<bool> = candidates.iter().map(|one| at_most(one, &scene, limits(&scene)[1]).is_err()).collect();
         for (first, other) in candidates.iter().enumerate().filter(|&(first, _)| lost[first]) {
             let is_skipped = |&index: &usize| index != first && candidates[index].is_no_finer(other);
             for index in (0..candidates.len()).filter(is_skipped) {
@@ -292,13 +294,12 @@ fn many_pieces_are_the_last_resort() {
 fn outputs_in_any_order() {
     let (scene, prospects) = prospects("theta0 = 0.95π, t_max = 100, outputs = [theta, velocity, position]");
     let candidates = candidates(&scene, &prospects);
-    let demand = Demand::at_most(f64::INFINITY);
-    let serves = |candidate: &Candidate| Some((candidate.cost, candidate.outputs(&scene, demand).ok()?));
+    let serves = |candidate: &Candidate| Some((candidate.cost, at_most(candidate, &scene, f64::INFINITY).ok()?));
     let (candidate, (estimate, found)) =
         candidates.iter().find_map(|candidate| Some((candidate, serves(candidate)?))).unwrap();
     let cost = estimate + found.more;
     for hardest in 0..3 {
-        let outputs = |cost: f64| candidate.outputs(&scene, Demand { cost, hardest, ..demand });
+        let outputs = |dear: f64| candidate.outputs(&scene, Demand { most: f64::INFINITY, dear, hardest });
         let same = outputs(cost + 0.01).ok().unwrap();
         let kernels = |of: &Outputs| of.parts.iter().map(|part| part.kernel.clone()).collect::<Vec<_>>();
         assert_eq!((kernels(&same), same.more), (kernels(&found), found.more));
@@ -313,8 +314,7 @@ fn outputs_that_cannot_be_had() {
     let (scene, prospects) = prospects("theta0 = 0.95π, outputs = [theta, velocity]");
     let candidates = candidates(&scene, &prospects);
     for hardest in [0, 1] {
-        let demand = Demand { hardest, ..Demand::at_most(1e-3) };
-        let failure = candidates[0].outputs(&scene, demand).err();
+        let failure = candidates[0].outputs(&scene, Demand { most: 1e-3, dear: f64::INFINITY, hardest }).err();
         assert!(matches!(failure, Some(Failure::Unreached { output, .. }) if output == hardest));
     }
 }
