@@ -1,6 +1,7 @@
 //! Chebyshev series on [−1, 1] in double-double arithmetic: sampling, and conversion to powers.
 
 use crate::power::two_to;
+use crate::program::rounding::UNDERFLOW;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 use std::ops::{Add, Mul};
@@ -49,7 +50,7 @@ impl CosineTable {
     /// least, all that is less than (4 + Λ)m²·2⁻¹⁰⁰.
     fn rounding(&self, largest: f64) -> f64 {
         let m = self.m as f64;
-        (4.0 + lebesgue(self.m)) * m * m * two_to(-100) * largest
+        (4.0 + lebesgue(self.m)) * m * m * two_to(-100) * largest + UNDERFLOW
     }
 
     /// The coefficients of the interpolant through `values` at [`Self::points`] (the zeroth one whole, not doubled).

@@ -14,7 +14,7 @@ pub(crate) struct Wave {
     constant: Double,
     /// (m, aₘ), m increasing.
     terms: Vec<(u32, Double)>,
-    /// Bounds what the omitted terms can add, and what it strays by, for real s.
+    /// Bounds what the omitted terms can add, what those kept lost to underflow, and what it strays by, for real s.
     omitted: f64,
     /// The m of the first that is omitted, if any is.
     first_omitted: u32,
@@ -43,26 +43,31 @@ struct Envelope {
 /// From term to term m grows by this: all of a series are odd multiples of πs, or all are even.
 const STEP: u32 = 2;
 
+/// What a product in two words loses where the second underflows: it is made of six of one word, each of which is wrong by
+/// half of the smallest number at most, 2⁻¹⁰⁷⁵.
+const LOST: f64 = f64::from_bits(3);
+
 /// Relative to the first term, terms below this are omitted: far below the rounding of any output.
 const NEGLIGIBLE: f64 = 1e-23;
 
 impl Wave {
-    /// θ of a swing about its turning point (the series of θ itself, differentiated `order` times with respect to s):
-    /// θ = 8 Σ (−1)ⁿ⁻¹ q^(n−½)/((2n−1)(1 + q²ⁿ⁻¹)) cos((2n−1)πs), `scale` times.
-    pub(crate) fn swing(swing: &Swing, order: i32, scale: Double) -> Self {
+    /// θ of a swing about its turning point (the series of θ itself, differentiated `order` times with respect to s/`rate`):
+    /// θ = 8 Σ (−1)ⁿ⁻¹ q^(n−½)/((2n−1)(1 + q²ⁿ⁻¹)) cos((2n−1)πs), `unit` times, by which it may underflow, and last.
+    pub(crate) fn swing(swing: &Swing, order: i32, rate: Double, unit: Double) -> Self {
         let nome = swing.elliptic.nome.to_double();
         let root = swing.elliptic.nome.sqrt().to_double();
-        let size = 8.0 * scale.hi.abs() * power(PI, order);
+        let size = 8.0 * power(PI * rate.hi, order) * unit.hi;
         let envelope = Envelope::of(&swing.elliptic, size, order - 1);
         let mut power = root; // q^(m/2)
+        let turn = Double::PI * rate;
         let terms = (1..).step_by(2).map(|m: u32| {
             let odd = m % 4 == 3;
-            let size = power * 8.0 / (Double::ONE + power * power) * scale;
+            let size = power * 8.0 / (Double::ONE + power * power) / f64::from(m);
             power = power * nome;
-            let rate = (0..order).fold(Double::ONE, |rate, _| rate * Double::PI * f64::from(m)) / f64::from(m);
+            let amplitude = (0..order).fold(size, |size, _| size * turn * f64::from(m)) * unit;
             // Derivatives of the cosine: −sin, −cos, sin, cos.
             let negative = odd ^ matches!(order % 4, 1 | 2);
-            (m, if negative { -(size * rate) } else { size * rate })
+            (m, if negative { -amplitude } else { amplitude })
         });
         let parity = if order % 2 == 0 { Parity::Even } else { Parity::Odd };
         Self::collect(parity, [Double::ZERO; 2], terms, envelope)
@@ -97,24 +102,24 @@ impl Wave {
         Self::collect(Parity::Even, [Double::ZERO, front], terms, envelope)
     }
 
-    /// θ − π of a rotation about the top, differentiated `order` times with respect to s (in turns):
-    /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `scale` times.
-    pub(crate) fn rotation(rotation: &Rotation, order: i32, scale: Double) -> Self {
+    /// θ − π of a rotation about the top, differentiated `order` times with respect to s/`rate` (s in turns):
+    /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `unit` times, by which it may underflow, and last.
+    pub(crate) fn rotation(rotation: &Rotation, order: i32, rate: Double, unit: Double) -> Self {
         let nome = rotation.elliptic.nome.to_double();
-        let size = 8.0 * scale.hi.abs() * power(PI, order);
+        let size = 8.0 * power(PI * rate.hi, order) * unit.hi;
         let envelope = Envelope::of(&rotation.elliptic, size, order - 1);
         let mut power = nome;
+        let turn = Double::PI * rate;
         let terms = (1..).map(|n: u32| {
-            let size = power * 4.0 / (Double::ONE + power * power) / f64::from(n) * scale;
+            let size = power * 4.0 / (Double::ONE + power * power) / f64::from(n);
             power = power * nome;
-            let rate = (0..order).fold(Double::ONE, |rate, _| rate * Double::PI * f64::from(2 * n));
+            let amplitude = (0..order).fold(size, |size, _| size * turn * f64::from(2 * n)) * unit;
             let negative = (n % 2 == 1) ^ matches!(order % 4, 2 | 3);
-            (2 * n, if negative { -(size * rate) } else { size * rate })
+            (2 * n, if negative { -amplitude } else { amplitude })
         });
-        let turn = Double::PI * 2.0 * scale;
         let (parity, polynomial) = match order {
-            0 => (Parity::Odd, [turn, Double::ZERO]),
-            1 => (Parity::Even, [Double::ZERO, turn]),
+            0 => (Parity::Odd, [Double::PI * 2.0 * unit, Double::ZERO]),
+            1 => (Parity::Even, [Double::ZERO, turn * 2.0 * unit]),
             _ => (if order % 2 == 0 { Parity::Odd } else { Parity::Even }, [Double::ZERO; 2]),
         };
         Self::collect(parity, polynomial, terms, envelope)
@@ -217,6 +222,7 @@ impl Wave {
             }
             kept.push((m, amplitude));
         }
+        omitted += LOST * kept.len() as f64;
         Self { parity, linear, constant, terms: kept, omitted, first_omitted, envelope: Some(envelope) }
     }
 
@@ -335,15 +341,16 @@ impl Wave {
 
     /// Bounds what a value is rounded by. The recurrence gives the sum with what each step is off by added to its
     /// amplitude, times a wave, of which none exceeds 1. Cosine and sine of πs are within 2⁻¹⁰⁰, hence 2 cos 2πs within
-    /// 2⁻⁹⁷ and a step within 2⁻⁹⁶ of the sums it is made of. These, like Chebyshev's Uₙ, add up to at most
-    /// Σ |aₙ|(n + 1)(n + 2)/2.
+    /// 2⁻⁹⁷ and a step within 2⁻⁹⁶ of the sums it is made of, and what its product lost. These, like Chebyshev's Uₙ, add up
+    /// to at most Σ |aₙ|(n + 1)(n + 2)/2.
     pub(crate) fn rounding(&self) -> f64 {
         let of = |&(m, a): &(u32, Double)| {
             let above = f64::from(m / STEP + 1);
             a.hi.abs() * above * (above + 1.0) * two_to(-96)
         };
         let once = self.constant.hi.abs() + self.linear.hi.abs() + self.first_amplitude();
-        self.terms.iter().map(of).sum::<f64>() + once * two_to(-100)
+        let lost = LOST * (self.terms.len() + 4) as f64;
+        self.terms.iter().map(of).sum::<f64>() + once * two_to(-100) + lost
     }
 }
 

@@ -195,6 +195,18 @@ fn coefficients_beyond_the_range_of_floats() {
     planned("theta0 = 1e-59, omega = 1e87, method = harmonic, t_max = 1e-84");
 }
 
+/// Terms of a second derivative that underflow before those of the angle do: as many as of the angle were taken for granted.
+#[test]
+fn derivatives_that_underflow() {
+    let series = |start: &str| format!("struct A; {start}, method = series, outputs = [acceleration]");
+    refused(
+        "struct A; velocity0 = 5e-153, omega = 1e-153, outputs = [acceleration], tol = 1e-13",
+        "choose numbers nearer to 1",
+    );
+    refused(&series("theta0 = 7π/8, omega = 1e-153"), "state `tol = ");
+    refused(&series("theta0 = 1e-3, omega = 1e-152"), "state `tol = ");
+}
+
 /// Each of the tolerances that a refusal might offer was tried with a hundred harmonics and more: 1.2 s, optimised.
 #[test]
 fn refusals_of_forced_methods_near_the_top_take_less_than_a_second() {

@@ -239,7 +239,7 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
 
 /// ω² is almost beyond the range of floats: some products with it are.
 fn is_extreme(scene: &Scene) -> bool {
-    scene.motion.omega.to_f64() > 1e140
+    !(1e-140..=1e140).contains(&scene.motion.omega.to_f64())
 }
 
 /// The tolerance that a message names can be had.

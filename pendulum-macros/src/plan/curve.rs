@@ -267,7 +267,7 @@ impl<'a> SwingCurves<'a> {
     }
 
     fn moments(&self) -> &Moments {
-        let slope = || Wave::swing(self.swing, 1, Double::ONE);
+        let slope = || Wave::swing(self.swing, 1, Double::ONE, Double::ONE);
         self.moments.get_or_init(|| Moments::new(&slope(), self.rate().hi, 2.0 * self.modulus()))
     }
 }
@@ -275,7 +275,7 @@ impl<'a> SwingCurves<'a> {
 impl Curves for SwingCurves<'_> {
     /// |θ̇| ≤ 2kω, which it reaches at the lowest point, faster and faster from the turning point on.
     fn angle(&self) -> Curve {
-        let wave = Wave::swing(self.swing, 0, Double::ONE);
+        let wave = Wave::swing(self.swing, 0, Double::ONE, Double::ONE);
         let largest = self.swing.amplitude.to_f64();
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().angle];
         let pulses = Pulses::angle(&self.swing.elliptic, largest, 0.0);
@@ -286,17 +286,18 @@ impl Curves for SwingCurves<'_> {
         let omega = self.omega.to_double();
         let slopes = [self.largest_sine() / self.rate().hi, self.moments().velocity].map(|slope| omega.hi * slope);
         let pulses = Pulses::velocity(&self.swing.elliptic, 1.0, omega.hi);
-        let wave = Wave::swing(self.swing, 1, self.rate() * omega);
+        let wave = Wave::swing(self.swing, 1, self.rate(), omega);
         Self::curve(wave, pulses, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
     }
 
     /// −ω² sin θ; its derivative is largest at the lowest point.
     fn acceleration(&self) -> Curve {
-        let rate = self.rate() * self.omega.to_double();
-        let square = self.omega.square().to_f64();
+        let unit = self.omega.square().to_double();
+        let square = unit.hi;
         let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().acceleration].map(|slope| square * slope);
         let pulses = Pulses::acceleration(&self.swing.elliptic, 1.0, square);
-        Self::curve(Wave::swing(self.swing, 2, rate * rate), pulses, square * self.largest_sine(), slopes, square)
+        let wave = Wave::swing(self.swing, 2, self.rate(), unit);
+        Self::curve(wave, pulses, square * self.largest_sine(), slopes, square)
     }
 
     /// k sn.
@@ -342,14 +343,14 @@ impl<'a> RotationCurves<'a> {
 
     fn moments(&self) -> &Moments {
         let omega = self.omega.to_f64();
-        let slope = || Wave::rotation(self.rotation, 1, Double::ONE);
+        let slope = || Wave::rotation(self.rotation, 1, Double::ONE, Double::ONE);
         let (rate, fastest) = (self.rate().hi / omega, self.rotation.fastest.to_f64() / omega);
         self.moments.get_or_init(|| Moments::new(&slope(), rate, fastest))
     }
 
     /// The angle itself, of the turn that passes the lowest point at s = ½.
     pub(crate) fn whole_angle(&self) -> Curve {
-        let wave = Wave::rotation(self.rotation, 0, Double::ONE).raised(-Double::PI);
+        let wave = Wave::rotation(self.rotation, 0, Double::ONE, Double::ONE).raised(-Double::PI);
         Curve { wave, pulses: None, ..self.angle() }
     }
 }
@@ -357,7 +358,7 @@ impl<'a> RotationCurves<'a> {
 impl Curves for RotationCurves<'_> {
     /// From the top, less 2πs; its slope is that of the whole.
     fn angle(&self) -> Curve {
-        let wave = Wave::rotation(self.rotation, 0, Double::ONE).without_mean();
+        let wave = Wave::rotation(self.rotation, 0, Double::ONE, Double::ONE).without_mean();
         let slopes = [self.slope(1.0, self.rotation.fastest.to_f64()), self.moments().angle];
         let pulses = Pulses::angle(&self.rotation.elliptic, std::f64::consts::PI, 1.0);
         Curve::new(wave, pulses, std::f64::consts::PI, slopes, 1.0)
@@ -365,16 +366,18 @@ impl Curves for RotationCurves<'_> {
 
     /// |θ̇|; its derivative is at most ω².
     fn velocity(&self) -> Curve {
-        let omega = self.omega.to_f64();
-        let wave = Wave::rotation(self.rotation, 1, self.rate());
+        let unit = self.omega.to_double();
+        let omega = unit.hi;
+        let wave = Wave::rotation(self.rotation, 1, self.rate() / unit, unit);
         let slopes = [self.slope(omega, omega), omega * self.moments().velocity];
         let pulses = Pulses::velocity(&self.rotation.elliptic, self.front(), omega);
         Curve::new(wave, pulses, self.rotation.fastest.to_f64(), slopes, omega)
     }
 
     fn acceleration(&self) -> Curve {
-        let square = self.omega.square().to_f64();
-        let wave = Wave::rotation(self.rotation, 2, self.rate() * self.rate());
+        let unit = self.omega.square().to_double();
+        let square = unit.hi;
+        let wave = Wave::rotation(self.rotation, 2, self.rate() / self.omega.to_double(), unit);
         let slopes = [self.slope(square, self.rotation.fastest.to_f64()), square * self.moments().acceleration];
         let pulses = Pulses::acceleration(&self.rotation.elliptic, self.front(), square);
         Curve::new(wave, pulses, square, slopes, square)

@@ -113,7 +113,9 @@ fn at_full_precision(best: f64, scene: &Scene) -> Option<&'static str> {
         (Goal::Tolerance(_), Some(_), _) if is_planned(&full()) => {
             Some("leave `method` and `tol` out for full precision")
         }
-        (Goal::Tolerance(_), None, Float::F64) if best.is_finite() => Some("leave `tol` out for full precision"),
+        (Goal::Tolerance(_), None, Float::F64) if best.is_finite() && is_planned(&full()) => {
+            Some("leave `tol` out for full precision")
+        }
         _ => None,
     }
 }

@@ -9,6 +9,7 @@ use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers,
 use crate::plan::curve::Curve;
 use crate::plan::met::Met;
 use crate::plan::reduction::Reduction;
+use crate::program::rounding::lost_to_underflow;
 use crate::series::Parity;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
@@ -120,7 +121,8 @@ impl Piecewise {
         }
         let pieces = Pieces::new(reduction.clone(), &powers, self.parity, self.alternates);
         let converted = worst(self.series.iter().map(|own| rounding_of_powers(&own[..terms], 1.0)));
-        Some((pieces, self.truncation(terms, reduction) + converted))
+        let lost = lost_to_underflow(terms, reduction.half());
+        Some((pieces, self.truncation(terms, reduction) + converted + lost))
     }
 }
 

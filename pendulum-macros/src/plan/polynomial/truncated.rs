@@ -8,8 +8,7 @@ use crate::parse::Float;
 use crate::plan::blocks::{Blocks, magnitude};
 use crate::plan::form::Form;
 use crate::plan::reduction::Reduction;
-use crate::power::power;
-use crate::program::rounding::UNDERFLOW;
+use crate::program::rounding::lost_to_underflow;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 
@@ -135,7 +134,9 @@ impl Truncated<'_> {
         let poles = self.unit_of_poles().hi;
         // Coefficients that were divided may underflow where those that they are of don't.
         let size = numerator.hi.abs();
-        let lost = size * blocks.mismatch + (1.0 + size) * lost_to_underflow(self.terms, area);
+        // 8p ≤ 2.
+        let reach = 2.5 / (8.0 * area.hi);
+        let lost = size * blocks.mismatch + (1.0 + size) * lost_to_underflow(self.terms, reach);
         // Farther from 1 the second word of a pole's unit would lose bits.
         let bounded = lost.is_finite() && (1e-250..1e250).contains(&poles);
         if bounded { lost * self.approximation.weight(self.reduction.overshoot) * poles / unit } else { f64::INFINITY }
@@ -213,17 +214,6 @@ struct Variable {
     shift: Double,
     area: Double,
     reach: f64,
-}
-
-/// What coefficients that are too small for two words change in a sum of so many powers: infinite where the powers of
-/// the unit are. Powers of a phase in units of time are of any size, and an amplitude may be 1e-300.
-fn lost_to_underflow(terms: usize, area: Double) -> f64 {
-    let eighth = 8.0 * area.hi;
-    if !Float::F64.moderate().contains(&power(eighth, terms as i32)) {
-        return f64::INFINITY;
-    }
-    // Of 8p ≤ 2.
-    UNDERFLOW * (0..terms).map(|order| power(2.5 / eighth, order as i32)).sum::<f64>()
 }
 
 /// Whether no power of the variable, and no second word of a coefficient, comes near overflow or underflow: amplitudes

@@ -330,6 +330,8 @@ fn far_units_that_over_or_underflow() {
         "theta0 = π - 1.026848e-4, omega = 1e290, outputs = [velocity], method = series",
         "velocity0 = 2.0354e-177, omega = 1e-177, outputs = [velocity], tol = 1.464e-6",
         "theta0 = 0.463415, velocity0 = 2.45e-112, omega = 1e-112, outputs = [acceleration], t_max = 5e5 / 1e-112",
+        "velocity0 = (2 + 1e-9)*1e-153, omega = 1e-153, outputs = [acceleration], t_max = 9.1481786451e5 / 1e-153",
+        "velocity0 = (2 + 1e-9)*1e-152, omega = 1e-152, outputs = [acceleration], tol = 1e-13",
     ] {
         let text = format!("struct Motion; {text}");
         let (scene, plan) = planned(&text).unwrap();

@@ -15,6 +15,7 @@ mod adjoint;
 
 use super::{Id, Op, Program};
 use crate::parse::Float;
+use crate::power::power;
 use crate::supremum::norm;
 use pendulum_runtime::double::{two_prod, two_sum};
 use pendulum_runtime::support::{LEAST_UNDER_ROOT, ROOT_ERROR};
@@ -98,6 +99,15 @@ pub(crate) fn products(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 /// Some thousands of the smallest numbers, 2⁻¹⁰⁶⁰: what sums and products in two words are wrong by, whose second word
 /// underflows.
 pub(crate) const UNDERFLOW: f64 = f64::from_bits(1 << 14);
+
+/// What coefficients that are too small for two words change in a sum of so many powers, of a variable of at most `reach`:
+/// infinite where such powers over- or underflow. Those of a phase in units of time are of any size.
+pub(crate) fn lost_to_underflow(terms: usize, reach: f64) -> f64 {
+    if !Float::F64.moderate().contains(&power(reach, terms as i32)) {
+        return f64::INFINITY;
+    }
+    UNDERFLOW * (0..terms).map(|order| power(reach, order as i32)).sum::<f64>()
+}
 
 /// Covers the rounding of bounds themselves, computed in `f64` by chains of a few hundred operations at most.
 pub(crate) const INFLATION: f64 = 1.0 + 1e-12;

@@ -285,3 +285,11 @@ fn what_is_no_number_is_not_passed_over() {
         assert_eq!(found.error, f64::INFINITY, "{known:?}: {found:?}");
     }
 }
+
+/// Each coefficient is off by so much at most, times a power of the variable.
+#[test]
+fn underflow_of_coefficients() {
+    assert_eq!(lost_to_underflow(3, 10.0), 111.0 * UNDERFLOW);
+    assert_eq!(lost_to_underflow(2, 1e-100), UNDERFLOW);
+    assert!([1e-100, 1e100].into_iter().all(|reach| lost_to_underflow(3, reach).is_infinite()));
+}

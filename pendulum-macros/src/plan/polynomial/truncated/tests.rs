@@ -270,18 +270,6 @@ fn units_without_bounds() {
     }
 }
 
-/// Each coefficient is off by so much at most, times powers of the largest p, ¼ in units of the variable.
-#[test]
-fn underflow_of_coefficients() {
-    for area in [1.0, 1e-4, 900.0] {
-        let widest: f64 = 0.25 / area;
-        let least = UNDERFLOW * (0..5).map(|j| widest.powi(j)).sum::<f64>();
-        let found = lost_to_underflow(5, Double::new(area));
-        // Numbers so small have few digits.
-        assert!(found >= 0.99 * least && found <= 1.26_f64.powi(5) * least, "{area}: {found:e} {least:e}");
-    }
-}
-
 /// With another unit of the phase adapted polynomials are the same ones; and they say by how much they are others than
 /// those that they were made of, wherever the phase may be.
 #[test]
