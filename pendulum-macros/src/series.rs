@@ -204,15 +204,16 @@ impl Wave {
         envelope: Envelope,
     ) -> Self {
         let mut kept: Vec<(u32, Double)> = Vec::new();
-        let mut largest = linear.hi.abs().max(constant.hi.abs());
+        let (mut largest, mut most) = (linear.hi.abs().max(constant.hi.abs()), linear.hi.abs() + constant.hi.abs());
         let (mut omitted, mut first_omitted) = (0.0, 0);
         for (m, amplitude) in terms {
             first_omitted = m;
             largest = largest.max(amplitude.hi.abs());
             let tail = envelope.tail(m, 0.0);
-            // Where amplitudes overflow, or their products in two words do and are NaN, no comparison holds, nor a
-            // bound.
-            if !(envelope.size + largest + amplitude.hi).is_finite() {
+            // The recurrence's numbers are at most Σ |aₙ|(n + 1), and a product in two words takes them 2²⁷ times. Where that
+            // overflows they are NaN, so that no comparison holds, nor a bound.
+            most += amplitude.hi.abs() * f64::from(m / STEP + 1);
+            if !(envelope.size + most * two_to(28)).is_finite() {
                 omitted = f64::INFINITY;
                 break;
             }
@@ -226,10 +227,11 @@ impl Wave {
         Self { parity, linear, constant, terms: kept, omitted, first_omitted, envelope: Some(envelope) }
     }
 
-    /// The sum of its first terms, nothing omitted.
+    /// The sum of its first terms, nothing omitted; as unknown as the whole if these overflow.
     pub(crate) fn first(mut self, terms: usize) -> Self {
         self.terms.truncate(terms);
-        Self { omitted: 0.0, ..self }
+        let omitted = if self.omitted.is_finite() { 0.0 } else { self.omitted };
+        Self { omitted, ..self }
     }
 
     /// Stands for another, from which it strays by at most that for real s.

@@ -207,6 +207,18 @@ fn derivatives_that_underflow() {
     refused(&series("theta0 = 1e-3, omega = 1e-152"), "state `tol = ");
 }
 
+/// Sums whose amplitudes overflow, or the steps of whose recurrence do, were planned: as nothing, and as NaN.
+#[test]
+fn sums_that_overflow() {
+    refused(
+        "struct A; theta0 = 0.1, omega = 1.697e308, tol = 1e-12, t_max = 1.956e11 / 1.697e308, method = series, outputs = [velocity]",
+        "choose numbers nearer to 1",
+    );
+    let single = "float = f32, outputs = [acceleration]";
+    let rate = "velocity0 = (2 - 1e-11) * 6.924e18, omega = 6.924e18, t_max = 1.46e7 / 6.924e18";
+    refused(&format!("struct A; {rate}, tol = 1e-2, method = series, {single}"), "leave `method` out");
+}
+
 /// Each of the tolerances that a refusal might offer was tried with a hundred harmonics and more: 1.2 s, optimised.
 #[test]
 fn refusals_of_forced_methods_near_the_top_take_less_than_a_second() {

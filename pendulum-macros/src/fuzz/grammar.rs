@@ -103,25 +103,32 @@ fn tolerance(random: &mut Random) -> String {
     }
 }
 
-/// One whose unit of time is very long or very short.
+/// One whose unit of time is very long or very short, often so that velocities or accelerations are next to what there
+/// are numbers for.
 pub(crate) fn far_units(random: &mut Random) -> String {
     let float = random.choose(&[Float::F64, Float::F64, Float::F32]);
-    let unit = if float == Float::F64 { power_of_ten(random, -307, 307) } else { power_of_ten(random, -37, 37) };
+    let most = if float == Float::F64 { 308 } else { 38 };
+    let (low, high) = random.choose(&[(0, most), (most * 9 / 10, most), (most * 4 / 10, most / 2)]);
+    let (whole, part) = (random.between(1, 9), random.below(10));
+    let unit = format!("{whole}.{part}e{}{}", random.choose(&["-", ""]), random.between(low, high));
     let theta0 = digits(random, 2, 6);
-    let (small, velocity) = (power_of_ten(random, -9, 0), digits(random, 2, 6));
+    let least = random.choose(&[-9, -9, -100]);
+    let (small, velocity) = (power_of_ten(random, least, 0), digits(random, 2, 6));
     let start = random.choose(&[
         "theta0 = π - SMALL",
         "theta0 = THETA",
         "theta0 = THETA, velocity0 = SPEED * UNIT",
         "velocity0 = (2 + SMALL) * UNIT",
+        "velocity0 = UNIT / SMALL",
         "theta0 = π/2, velocity0 = -sqrt(2) * UNIT",
         "velocity0 = 2 * UNIT",
     ]);
     let output = random.choose(&["theta", "velocity", "velocity", "acceleration", "position", "theta, velocity"]);
-    let goal = if random.one_in(2) { format!(", tol = {}", power_of_ten(random, -9, -1)) } else { String::new() };
+    let goal = if random.one_in(2) { format!(", tol = {}", power_of_ten(random, -14, -1)) } else { String::new() };
     let horizon = if random.one_in(2) { format!(", t_max = {} / UNIT", decimal(random, 0, 6)) } else { String::new() };
     let serves = !start.contains("UNIT") && output.contains(['y', 'h']) && random.one_in(2);
-    let method = if serves { ", method = series" } else { "" };
+    let method =
+        if serves { random.choose(&[", method = series", ", method = harmonic", ", method = fourier"]) } else { "" };
     let text = format!(
         "struct A; {start}, omega = UNIT, float = {}, outputs = [{output}]{goal}{horizon}{method}",
         float.word()

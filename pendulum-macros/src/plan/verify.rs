@@ -62,10 +62,12 @@ fn both_alike(plan: &Plan, t: f64) -> bool {
 }
 
 impl Aim {
-    /// How far `values` are from the output at the phase s from an anchor; `None` where there are no curves.
+    /// How far `values` are from the output at the phase s from an anchor; `None` where there are no curves, or nothing is
+    /// known of them since their sums overflow.
     fn distance(&self, task: &Task, s: Double, number: &Real, odd: bool, values: &[f64]) -> Option<f64> {
         let sign = |alternates: bool| if alternates && odd { -1.0 } else { 1.0 };
         match self.curves.as_slice() {
+            curves if curves.iter().any(|curve| curve.omitted().is_infinite()) => None,
             // From the top numbered 0, half a turn before the lowest point; the curve is what it has beside uniform turns.
             [curve] if task.turning && self.output.is_angle() => {
                 let exact = curve.at(s) + (s - Double::new(0.5)) * Double::PI * 2.0;

@@ -72,11 +72,16 @@ impl Recurrence {
         each * 0.5 * (self.weights.len() * (self.weights.len() + 1)) as f64
     }
 
+    /// Whether a step might: no uₙ is larger than the first may be, and X·uₙ is at most twice as large.
+    fn overflows(&self, excess: f64) -> bool {
+        4.0 * beyond(excess) * self.sizes[0][0] > self.float.largest()
+    }
+
     /// How wrong the sum is for φ/π between these, where the sum of cosines, or that of which the sum of sines is the
     /// derivative by φ/π, is known to be so.
     pub(super) fn error(&self, low: f64, high: f64, known: &Local) -> f64 {
         let excess = self.excess();
-        if excess >= 1.0 {
+        if excess >= 1.0 || self.overflows(excess) {
             return f64::INFINITY;
         }
         let interval = self.interval(low, high, excess);
@@ -272,6 +277,15 @@ mod tests {
         }
         let long = Recurrence::new(&vec![weights[0]; 2500], 0.0, None, Float::F32);
         assert_eq!(error(&long, 0.1, 0.2), f64::INFINITY);
+    }
+
+    /// Of six equal weights the recurrence's first number is 21 times as large, though a sum is nowhere more than six times.
+    #[test]
+    fn numbers_that_overflow() {
+        let of_six =
+            |weight: f64, float| error(&Recurrence::new(&[Double::new(weight); 6], 0.0, None, float), 0.0, 0.5);
+        assert!(of_six(3e36, Float::F32).is_finite() && of_six(1e37, Float::F32).is_infinite());
+        assert!(of_six(1e300, Float::F64).is_finite() && of_six(4e306, Float::F64).is_infinite());
     }
 
     /// The derivatives of Uⱼ by X, where they are largest.

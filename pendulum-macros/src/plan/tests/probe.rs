@@ -26,7 +26,10 @@ impl<'a> Probe<'a> {
         let (step, launch) = match &scene.motion.regime {
             Regime::Swing(swing) => (swing.period.to_f64() / 2.0, swing.launch.to_f64()),
             Regime::Rotation(rotation) => (rotation.period.to_f64(), rotation.launch.to_f64() + 0.5),
-            Regime::Separatrix(separatrix) => (5.0 / scene.motion.omega.to_f64(), separatrix.launch.to_f64() / 5.0),
+            Regime::Separatrix(separatrix) => {
+                let step = (5.0 / scene.motion.omega.to_f64()).min(f64::MAX / 8.0);
+                (step, separatrix.launch.to_f64() / 5.0)
+            }
         };
         let periods = if matches!(scene.motion.regime, Regime::Rotation(_)) { 53 } else { 54 };
         let unlimited = 2f64.powi(periods) * step;
