@@ -207,9 +207,11 @@ fn derivatives_that_underflow() {
     refused(&series("theta0 = 1e-3, omega = 1e-152"), "state `tol = ");
 }
 
-/// Sums whose amplitudes overflow, or the steps of whose recurrence do, were planned: as nothing, and as NaN.
+/// Sums whose amplitudes overflow, or the steps of whose recurrence do, were planned: as nothing, and as NaN. The passage
+/// through the lowest point serves, though there is no sum to compare it with.
 #[test]
 fn sums_that_overflow() {
+    planned("struct A; theta0 = π - 1e-33, omega = 8.9e298, outputs = [velocity]");
     refused(
         "struct A; theta0 = 0.1, omega = 1.697e308, tol = 1e-12, t_max = 1.956e11 / 1.697e308, method = series, outputs = [velocity]",
         "choose numbers nearer to 1",
