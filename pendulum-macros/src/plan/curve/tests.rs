@@ -5,6 +5,7 @@ use crate::fuzz::random::Random;
 use crate::motion::Regime;
 use crate::plan::task::Task;
 use crate::plan::tests::scene;
+use crate::power::two_to;
 
 /// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the
 /// cosine's period off the anchor.
@@ -230,6 +231,29 @@ fn values_are_sums() {
                 let (most, sum) = (curve.rounding(), curve.size.largest);
                 assert!(error <= most && most < 1e-22 * sum, "{theta0} {s}: {error:e}, at most {most:e} of {sum}");
             }
+        }
+    }
+}
+
+/// In a unit whose smallest parts are next to the smallest numbers a series is that in units of 1, but for what it says.
+#[test]
+fn values_that_underflow() {
+    let unit = Double::new(two_to(-1016));
+    for start in ["theta0 = 1", "theta0 = π - 1e-9", "velocity0 = 2 + 1e-9", "velocity0 = 3"] {
+        let (regime, rate) = (scene(start).motion.regime, Double::new(0.03));
+        let in_units = |unit: Double| match &regime {
+            Regime::Swing(swing) => Wave::swing(swing, 2, rate, unit),
+            Regime::Rotation(rotation) => Wave::rotation(rotation, 2, rate, unit),
+            Regime::Separatrix(_) => panic!("harmonics"),
+        };
+        let [one, small] = [Double::ONE, unit].map(in_units);
+        for s in [0.0, 0.05, 0.3, 0.49, -0.2] {
+            let [value, exact] = [&small, &one].map(|wave| wave.at(Double::new(s)));
+            // The words of the one are multiples of those of the other, or below the smallest number.
+            let error = (value.hi - exact.hi * unit.hi).abs() + (value.lo - exact.lo * unit.hi).abs();
+            let most = small.rounding() + small.omitted();
+            assert!(error <= most + f64::from_bits(2), "{start} {s}: {error:e}, at most {most:e}");
+            assert!(most < f64::from_bits(16 * small.terms().len() as u64 + 64), "{start}: {most:e}");
         }
     }
 }

@@ -154,6 +154,7 @@ mod tests {
     use crate::plan::reduction::Clock;
     use crate::plan::tests::scene;
     use crate::program::Builder;
+    use crate::program::rounding::UNDERFLOW;
 
     /// Curves of either parity, alternating and not, near the top and far from it.
     fn curves() -> Vec<(&'static str, Curve)> {
@@ -214,6 +215,20 @@ mod tests {
                 assert!(worst > most / 4.0, "{start} {pieces} {limit:e}: {worst:e} {most:e}");
             }
         }
+    }
+
+    /// What samples and coefficients lose to underflow is promised.
+    #[test]
+    fn pieces_that_underflow() {
+        let scene = scene("velocity0 = (2 + 1e-9)*1e-153, omega = 1e-153");
+        let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
+        let curve = RotationCurves::new(rotation, &scene.motion.omega).acceleration();
+        let rate = crate::exact::Context::for_digits(40).ratio(1, 2);
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 100.0, float: Float::F64 };
+        let reduction = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64.0)).unwrap();
+        let piecewise = Piecewise::new(&curve, 64, UNDERFLOW).unwrap();
+        let (_, truncation) = piecewise.kernel(&reduction, 4.0 * UNDERFLOW).unwrap();
+        assert!((2.0..6.0).contains(&(truncation / UNDERFLOW)), "{truncation:e}");
     }
 
     /// What a horizon of less than an anchor meets decides what is promised; beyond it is a value of the motion.
