@@ -366,12 +366,12 @@ impl Curves for RotationCurves<'_> {
 
     /// |θ̇|; its derivative is at most ω².
     fn velocity(&self) -> Curve {
-        let unit = self.omega.to_double();
-        let omega = unit.hi;
-        let wave = Wave::rotation(self.rotation, 1, self.rate() / unit, unit);
+        let omega = self.omega.to_f64();
+        let fastest = self.rotation.fastest.to_double();
+        let wave = Wave::rotation(self.rotation, 1, self.rate() / fastest, fastest);
         let slopes = [self.slope(omega, omega), omega * self.moments().velocity];
         let pulses = Pulses::velocity(&self.rotation.elliptic, self.front(), omega);
-        Curve::new(wave, pulses, self.rotation.fastest.to_f64(), slopes, omega)
+        Curve::new(wave, pulses, fastest.hi, slopes, omega)
     }
 
     fn acceleration(&self) -> Curve {
