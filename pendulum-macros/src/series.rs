@@ -52,8 +52,8 @@ const NEGLIGIBLE: f64 = 1e-23;
 
 impl Wave {
     /// θ of a swing about its turning point (the series of θ itself, differentiated `order` times with respect to s/`rate`):
-    /// θ = 8 Σ (−1)ⁿ⁻¹ q^(n−½)/((2n−1)(1 + q²ⁿ⁻¹)) cos((2n−1)πs), `unit` times, of which the values are no large multiples: it comes last,
-    /// since it may be next to the smallest numbers.
+    /// θ = 8 Σ (−1)ⁿ⁻¹ q^(n−½)/((2n−1)(1 + q²ⁿ⁻¹)) cos((2n−1)πs), `unit` times, of which the values
+    /// are no large multiples: it comes last, since it may be next to the smallest numbers.
     pub(crate) fn swing(swing: &Swing, order: i32, rate: Double, unit: Double) -> Self {
         let nome = swing.elliptic.nome.to_double();
         let root = swing.elliptic.nome.sqrt().to_double();
@@ -104,8 +104,8 @@ impl Wave {
     }
 
     /// θ − π of a rotation about the top, differentiated `order` times with respect to s/`rate` (s in turns):
-    /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `unit` times, of which the values are no large multiples: it comes last,
-    /// since it may be next to the smallest numbers.
+    /// 2πs + 4 Σ (−1)ⁿ qⁿ/(n(1 + q²ⁿ)) sin(2nπs), `unit` times, of which the values are no large
+    /// multiples: it comes last, since it may be next to the smallest numbers.
     pub(crate) fn rotation(rotation: &Rotation, order: i32, rate: Double, unit: Double) -> Self {
         let nome = rotation.elliptic.nome.to_double();
         let size = 8.0 * power(PI * rate.hi, order) * unit.hi;
