@@ -256,6 +256,12 @@ fn sums_beyond_a_moment() {
     planned("theta0 = 1, method = series, tol = 1e-3, t_max = 1e-3");
 }
 
+/// The largest velocity, which a horizon next to the top is far from, is rounded up.
+#[test]
+fn velocities_beyond_a_horizon() {
+    planned("struct A; theta0 = π - 1e-64, omega = 2.4e35, float = f32, outputs = [velocity], t_max = 5.96 / 2.4e35");
+}
+
 /// A row is counted from the anchor numbered 0, which may not be the first.
 #[test]
 fn rows_counted_from_other_anchors() {
