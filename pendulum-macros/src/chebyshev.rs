@@ -47,7 +47,8 @@ impl CosineTable {
     /// (Bernstein), which is at most Λ·largest, and is interpolated: the i-th value counts √(1 − xᵢ²)·|Tₘ(x)|/(m|x − xᵢ|).
     /// The sum of |Tₘ(x)/(x − xᵢ)| is at most m²: by Cauchy and Schwarz at most the root of ΣTₘ(x)²(1 − xxᵢ)/(x − xᵢ)², which
     /// is m² (Fejér 1916), times Σ1/(1 − xxᵢ), which is convex, hence largest at x = 1, Tₘ′(1)/Tₘ(1) = m². m being two at
-    /// least, all that is less than (4 + Λ)m²·2⁻¹⁰⁰.
+    /// least, all that is less than (4 + Λ)m²·2⁻¹⁰⁰. Where second words underflow, a coefficient's products and what they are
+    /// made of lose some 2⁻¹⁰⁷⁰ besides, less than [`UNDERFLOW`] for all of them.
     fn rounding(&self, largest: f64) -> f64 {
         let m = self.m as f64;
         (4.0 + lebesgue(self.m)) * m * m * two_to(-100) * largest + UNDERFLOW

@@ -196,6 +196,7 @@ fn coefficients_beyond_the_range_of_floats() {
 }
 
 /// Terms of a second derivative that underflow before those of the angle do: as many as of the angle were taken for granted.
+/// And full precision was advised where it can't be had.
 #[test]
 fn derivatives_that_underflow() {
     let series = |start: &str| format!("struct A; {start}, method = series, outputs = [acceleration]");

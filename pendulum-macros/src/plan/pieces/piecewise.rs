@@ -156,6 +156,13 @@ mod tests {
     use crate::program::Builder;
     use crate::program::rounding::UNDERFLOW;
 
+    /// To the nearest of so many pieces of an anchor, which takes that time.
+    fn to_pieces(pieces: usize, time: f64, horizon: f64) -> Reduction {
+        let rate = crate::exact::Context::for_digits(40).float(1.0 / time).unwrap();
+        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon, float: Float::F64 };
+        clock.reductions().iter().find_map(|reduction| reduction.in_pieces(pieces as f64)).unwrap()
+    }
+
     /// Curves of either parity, alternating and not, near the top and far from it.
     fn curves() -> Vec<(&'static str, Curve)> {
         let mut all = Vec::new();
@@ -186,12 +193,9 @@ mod tests {
         for (start, curve, time) in
             curves().into_iter().flat_map(|(start, curve)| [2.0, 0.25].map(|t| (start, curve.clone(), t)))
         {
-            let rate = crate::exact::Context::for_digits(40).float(1.0 / time).unwrap();
-            let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 100.0, float: Float::F64 };
             for (pieces, limit) in [(16, 1e-4), (64, 1e-7), (32, 1e-11), (128, 1e-14)] {
                 let piecewise = Piecewise::new(&curve, pieces, limit / 512.0).unwrap();
-                let reduction =
-                    clock.reductions().iter().find_map(|reduction| reduction.in_pieces(pieces as f64)).unwrap();
+                let reduction = to_pieces(pieces, time, 100.0);
                 let unit = if time < 1.0 { 8.0 } else { 1.0 };
                 assert_eq!((piecewise.pieces(), reduction.unit), (pieces, Double::new(unit)));
                 let (kernel, truncation) = piecewise.kernel(&reduction, limit).unwrap();
@@ -223,9 +227,7 @@ mod tests {
         let scene = scene("velocity0 = (2 + 1e-9)*1e-153, omega = 1e-153");
         let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
         let curve = RotationCurves::new(rotation, &scene.motion.omega).acceleration();
-        let rate = crate::exact::Context::for_digits(40).ratio(1, 2);
-        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 100.0, float: Float::F64 };
-        let reduction = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64.0)).unwrap();
+        let reduction = to_pieces(64, 2.0, 100.0);
         let piecewise = Piecewise::new(&curve, 64, UNDERFLOW).unwrap();
         let (_, truncation) = piecewise.kernel(&reduction, 4.0 * UNDERFLOW).unwrap();
         assert!((2.0..6.0).contains(&(truncation / UNDERFLOW)), "{truncation:e}");
@@ -237,9 +239,7 @@ mod tests {
         let scene = scene("theta0 = π - 1e-6");
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
         let curve = SwingCurves::new(swing, &scene.motion.omega).angle();
-        let rate = crate::exact::Context::for_digits(40).ratio(1, 2);
-        let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 2.0, float: Float::F64 };
-        let reduction = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64.0)).unwrap();
+        let reduction = to_pieces(64, 2.0, 2.0);
         let whole = Piecewise::new(&curve, 64, 1e-14).unwrap();
         for (first, last, rows) in
             [(-0.2, 0.2, 0..=13), (0.1, 0.3, 6..=19), (-0.3, -0.1, 6..=19), (1.9, 2.25, 0..=16), (0.4, 0.7, 19..=32)]
