@@ -3,6 +3,7 @@
 use crate::chebyshev::{cos_pi, sin_pi};
 use crate::motion::{Elliptic, Rotation, Swing};
 use crate::power::{power, two_to};
+use crate::program::rounding::LOST;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -42,10 +43,6 @@ struct Envelope {
 
 /// From term to term m grows by this: all of a series are odd multiples of πs, or all are even.
 const STEP: u32 = 2;
-
-/// What a product in two words loses where the second underflows: it is made of six of one word, each of which is wrong by
-/// half of the smallest number at most, 2⁻¹⁰⁷⁵.
-const LOST: f64 = f64::from_bits(3);
 
 /// Relative to the first term, terms below this are omitted: far below the rounding of any output.
 const NEGLIGIBLE: f64 = 1e-23;

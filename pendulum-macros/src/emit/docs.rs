@@ -91,7 +91,7 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     };
     let wrong = match reduction.error + most * reduction.relative_error {
         0.0 => String::new(),
-        error => format!(", wrong by at most {error:.1e} {unit}"),
+        error => format!(", wrong by at most {} {unit}", at_most(error, 1)),
     };
     let counted = counted(&scene.motion.regime, reduction);
     lines.push(format!("* phase s{counted}: {}{wrong}", reduction.describe()));
@@ -131,15 +131,25 @@ fn part(part: &Part, plan: &Plan) -> String {
         .iter()
         .find(|function| function.output == Some(part.output))
         .map_or(String::new(), |function| format!("; {} operations", function.program.operations()));
+    let error = at_most(part.error(), 3);
+    let [truncation, phase, evaluation] =
+        [bound.truncation, bound.phase, bound.evaluation].map(|error| at_most(error / part.unit, 1));
     format!(
-        "* {}: {}; error ≤ {:.3e} {unit}, proven: {:.1e} of truncation, {:.1e} of phase, {:.1e} of evaluation{operations}",
+        "* {}: {}; error ≤ {error} {unit}, proven: {truncation} of truncation, {phase} of phase, {evaluation} of evaluation{operations}",
         part.output.word(),
         part.description,
-        part.error(),
-        bound.truncation / part.unit,
-        bound.phase / part.unit,
-        bound.evaluation / part.unit,
     )
+}
+
+/// A bound with so many decimals, rounded up.
+fn at_most(bound: f64, decimals: usize) -> String {
+    let nearest = |x: f64| format!("{x:.decimals$e}");
+    let text = nearest(bound);
+    let is_below = text.parse::<f64>().is_ok_and(|stated| stated < bound);
+    let Some((_, exponent)) = text.split_once('e').filter(|_| is_below) else { return text };
+    // It was rounded down by less than half of a unit in the last decimal: 0.6 units more are rounded to the next.
+    let more: f64 = format!("0.{:0<decimals$}6e{exponent}", "").parse().unwrap_or(bound);
+    nearest(bound + more)
 }
 
 /// One line for a function.
@@ -154,6 +164,23 @@ pub(super) fn function(function: &Function) -> String {
 mod tests {
     use super::*;
     use crate::plan::tests::scene;
+
+    #[test]
+    fn bounds_are_rounded_up() {
+        for (bound, decimals, text) in [
+            (1e-6, 1, "1.0e-6"),
+            (1.0000000001e-6, 1, "1.1e-6"),
+            (1.04e-6, 1, "1.1e-6"),
+            (1.06e-6, 1, "1.1e-6"),
+            (9.94e-7, 1, "1.0e-6"),
+            (0.0, 1, "0.0e0"),
+            (2.5e-3, 0, "3e-3"),
+            (1.2341e-300, 3, "1.235e-300"),
+            (f64::from_bits(1), 3, "4.941e-324"),
+        ] {
+            assert_eq!(at_most(bound, decimals), text);
+        }
+    }
 
     /// Where the code counts the phase in another unit than the text does, the text says that it is its own.
     #[test]

@@ -208,6 +208,12 @@ fn derivatives_that_underflow() {
     refused(&series("theta0 = 1e-3, omega = 1e-152"), "state `tol = ");
 }
 
+/// A bound that underflows in units of ω was stated as 0.
+#[test]
+fn bounds_that_underflow() {
+    planned("struct A; theta0 = -(1e-300), omega = 1e53, t_max = 1e-63, outputs = [velocity]");
+}
+
 /// Sums whose amplitudes overflow, or the steps of whose recurrence do, were planned: as nothing, and as NaN. The passage
 /// through the lowest point serves, though there is no sum to compare it with.
 #[test]

@@ -281,11 +281,13 @@ fn promise_is_kept(scene: &Scene, plan: &Plan) -> Result<(), String> {
     for part in &plan.parts {
         let bound = part.bound;
         let parts = [bound.truncation, bound.phase, bound.evaluation];
-        let total = bound.total() / part.unit;
-        if parts.iter().any(|part| !(part.is_finite() && *part >= 0.0)) || !(total.is_finite() && total > 0.0) {
+        if parts.iter().any(|part| !(part.is_finite() && *part >= 0.0)) || bound.total() <= 0.0 {
             return Err(format!("the bound of {:?} is {bound:?}", part.output));
         }
-        let stated = scene.float.round_up(total);
+        let stated = scene.float.round_up(part.error());
+        if stated * part.unit * (1.0 + 1e-12) < bound.total() {
+            return Err(format!("{:?} promises {stated:e}, less than {bound:?}", part.output));
+        }
         if let Goal::Tolerance(tol) = scene.goal
             && (stated > tol)
         {

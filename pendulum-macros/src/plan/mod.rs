@@ -90,9 +90,9 @@ pub(crate) struct Bound {
 }
 
 impl Part {
-    /// The bound of its error, in units of the tolerance.
+    /// The bound of its error, in units of the tolerance. A quotient that underflows is rounded up, too.
     pub(crate) fn error(&self) -> f64 {
-        self.bound.total() / self.unit
+        self.bound.total() / self.unit + f64::from_bits(1)
     }
 }
 

@@ -96,8 +96,11 @@ pub(crate) fn products(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     }
 }
 
-/// Some thousands of the smallest numbers, 2⁻¹⁰⁶⁰: what sums and products in two words are wrong by, whose second word
-/// underflows.
+/// What a product in two words loses where the second underflows: it is made of six of one word, each of which is wrong by
+/// half of the smallest number at most, 2⁻¹⁰⁷⁵.
+pub(crate) const LOST: f64 = f64::from_bits(3);
+
+/// Some thousands of the smallest numbers, 2⁻¹⁰⁶⁰: more than all are wrong by of which a sum or a coefficient is made.
 pub(crate) const UNDERFLOW: f64 = f64::from_bits(1 << 14);
 
 /// What coefficients that are too small for two words change in a sum of so many powers, of a variable of at most `reach`:
