@@ -11,7 +11,7 @@ use super::curve::{Curve, Curves, SwingCurves};
 use super::met::Met;
 use super::observed::{BY_RECURRENCE, observed};
 use super::reduction::{Clock, Reduction};
-use super::{Bound, Part, Plan, Refusal};
+use super::{Part, Plan, Refusal};
 use crate::exact::{Context, Real};
 use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
@@ -39,7 +39,8 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     };
     let is_given = matches!(scene.goal, Goal::Terms(_));
     let may_grow = matches!(method, Method::Fourier | Method::Series) && !is_given;
-    let mut reached = f64::INFINITY;
+    // What is left out of a sum that lacks terms is less than it would reach.
+    let (mut reached, mut left_out) = (f64::INFINITY, f64::INFINITY);
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
         if may_grow && sum.is_too_long() {
@@ -48,14 +49,15 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         let wanted = sum.wanted();
         let planned = sum.plan(&wanted);
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
-        let helped = best < WORTHWHILE * reached || best.is_infinite() && more <= TRIED_BLINDLY;
+        let helped = best < WORTHWHILE * reached.min(left_out) || best.is_infinite() && more <= TRIED_BLINDLY;
         let counts = wanted.iter().any(|wanted| wanted.bias > COUNTS * sum.promise(wanted));
-        reached = reached.min(best);
+        let least = if sum.lacks_terms(&wanted) { &mut left_out } else { &mut reached };
+        *least = least.min(best);
         if !may_grow || !helped && !counts {
             break;
         }
     }
-    Err(Refusal::Unreachable { best: reached })
+    Err(Refusal::Unreachable { best: if reached.is_finite() { reached } else { left_out } })
 }
 
 /// The weights that a method gives to the harmonics of the phase of a swing.
@@ -165,11 +167,16 @@ fn is_useful(part: &Part, scene: &Scene) -> bool {
 }
 
 impl Sum<'_> {
+    /// Whether the sum itself is too far from the motion.
+    fn lacks_terms(&self, wanted: &[Wanted]) -> bool {
+        wanted.iter().any(|wanted| self.left(wanted) <= 0.0)
+    }
+
     /// The cheapest reduction with which the promise is kept, or, if nothing is promised, whose error is beside the
     /// rounding of the rest. Where the recurrence doesn't keep it, the series does in pieces.
     fn plan(&self, wanted: &[Wanted]) -> Result<Plan, Refusal> {
-        // Where the sum itself is too far from the motion no reduction helps.
-        if wanted.iter().any(|wanted| self.left(wanted) <= 0.0) {
+        // No reduction helps.
+        if self.lacks_terms(wanted) {
             let best = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
             return Err(Refusal::Unreachable { best });
         }
@@ -244,14 +251,16 @@ impl Sum<'_> {
                 continue;
             }
             let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(wanted, reduction)).collect();
-            let kept = |error: fn(Bound) -> f64| {
-                parts.iter().zip(wanted).all(|(part, wanted)| error(part.bound) <= self.promise(wanted))
-            };
+            let each = || parts.iter().zip(wanted);
             // A kernel for the whole of θ̂ is made as good as what the phase leaves: with a finer phase it may be better.
-            if !kept(|bound| bound.truncation + bound.evaluation) && !wanted.iter().any(Wanted::is_whole) {
+            let is_lost = |(part, wanted): (&Part, &Wanted)| {
+                part.bound.truncation + part.bound.evaluation > self.promise(wanted) && !wanted.is_whole()
+            };
+            if each().any(is_lost) {
                 hopeless.push(reduction.origin);
             }
-            if kept(Bound::total) && parts.iter().all(|part| is_useful(part, self.scene)) {
+            let is_kept = |(part, wanted): (&Part, &Wanted)| part.bound.total() <= self.promise(wanted);
+            if each().all(is_kept) && parts.iter().all(|part| is_useful(part, self.scene)) {
                 let plan = self.joined(reduction, parts);
                 found = Some(found.filter(|found| rank_of(found) <= rank_of(&plan)).unwrap_or(plan));
                 if reduction.has_pieces() {

@@ -4,6 +4,7 @@ use super::*;
 use crate::fuzz::random::Random;
 use crate::motion::Regime;
 use crate::parse::Float;
+use crate::plan::Bound;
 use crate::plan::kernel::Core;
 use crate::plan::plan;
 use crate::plan::tests::probe::{assert_tight, evenly, largest_error};
