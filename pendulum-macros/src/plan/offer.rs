@@ -21,11 +21,11 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
         _ => (reached, f64::INFINITY, 0.0),
     };
     let reached = if best < full { [best, full] } else { [full, best] };
-    let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
+    let offers = reached.into_iter().flat_map(offers_from);
     let decades = if is_quick(scene) { 1..10 } else { 1..1 };
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * power(10f64, decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
-    first_kept(scene, &offers, least).map_or(f64::INFINITY, |kept| finest(scene, kept))
+    first_kept(scene, offers, least).map_or(f64::INFINITY, |kept| finest(scene, kept))
 }
 
 /// What full precision promises, or reaches: of an angle that grows without bound, what its turns cost.
@@ -58,11 +58,15 @@ fn kept(scene: &Scene, tolerance: f64) -> Result<Kept, Refusal> {
 }
 
 /// The first of the tolerances that can be promised; those below what was reached where another was refused come last.
-/// Where polynomials take too many points for one, they do for a little more, too. Whatever is asked, `least` is reached.
-fn first_kept(scene: &Scene, offers: &[f64], least: f64) -> Option<Kept> {
+/// Where more was reached than all of them, a sum that lacked terms told less than it would reach: from there on others are
+/// tried. Where polynomials take too many points for one, they do for a little more, too. Whatever is asked, `least` is
+/// reached.
+fn first_kept(scene: &Scene, mut offers: Vec<f64>, least: f64) -> Option<Kept> {
     let (mut reached, mut hopeless) = (0.0, 0.0);
+    let (mut tried, mut further) = (0, 0);
     let mut unlikely = Vec::new();
-    for &offer in offers {
+    while let Some(&offer) = offers.get(tried) {
+        tried += 1;
         if offer < hopeless {
             continue;
         }
@@ -72,7 +76,13 @@ fn first_kept(scene: &Scene, offers: &[f64], least: f64) -> Option<Kept> {
         }
         match kept(scene, offer) {
             Ok(kept) => return Some(kept),
-            Err(Refusal::Unreachable { best }) if best.min(least).is_finite() => reached = best.min(least),
+            Err(Refusal::Unreachable { best }) if best.min(least).is_finite() => {
+                reached = best.min(least);
+                if further < FURTHER && offers.iter().all(|&offer| offer < reached) {
+                    offers.extend(offers_from(reached));
+                    further += 1;
+                }
+            }
             Err(Refusal::Unreachable { .. }) if scene.method == Some(Method::Polynomial) => hopeless = 3.0 * offer,
             Err(_) => {}
         }
@@ -102,6 +112,13 @@ fn last(found: Kept, finer: impl Fn(&Kept) -> Option<Kept>) -> Kept {
 
 /// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
 const OFFERS: [f64; 5] = [1.01, 1.05, 1.25, 2.0, 4.0];
+
+/// How often others are tried beyond all.
+const FURTHER: usize = 2;
+
+fn offers_from(reached: f64) -> [f64; 5] {
+    OFFERS.map(|factor| three_digits(reached * factor))
+}
 
 /// As a message prints it.
 fn three_digits(x: f64) -> f64 {

@@ -73,7 +73,7 @@ pub(super) fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<u
 }
 
 /// The terms of Eq. 22 that are asked for, or the fewest that don't overshoot and come within the tolerance, by bisection:
-/// more terms are better. Where none are, one.
+/// more terms are better, and where as many as are chosen don't suffice those tell what can be had. Where none are, one.
 pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
     let tol = match scene.goal {
         Goal::Terms(n) => return n,
@@ -82,5 +82,5 @@ pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
     };
     let Some(smallest) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
     let analysis = swing.elliptic.fourier_analysis();
-    first_serving(smallest, MOST_CHOSEN, |n| analysis.supremum(n) < tol)
+    first_serving(smallest, MOST_CHOSEN - 1, |n| analysis.supremum(n) < tol)
 }

@@ -39,8 +39,8 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     };
     let is_given = matches!(scene.goal, Goal::Terms(_));
     let may_grow = matches!(method, Method::Fourier | Method::Series) && !is_given;
-    // What is left out of a sum that lacks terms is less than it would reach.
-    let (mut reached, mut left_out) = (f64::INFINITY, f64::INFINITY);
+    // What a sum leaves out that lacks terms is less than it would reach.
+    let (mut reached, mut left_out) = (None, f64::INFINITY);
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
         if may_grow && sum.is_too_long() {
@@ -49,15 +49,19 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         let wanted = sum.wanted();
         let planned = sum.plan(&wanted);
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
-        let helped = best < WORTHWHILE * reached.min(left_out) || best.is_infinite() && more <= TRIED_BLINDLY;
+        let so_far = reached.map_or(left_out, |reached| left_out.min(reached));
+        let helped = best < WORTHWHILE * so_far || best.is_infinite() && more <= TRIED_BLINDLY;
         let counts = wanted.iter().any(|wanted| wanted.bias > COUNTS * sum.promise(wanted));
-        let least = if sum.lacks_terms(&wanted) { &mut left_out } else { &mut reached };
-        *least = least.min(best);
+        if sum.lacks_terms(&wanted) {
+            left_out = left_out.min(best);
+        } else {
+            reached = Some(reached.map_or(best, |reached: f64| reached.min(best)));
+        }
         if !may_grow || !helped && !counts {
             break;
         }
     }
-    Err(Refusal::Unreachable { best: if reached.is_finite() { reached } else { left_out } })
+    Err(Refusal::Unreachable { best: reached.unwrap_or(left_out) })
 }
 
 /// The weights that a method gives to the harmonics of the phase of a swing.

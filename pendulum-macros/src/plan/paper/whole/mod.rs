@@ -20,13 +20,13 @@ use pendulum_runtime::double::Double;
 use std::cell::OnceCell;
 use sum_in_pieces::SumInPieces;
 
-/// θ̂ as one function of the phase, and how far off it may be.
+/// θ̂ as one function of the phase, and how far off it may be. Approximations are made when they are wanted first.
 pub(super) struct Whole {
     /// For one polynomial; `None` where that takes too many terms.
-    single: Option<Approximation>,
+    single: OnceCell<Option<Approximation>>,
     /// For one in each piece; `None` where that takes too many pieces.
-    pieces: Option<Piecewise>,
-    /// For where neither serves, made when it is wanted first.
+    pieces: OnceCell<Option<Piecewise>>,
+    /// For where neither serves.
     sum_in_pieces: OnceCell<Option<SumInPieces>>,
     weights: Vec<Double>,
     /// That of θ, and −1 for its mirror image.
@@ -76,26 +76,33 @@ impl Whole {
         };
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
         let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
-        let (limit, weights) = (truncation.min(allowed[0] / 8.0), sum.weights.clone());
-        let (single, pieces) = (single::approximation(&weights, limit), pieces::approximation(&weights, limit));
-        let (direction, sum_in_pieces) = (sum.direction(), OnceCell::new());
+        let (limit, weights, direction) = (truncation.min(allowed[0] / 8.0), sum.weights.clone(), sum.direction());
+        let (single, pieces, sum_in_pieces) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         Some(Self { single, pieces, sum_in_pieces, weights, size, direction, limit, allowed, truncation })
     }
 
     /// Whether one polynomial or many can stand for the arcsine, or for the sum.
     pub(super) fn is_possible(&self) -> bool {
-        self.single.is_some() || self.has_pieces()
+        self.one_polynomial().is_some() || self.has_pieces()
     }
 
     /// Whether many can, for reductions that count pieces.
     pub(super) fn has_pieces(&self) -> bool {
-        self.pieces.is_some() || self.sum_in_pieces().is_some()
+        self.piecewise().is_some() || self.sum_in_pieces().is_some()
     }
 
     /// A reduction to its pieces, the most that may be tried, if both can be had.
     pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
         let of_sum = || self.sum_in_pieces().map(|_| SumInPieces::most_pieces());
-        reduction.in_pieces(self.pieces.as_ref().map(Piecewise::pieces).or_else(of_sum)? as f64)
+        reduction.in_pieces(self.piecewise().map(Piecewise::pieces).or_else(of_sum)? as f64)
+    }
+
+    fn one_polynomial(&self) -> Option<&Approximation> {
+        self.single.get_or_init(|| single::approximation(&self.weights, self.limit)).as_ref()
+    }
+
+    fn piecewise(&self) -> Option<&Piecewise> {
+        self.pieces.get_or_init(|| pieces::approximation(&self.weights, self.limit)).as_ref()
     }
 
     fn sum_in_pieces(&self) -> Option<&SumInPieces> {
@@ -127,13 +134,13 @@ impl Whole {
     }
 
     fn single(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
-        let approximation = self.single.as_ref()?;
+        let approximation = self.one_polynomial()?;
         let mut allowances = self.allowances(self.size.phase_error(reduction));
         allowances.find_map(|allowance| single::kernel(approximation, allowance, reduction, self.direction))
     }
 
     fn pieces(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
-        let (piecewise, reduction) = (self.pieces.as_ref()?, self.in_pieces(reduction)?);
+        let (piecewise, reduction) = (self.piecewise()?, self.in_pieces(reduction)?);
         let mut allowances = self.allowances(self.size.phase_error(&reduction));
         allowances.find_map(|allowance| pieces::kernel(piecewise, allowance, &reduction, self.direction))
     }
