@@ -7,6 +7,7 @@
 
 mod chebyshev;
 mod check;
+mod decimals;
 mod emit;
 mod exact;
 #[cfg(test)]

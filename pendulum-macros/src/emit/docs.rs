@@ -1,6 +1,7 @@
 //! What the generated items say of themselves.
 
 use super::outputs::Wording;
+use crate::decimals::at_most;
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime};
 use crate::parse::Shape;
@@ -141,17 +142,6 @@ fn part(part: &Part, plan: &Plan) -> String {
     )
 }
 
-/// A bound with so many decimals, rounded up.
-fn at_most(bound: f64, decimals: usize) -> String {
-    let nearest = |x: f64| format!("{x:.decimals$e}");
-    let text = nearest(bound);
-    let is_below = text.parse::<f64>().is_ok_and(|stated| stated < bound);
-    let Some((_, exponent)) = text.split_once('e').filter(|_| is_below) else { return text };
-    // It was rounded down by less than half of a unit in the last decimal: 0.6 units more are rounded to the next.
-    let more: f64 = format!("0.{:0<decimals$}6e{exponent}", "").parse().unwrap_or(bound);
-    nearest(bound + more)
-}
-
 /// One line for a function.
 pub(super) fn function(function: &Function) -> String {
     let value = function
@@ -164,23 +154,6 @@ pub(super) fn function(function: &Function) -> String {
 mod tests {
     use super::*;
     use crate::plan::tests::scene;
-
-    #[test]
-    fn bounds_are_rounded_up() {
-        for (bound, decimals, text) in [
-            (1e-6, 1, "1.0e-6"),
-            (1.0000000001e-6, 1, "1.1e-6"),
-            (1.04e-6, 1, "1.1e-6"),
-            (1.06e-6, 1, "1.1e-6"),
-            (9.94e-7, 1, "1.0e-6"),
-            (0.0, 1, "0.0e0"),
-            (2.5e-3, 0, "3e-3"),
-            (1.2341e-300, 3, "1.235e-300"),
-            (f64::from_bits(1), 3, "4.941e-324"),
-        ] {
-            assert_eq!(at_most(bound, decimals), text);
-        }
-    }
 
     /// Where the code counts the phase in another unit than the text does, the text says that it is its own.
     #[test]

@@ -2,6 +2,7 @@
 
 use super::Prospect;
 use super::choice::{Choice, Limits};
+use crate::decimals::at_least;
 use crate::parse::Float;
 use crate::plan::Part;
 use crate::plan::curve::Curve;
@@ -227,7 +228,9 @@ impl Candidate<'_> {
         let least = chosen.map(|index| tried[index].cost);
         let why = |one: &Tried| match (one.reached, least) {
             (Some(reached), _) if reached.is_infinite() => None,
-            (Some(reached), _) if reached >= error => Some(format!("can promise no better than {reached:.1e}")),
+            (Some(reached), _) if reached >= error => {
+                Some(format!("can promise no better than {}", at_least(reached, 1)))
+            }
             (_, least) => least.map(|least| more(one.cost - least)),
         };
         let (word, parity) = (all.aim.output.word(), all.aim.curves.first().map_or(Parity::Even, Curve::parity));

@@ -10,6 +10,7 @@ use super::aim::Aim;
 use super::reduction::Reduction;
 use super::task::Task;
 use super::{Part, Plan, Refusal, alternatives, verify};
+use crate::decimals::at_least;
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
 use candidate::{Candidate, Demand, Failure, Outputs};
@@ -125,8 +126,9 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
     let (candidate, Outputs { parts, mut rejected, .. }) = choice.made().ok_or_else(closest)?;
     let error = worst(parts.iter().map(Part::error));
     let worse = lost.iter().filter(|lost| lost.reached > error);
-    let line =
-        |lost: &Lost| format!("{}: it can promise no better than {:.1e}", lost.candidate.describe(), lost.reached);
+    let line = |lost: &Lost| {
+        format!("{}: it can promise no better than {}", lost.candidate.describe(), at_least(lost.reached, 1))
+    };
     rejected.extend(worse.map(line));
     Ok(Chosen { candidate, parts, rejected })
 }
