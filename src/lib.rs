@@ -214,10 +214,10 @@ struct Readme;
 ///
 /// # Errors
 /// Every mistake is a compile error at the token to blame, which names the parameter, the value and a remedy; several
-/// mistakes are reported together. A `tol` that can't be promised is refused with the best that can, or, of several
-/// outputs or a forced `method`, one not far above it. One mistake is mathematics rather than syntax: with few terms
-/// the argument of the arcsine in Eq. 22 exceeds 1 at large amplitudes (from 0.7308π for N = 1, 0.9046π for 2, 0.9139π
-/// for 3, 0.9547π for 4), where θ̂ would be NaN.
+/// mistakes are reported together. A `tol` that can't be promised is refused with the best that is found to be: of one
+/// output without a forced `method` within some per cent of what can be had. One mistake is mathematics rather than
+/// syntax: with few terms the argument of the arcsine in Eq. 22 exceeds 1 at large amplitudes (from 0.7308π for N = 1,
+/// 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂ would be NaN.
 ///
 /// ```compile_fail
 /// // the smallest number of terms that works is `n = 4`

@@ -5,14 +5,7 @@ use crate::parse::Method;
 use crate::power::power;
 use crate::scene::{Goal, Scene};
 
-/// Whether what is offered is the least that is found: of several outputs, and of the series and Eq. 22, whose plans
-/// take long, somewhat less may be had.
-pub(super) fn is_finest(scene: &Scene) -> bool {
-    let without_terms = matches!(scene.method, Some(Method::SmallAngle | Method::Harmonic));
-    scene.outputs.len() == 1 && (is_quick(scene) || without_terms)
-}
-
-/// The best that can be asked for, infinite if that isn't known, where the goal is refused with what was reached.
+/// The best that is found to be promised, infinite if nothing is, where the goal is refused with what was reached.
 pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let least = if of_paper(scene).is_some() { f64::INFINITY } else { search::least_error(scene) };
     let (best, full, tol) = match scene.goal {
@@ -21,11 +14,16 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
         _ => (reached, f64::INFINITY, 0.0),
     };
     let reached = if best < full { [best, full] } else { [full, best] };
-    let offers = reached.into_iter().flat_map(offers_from);
+    let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
     let decades = if is_quick(scene) { 1..10 } else { 1..1 };
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * power(10f64, decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
-    first_kept(scene, offers, least).map_or(f64::INFINITY, |kept| finest(scene, kept))
+    let mut asked = Asked { scene, refused: vec![tol] };
+    if let Some(kept) = asked.first_kept(&offers, least) {
+        return asked.finest(kept, STEP);
+    }
+    let coarse = COARSE.into_iter().filter(|&coarse| coarse > tol).find_map(|coarse| asked.ask(coarse).ok());
+    coarse.map_or(f64::INFINITY, |kept| asked.finest(kept, LARGE_STEP))
 }
 
 /// What full precision promises, or reaches: of an angle that grows without bound, what its turns cost.
@@ -51,74 +49,72 @@ struct Kept {
     bound: f64,
 }
 
-/// Asks for another tolerance.
-fn kept(scene: &Scene, tolerance: f64) -> Result<Kept, Refusal> {
-    let plan = cheapest(&scene.asking(tolerance))?;
-    Ok(Kept { tolerance, bound: plan.worst() })
+/// Which tolerances have been asked for in vain.
+struct Asked<'a> {
+    scene: &'a Scene,
+    refused: Vec<f64>,
 }
 
-/// The first of the tolerances that can be promised; those below what was reached where another was refused come last.
-/// Where more was reached than all of them, a sum that lacked terms told less than it would reach: from there on others are
-/// tried. Where polynomials take too many points for one, they do for a little more, too. Whatever is asked, `least` is
-/// reached.
-fn first_kept(scene: &Scene, mut offers: Vec<f64>, least: f64) -> Option<Kept> {
-    let (mut reached, mut hopeless) = (0.0, 0.0);
-    let (mut tried, mut further) = (0, 0);
-    let mut unlikely = Vec::new();
-    while let Some(&offer) = offers.get(tried) {
-        tried += 1;
-        if offer < hopeless {
-            continue;
-        }
-        if offer < reached {
-            unlikely.push(offer);
-            continue;
-        }
-        match kept(scene, offer) {
-            Ok(kept) => return Some(kept),
-            Err(Refusal::Unreachable { best }) if best.min(least).is_finite() => {
-                reached = best.min(least);
-                if further < FURTHER && offers.iter().all(|&offer| offer < reached) {
-                    offers.extend(offers_from(reached));
-                    further += 1;
-                }
+impl Asked<'_> {
+    fn ask(&mut self, tolerance: f64) -> Result<Kept, Refusal> {
+        let planned = cheapest(&self.scene.asking(tolerance));
+        planned.map(|plan| Kept { tolerance, bound: plan.worst() }).inspect_err(|_| self.refused.push(tolerance))
+    }
+
+    /// The first of the tolerances that can be promised; those below what was reached where another was refused come last,
+    /// the coarsest first. Where polynomials take too many points for one, they do for a little more, too. Whatever is
+    /// asked, `least` is reached.
+    fn first_kept(&mut self, offers: &[f64], least: f64) -> Option<Kept> {
+        let (mut reached, mut hopeless) = (0.0, 0.0);
+        let mut unlikely = Vec::new();
+        for &offer in offers {
+            if offer < hopeless {
+                continue;
             }
-            Err(Refusal::Unreachable { .. }) if scene.method == Some(Method::Polynomial) => hopeless = 3.0 * offer,
-            Err(_) => {}
+            if offer < reached {
+                unlikely.push(offer);
+                continue;
+            }
+            match self.ask(offer) {
+                Ok(kept) => return Some(kept),
+                Err(Refusal::Unreachable { best }) if best.min(least).is_finite() => reached = best.min(least),
+                Err(Refusal::Unreachable { .. }) if self.scene.method == Some(Method::Polynomial) => {
+                    hopeless = 3.0 * offer;
+                }
+                Err(_) => {}
+            }
         }
+        unlikely.into_iter().rev().find_map(|offer| self.ask(offer).ok())
     }
-    unlikely.into_iter().find_map(|offer| kept(scene, offer).ok())
-}
 
-/// The finest that can be promised, too: where a promise leaves more than half, what it takes is asked for; of one output
-/// whose plans are quick a fifth less, and then parts as long as these are kept.
-fn finest(scene: &Scene, found: Kept) -> f64 {
-    let offer = |of: &Kept, part: f64| three_digits(part * of.tolerance.min(1.01 * of.bound));
-    let finer = |of: &Kept, part: f64| kept(scene, Some(offer(of, part)).filter(|&offer| offer < of.tolerance)?).ok();
-    let half_left = |of: &Kept| if offer(of, 1.0) < 0.5 * of.tolerance { finer(of, 1.0) } else { None };
-    let found = last(found, half_left);
-    if scene.outputs.len() > 1 || !is_quick(scene) {
-        return found.tolerance;
+    /// What a promise takes is asked for, and what is between it and the largest tolerance that was refused, but at most a
+    /// `step` below.
+    fn finest(mut self, mut found: Kept, step: f64) -> f64 {
+        let (asks, close) = if is_quick(self.scene) { (8, 1.02) } else { (4, 1.3) };
+        for _ in 0..asks {
+            let below = self.refused.iter().copied().filter(|&refused| refused < found.tolerance);
+            let refused = below.fold(found.tolerance / step, f64::max);
+            let between = (refused * found.tolerance).sqrt();
+            let taken = 1.01 * found.bound;
+            let next = three_digits(if taken > refused && taken * close < found.tolerance { taken } else { between });
+            if next * close.sqrt() > found.tolerance {
+                break;
+            }
+            found = self.ask(next).unwrap_or(found);
+        }
+        found.tolerance
     }
-    let found = finer(&found, 1.0).unwrap_or(found);
-    let Some(less) = finer(&found, 0.8) else { return found.tolerance };
-    [0.03, 0.5, 0.8].into_iter().fold(less, |found, part| last(found, |of| finer(of, part))).tolerance
-}
-
-/// What is left when nothing finer is found any more.
-fn last(found: Kept, finer: impl Fn(&Kept) -> Option<Kept>) -> Kept {
-    std::iter::successors(Some(found), finer).last().unwrap_or(found)
 }
 
 /// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
 const OFFERS: [f64; 5] = [1.01, 1.05, 1.25, 2.0, 4.0];
 
-/// How often others are tried beyond all.
-const FURTHER: usize = 2;
+/// What is asked for where none of these can be promised.
+const COARSE: [f64; 2] = [1e-3, 1.0];
 
-fn offers_from(reached: f64) -> [f64; 5] {
-    OFFERS.map(|factor| three_digits(reached * factor))
-}
+/// So much below one that was found from what was reached hardly any is kept, and below one that is coarse.
+const STEP: f64 = 8.0;
+const LARGE_STEP: f64 = 1e8;
 
 /// As a message prints it.
 fn three_digits(x: f64) -> f64 {

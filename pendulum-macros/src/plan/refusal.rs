@@ -1,6 +1,6 @@
 //! Why a scene can't be planned, and what its author is told.
 
-use super::{cheapest, offer};
+use super::{cheapest, of_paper, paper};
 use crate::motion::{ALWAYS_OVERSHOOTS, Regime};
 use crate::parse::{Float, Method, Output, source};
 use crate::scene::{Goal, Scene};
@@ -54,17 +54,19 @@ fn unreachable(best: f64, scene: &Scene) -> String {
     if best.is_infinite() {
         format!("{asked} is finer than {promise} here: {remedy}")
     } else {
-        let reach = if offer::is_finest(scene) { "the best is" } else { "the best found is" };
-        format!("{asked} is finer than {promise} here: {reach} {best:.2e}; {offer}, or {remedy}")
+        format!("{asked} is finer than {promise} here: the best found is {best:.2e}; {offer}, or {remedy}")
     }
 }
 
 /// What else than a larger tolerance would help.
 fn closer(best: f64, scene: &Scene) -> &'static str {
-    let nearer = || match scene.float {
-        Float::F32 => "use `float = f64`, which comes closer",
-        Float::F64 if scene.outputs.len() > 1 => "choose numbers nearer to 1, or fewer outputs",
-        Float::F64 => "choose numbers nearer to 1",
+    // Products with ω² are almost beyond the range of floats.
+    let far = !(1e-140..=1e140).contains(&scene.motion.omega.to_f64());
+    let nearer = || match (scene.float, scene.outputs.len()) {
+        (Float::F32, _) => "use `float = f64`, which comes closer",
+        (Float::F64, _) if far => "choose a unit of time in which ω is nearer to 1",
+        (Float::F64, 1) => "choose numbers nearer to 1",
+        (Float::F64, _) => "choose numbers nearer to 1, or fewer outputs",
     };
     by_another_method(scene)
         .or_else(|| with_fewer_turns(best, scene))
@@ -128,10 +130,12 @@ fn is_planned(scene: &Scene) -> bool {
 /// `n` terms have an error whatever it is, but not everywhere one that can be bounded.
 fn unbounded(n: usize, scene: &Scene) -> String {
     if scene.outputs.contains(&Output::Velocity) {
+        let another = of_paper(scene).and_then(|(swing, _)| paper::planned(scene, swing, n + 1));
+        let another = another.map_or_else(String::new, |another| format!("choose `n = {another}`, "));
         format!(
             "`n = {n}`: no useful bound can be proven for the error of θ̂'s velocity at this amplitude, where the argument \
-             of the arcsine in Eq. 22 comes too near 1: ask for `theta` alone, choose another `n`, or state the error as \
-             `tol` instead of `n`"
+             of the arcsine in Eq. 22 comes too near 1: {another}ask for `theta` alone, or state the error as `tol` \
+             instead of `n`"
         )
     } else {
         format!("`n = {n}`: no bound can be proven for the error of θ̂ here: state the error as `tol` instead of `n`")

@@ -67,7 +67,7 @@ fn first_serving(least: usize, most: usize, serves: impl Fn(usize) -> bool) -> u
 
 /// The first number of terms from `smallest` on, of a few, that is planned: without overshoot an error may still be too
 /// near to it to be bounded.
-pub(super) fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
+pub(in crate::plan) fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
     let ask = |n: usize| plan(&Scene { goal: Goal::Terms(n), ..scene.clone() }, swing, Method::Fourier);
     (smallest..=swing.most_useful_terms(scene.float.unit())).take(3).find(|&n| ask(n).is_ok())
 }

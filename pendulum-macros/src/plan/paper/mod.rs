@@ -18,7 +18,8 @@ use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
 use bias::MOST_TERMS;
-use count::{MORE, MOST_CHOSEN, fewest, fewest_of_series, planned};
+pub(super) use count::planned;
+use count::{MORE, MOST_CHOSEN, fewest, fewest_of_series};
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 
@@ -43,7 +44,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     let (mut reached, mut left_out) = (None, f64::INFINITY);
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
-        if may_grow && sum.is_too_long() {
+        if may_grow && sum.is_too_long(more) {
             break;
         }
         let wanted = sum.wanted();
@@ -120,9 +121,13 @@ impl<'a> Sum<'a> {
         Self::of_weights(scene, swing, Method::Series, swing.rate(), first.map(|&(_, a)| a).collect())
     }
 
-    /// Whether there are more terms than are chosen; in pieces a series may have as many as its bias is known for.
-    fn is_too_long(&self) -> bool {
-        self.weights.len() >= if self.method == Method::Series { MOST_TERMS } else { MOST_CHOSEN }
+    /// Whether there are more terms than are chosen, so many more than the fewest; in pieces a series may have as many as its
+    /// bias is known for. Next to the top Eq. 22 doesn't work with fewer.
+    fn is_too_long(&self, more: usize) -> bool {
+        match self.method {
+            Method::Series => self.weights.len() >= MOST_TERMS,
+            _ => self.weights.len() >= MOST_CHOSEN && more > TRIED_BLINDLY,
+        }
     }
 
     /// What of our phase a short horizon meets.

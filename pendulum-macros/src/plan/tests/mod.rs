@@ -338,7 +338,7 @@ fn refusals_are_explained() {
         ("theta0 = 10deg, tol = 1e-2, method = small_angle", "give a short `t_max`"),
         ("velocity0 = 3, tol = 1e-17, outputs = [wrapped]", "or leave `tol` out for full precision"),
         ("velocity0 = 3, tol = 1e-17, t_max = 10", "or leave `tol` out for full precision"),
-        ("theta0 = 1, tol = 1e-17", "`tol = 1e-17` is finer than can be promised here: the best is "),
+        ("theta0 = 1, tol = 1e-17", "`tol = 1e-17` is finer than can be promised here: the best found is "),
         ("theta0 = 1, tol = 1e-17", "ask for that, or leave `tol` out for full precision"),
         ("theta0 = 1, tol = 1e-12, float = f32", "or use `float = f64`, which comes closer"),
         ("theta0 = 1, tol = 1e-20, method = series", "finer than `method = series` can promise here"),
@@ -374,7 +374,7 @@ fn refusals_are_explained() {
         assert!(found.contains(part), "{text}: {found}");
     }
     let found = message("theta0 = 1", Some(Refusal::Unreachable { best: 0.25 }));
-    assert!(found.contains("the best is 2.50e-1; state `tol = 2.50e-1`"), "{found}");
+    assert!(found.contains("the best found is 2.50e-1; state `tol = 2.50e-1`"), "{found}");
     let found = message("theta0 = 1", Some(Refusal::Broken { output: Output::Theta }));
     assert!(found.contains("the plan for `theta` misses its own error bound here"), "{found}");
 }
