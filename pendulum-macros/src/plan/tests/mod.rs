@@ -161,6 +161,24 @@ fn promises_are_kept_or_refused() {
     assert!(best > 1e-16 && best < 1e-14, "the best is {best:e}");
 }
 
+/// What a refusal names is kept, and little less is not.
+#[test]
+fn the_best_that_is_found() {
+    for (text, less) in [
+        ("theta0 = 2.5, tol = 5e-16", 0.97),
+        ("theta0 = 1, float = f32, tol = 1e-9", 0.97),
+        ("theta0 = 1.78, omega = 0.0736, float = f32, t_max = 2.6e5, outputs = [acceleration], tol = 1e-10", 0.97),
+        ("theta0 = 0.476, float = f32, method = series, outputs = [theta, velocity], tol = 1e-10", 0.75),
+        ("theta0 = π - 1e-6, omega = 0.147, float = f32, method = series, outputs = [acceleration], tol = 5e-7", 0.75),
+        ("theta0 = π - 1e-40, method = series, tol = 1e-12", 0.1),
+    ] {
+        let scene = scene(&format!("struct Motion; {text}"));
+        let Err(Refusal::Unreachable { best }) = plan(&scene) else { panic!("{text}: another refusal") };
+        assert!(plan(&scene.asking(best)).is_ok(), "{text}: {best:e}");
+        assert!(plan(&scene.asking(less * best)).is_err(), "{text}: {best:e}");
+    }
+}
+
 /// In units of what a tolerance of 1 means: of an error of 8 at ω = 4 a velocity has 2.
 #[test]
 fn the_worst_output() {
