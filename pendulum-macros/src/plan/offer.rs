@@ -90,7 +90,8 @@ impl Asked<'_> {
     /// What a promise takes is asked for, and what is between it and the largest tolerance that was refused, but at most a
     /// `step` below.
     fn finest(mut self, mut found: Kept, step: f64) -> f64 {
-        let (asks, close) = if is_quick(self.scene) { (8, 1.02) } else { (4, 1.3) };
+        let thorough = is_quick(self.scene) && self.scene.outputs.len() == 1;
+        let (asks, close) = if thorough { (8, 1.02) } else { (4, 1.3) };
         for _ in 0..asks {
             let below = self.refused.iter().copied().filter(|&refused| refused < found.tolerance);
             let refused = below.fold(found.tolerance / step, f64::max);
