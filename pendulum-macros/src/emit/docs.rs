@@ -155,6 +155,19 @@ mod tests {
     use super::*;
     use crate::plan::tests::scene;
 
+    /// In the unit of the tolerance, as the whole is: that of a velocity is ω.
+    #[test]
+    fn parts_of_a_bound() {
+        let scene = scene("struct Motion; theta0 = 1, omega = 7, tol = 1e-6, t_max = 1e3, outputs = [velocity]");
+        let lines = motion(&scene, &crate::plan::plan(&scene).unwrap());
+        let line = lines.iter().find(|line| line.contains("velocity: ")).unwrap();
+        let numbers: Vec<f64> =
+            line.split(' ').filter_map(|word| word.contains("e-").then(|| word.parse().ok())?).collect();
+        let [error, parts @ ..] = &numbers[..] else { panic!("{line}") };
+        let sum: f64 = parts.iter().sum();
+        assert!(parts.len() == 3 && sum >= *error && sum < 1.1 * error, "{line}");
+    }
+
     /// Where the code counts the phase in another unit than the text does, the text says that it is its own.
     #[test]
     fn units_of_phases() {

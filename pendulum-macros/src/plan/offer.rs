@@ -87,21 +87,31 @@ impl Asked<'_> {
         unlikely.into_iter().rev().find_map(|offer| self.ask(offer).ok())
     }
 
-    /// What a promise takes is asked for, and what is between it and the largest tolerance that was refused, but at most a
-    /// `step` below.
+    /// What a promise takes is asked for, or what was reached where another was refused; then what is between it and the
+    /// largest tolerance that was refused, but at most a `step` below.
     fn finest(mut self, mut found: Kept, step: f64) -> f64 {
         let thorough = is_quick(self.scene) && self.scene.outputs.len() == 1;
-        let (asks, close) = if thorough { (8, 1.02) } else { (4, 1.3) };
+        let close = if thorough { 1.02 } else { 1.5 };
+        let asks = if thorough || step > STEP { 8 } else { 3 };
+        let mut reached = found.bound;
         for _ in 0..asks {
             let below = self.refused.iter().copied().filter(|&refused| refused < found.tolerance);
             let refused = below.fold(found.tolerance / step, f64::max);
-            let between = (refused * found.tolerance).sqrt();
-            let taken = 1.01 * found.bound;
+            let (taken, between) = (OFFERS[0] * reached, (refused * found.tolerance).sqrt());
             let next = three_digits(if taken > refused && taken * close < found.tolerance { taken } else { between });
             if next * close.sqrt() > found.tolerance {
                 break;
             }
-            found = self.ask(next).unwrap_or(found);
+            match self.ask(next) {
+                Ok(kept) => (found, reached) = (kept, kept.bound),
+                Err(Refusal::Unreachable { best }) if best.is_finite() => {
+                    if !thorough && best * close > found.tolerance {
+                        break;
+                    }
+                    reached = best;
+                }
+                Err(_) => {}
+            }
         }
         found.tolerance
     }

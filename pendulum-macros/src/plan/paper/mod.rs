@@ -40,11 +40,17 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     };
     let is_given = matches!(scene.goal, Goal::Terms(_));
     let may_grow = matches!(method, Method::Fourier | Method::Series) && !is_given;
+    // In pieces a series may have as many terms as its bias is known for. Next to the top Eq. 22 takes more than are chosen.
+    let most = match method {
+        Method::Series => MOST_TERMS,
+        _ if fewest < MOST_CHOSEN => MOST_CHOSEN,
+        _ => fewest + TRIED_BLINDLY + 1,
+    };
     // What a sum leaves out that lacks terms is less than it would reach.
     let (mut reached, mut left_out) = (None, f64::INFINITY);
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
-        if may_grow && sum.is_too_long(more) {
+        if may_grow && sum.weights.len() >= most {
             break;
         }
         let wanted = sum.wanted();
@@ -119,15 +125,6 @@ impl<'a> Sum<'a> {
     fn series(scene: &'a Scene, swing: &'a Swing, theta: &Curve, kept: usize) -> Self {
         let first = theta.terms().iter().take(kept.min(MOST_TERMS));
         Self::of_weights(scene, swing, Method::Series, swing.rate(), first.map(|&(_, a)| a).collect())
-    }
-
-    /// Whether there are more terms than are chosen, so many more than the fewest; in pieces a series may have as many as its
-    /// bias is known for. Next to the top Eq. 22 doesn't work with fewer.
-    fn is_too_long(&self, more: usize) -> bool {
-        match self.method {
-            Method::Series => self.weights.len() >= MOST_TERMS,
-            _ => self.weights.len() >= MOST_CHOSEN && more > TRIED_BLINDLY,
-        }
     }
 
     /// What of our phase a short horizon meets.

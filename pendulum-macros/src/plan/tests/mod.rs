@@ -168,8 +168,8 @@ fn the_best_that_is_found() {
         ("theta0 = 2.5, tol = 5e-16", 0.97),
         ("theta0 = 1, float = f32, tol = 1e-9", 0.97),
         ("theta0 = 1.78, omega = 0.0736, float = f32, t_max = 2.6e5, outputs = [acceleration], tol = 1e-10", 0.97),
-        ("theta0 = 0.476, float = f32, method = series, outputs = [theta, velocity], tol = 1e-10", 0.75),
-        ("theta0 = π - 1e-6, omega = 0.147, float = f32, method = series, outputs = [acceleration], tol = 5e-7", 0.75),
+        ("theta0 = 0.476, float = f32, method = series, outputs = [theta, velocity], tol = 1e-10", 0.6),
+        ("theta0 = π - 1e-6, omega = 0.147, float = f32, method = series, outputs = [acceleration], tol = 5e-7", 0.6),
         ("theta0 = π - 1e-40, method = series, tol = 1e-12", 0.1),
     ] {
         let scene = scene(&format!("struct Motion; {text}"));
