@@ -6,6 +6,7 @@ use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::scene::{Goal, Scene};
+use crate::series::Wave;
 
 /// More terms than this aren't chosen for a tolerance: the analysis of longer sums takes the compiler longer than a
 /// second.
@@ -81,6 +82,17 @@ pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
         Goal::Full => scene.float.unit() * swing.amplitude.to_f64(),
     };
     let Some(smallest) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
-    let analysis = swing.elliptic.fourier_analysis();
-    first_serving(smallest, MOST_CHOSEN - 1, |n| analysis.supremum(n) < tol)
+    let (analysis, most) = (swing.elliptic.fourier_analysis(), smallest.max(MOST_CHOSEN - 1));
+    let sine = Wave::half_sine(swing);
+    let (k, complementary) = (swing.elliptic.modulus.to_f64(), swing.elliptic.complementary.to_f64());
+    // At a turning point what is left out alternates, and is at least its first term less the second. With y for k less that,
+    // θ̂/2 is arcsin k − arcsin y off, of which the sine is (k² − y²)/(k√(1 − y²) + yk′), or more where y is above k.
+    let size = |n: usize| sine.terms().get(n).map_or(0.0, |(_, amplitude)| amplitude.hi.abs());
+    let least = |n: usize| {
+        let off = size(n) - size(n + 1);
+        let squares = off * (2.0 * k - off);
+        2.0 * squares / (k * (complementary * complementary + squares).sqrt() + (k - off) * complementary)
+    };
+    let from = (smallest..most).find(|&n| least(n) < tol).unwrap_or(most);
+    first_serving(from, most, |n| analysis.supremum(n) < tol)
 }
