@@ -1,5 +1,6 @@
 //! The best tolerance that can be offered in place of one out of reach.
 
+use super::refusal::is_far;
 use super::{Refusal, cheapest, of_paper, search};
 use crate::parse::Method;
 use crate::power::power;
@@ -21,6 +22,9 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let mut asked = Asked { scene, refused: vec![tol] };
     if let Some(kept) = asked.first_kept(&offers, least) {
         return asked.finest(kept, STEP);
+    }
+    if is_far(scene) {
+        return f64::INFINITY;
     }
     let coarse = COARSE.into_iter().filter(|&coarse| coarse > tol).find_map(|coarse| asked.ask(coarse).ok());
     coarse.map_or(f64::INFINITY, |kept| asked.finest(kept, LARGE_STEP))
@@ -120,7 +124,7 @@ impl Asked<'_> {
 /// What an error that was reached, for another goal or by a part of the scene, is multiplied with to be asked for.
 const OFFERS: [f64; 5] = [1.01, 1.05, 1.25, 2.0, 4.0];
 
-/// What is asked for where none of these can be promised.
+/// What is asked for where none of these can be promised, unless it is the unit of time that is in the way.
 const COARSE: [f64; 2] = [1e-3, 1.0];
 
 /// So much below one that was found from what was reached hardly any is kept, and below one that is coarse.

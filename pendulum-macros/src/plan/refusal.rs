@@ -60,11 +60,9 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 
 /// What else than a larger tolerance would help.
 fn closer(best: f64, scene: &Scene) -> &'static str {
-    // Products with ω² are almost beyond the range of floats.
-    let far = !(1e-140..=1e140).contains(&scene.motion.omega.to_f64());
     let nearer = || match (scene.float, scene.outputs.len()) {
         (Float::F32, _) => "use `float = f64`, which comes closer",
-        (Float::F64, _) if far => "choose a unit of time in which ω is nearer to 1",
+        (Float::F64, _) if is_far(scene) => "choose a unit of time in which ω is nearer to 1",
         (Float::F64, 1) => "choose numbers nearer to 1",
         (Float::F64, _) => "choose numbers nearer to 1, or fewer outputs",
     };
@@ -72,6 +70,11 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
         .or_else(|| with_fewer_turns(best, scene))
         .or_else(|| at_full_precision(best, scene))
         .unwrap_or_else(nearer)
+}
+
+/// Whether products with ω² are almost beyond the range of floats.
+pub(super) fn is_far(scene: &Scene) -> bool {
+    !(1e-140..=1e140).contains(&scene.motion.omega.to_f64())
 }
 
 /// Where a method is forced.

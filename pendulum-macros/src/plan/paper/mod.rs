@@ -28,6 +28,9 @@ use pendulum_runtime::double::Double;
 const WORTHWHILE: f64 = 0.9;
 const TRIED_BLINDLY: usize = 2;
 
+/// So many times the promise is near it.
+const NEAR: f64 = 4.0;
+
 /// The part of a promise from which on the terms left out count: more terms help then, if slowly.
 const COUNTS: f64 = 0.1;
 
@@ -64,7 +67,11 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         } else {
             reached = Some(reached.map_or(best, |reached: f64| reached.min(best)));
         }
-        if !may_grow || !helped && !counts {
+        // Terms of Eq. 22 don't help where the rest alone is too much, of a sum that comes near.
+        let largest = |error: &dyn Fn(&Wanted) -> f64| worst(wanted.iter().map(|of| error(of) / of.curve.size.unit));
+        let (bias, promise) = (largest(&|of| of.bias), largest(&|of| sum.promise(of)));
+        let hopeless = method == Method::Fourier && best - bias > promise && best < NEAR * promise;
+        if !may_grow || hopeless || !helped && !counts {
             break;
         }
     }
