@@ -29,6 +29,11 @@ impl Scene {
         self.t_max.clone().or_else(longest).map_or(f64::INFINITY, |t| t.to_f64()).min(self.float.largest())
     }
 
+    /// Whether ω² is almost beyond the range of floats: some products with it are.
+    pub(crate) fn is_far(&self) -> bool {
+        !(1e-140..=1e140).contains(&self.motion.omega.to_f64())
+    }
+
     /// The same, over one period.
     pub(crate) fn over_a_period(&self) -> Self {
         Self { t_max: self.motion.period().cloned(), ..self.clone() }

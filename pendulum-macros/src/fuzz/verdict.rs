@@ -237,11 +237,6 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
     }
 }
 
-/// ω² is almost beyond the range of floats: some products with it are.
-fn is_extreme(scene: &Scene) -> bool {
-    !(1e-140..=1e140).contains(&scene.motion.omega.to_f64())
-}
-
 /// The tolerance that a message names can be had.
 fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
     let offer =
@@ -264,7 +259,7 @@ fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
         scene = Scene { float: Float::F64, ..scene.by_any_method() };
     } else if message.contains("leave `method` out") {
         scene = scene.by_any_method();
-    } else if is_extreme(&scene) || message.contains("give a `t_max`") {
+    } else if scene.is_far() || message.contains("give a `t_max`") {
         return Ok(());
     } else if message.contains("use `float = f64`") {
         scene.float = Float::F64;

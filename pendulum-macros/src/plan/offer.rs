@@ -1,6 +1,5 @@
 //! The best tolerance that can be offered in place of one out of reach.
 
-use super::refusal::is_far;
 use super::{Refusal, cheapest, of_paper, search};
 use crate::parse::Method;
 use crate::power::power;
@@ -23,7 +22,7 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     if let Some(kept) = asked.first_kept(&offers, least) {
         return asked.finest(kept, STEP);
     }
-    if is_far(scene) {
+    if scene.is_far() {
         return f64::INFINITY;
     }
     let coarse = COARSE.into_iter().filter(|&coarse| coarse > tol).find_map(|coarse| asked.ask(coarse).ok());

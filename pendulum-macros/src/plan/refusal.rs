@@ -62,7 +62,7 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 fn closer(best: f64, scene: &Scene) -> &'static str {
     let nearer = || match (scene.float, scene.outputs.len()) {
         (Float::F32, _) => "use `float = f64`, which comes closer",
-        (Float::F64, _) if is_far(scene) => "choose a unit of time in which ω is nearer to 1",
+        (Float::F64, _) if scene.is_far() => "choose a unit of time in which ω is nearer to 1",
         (Float::F64, 1) => "choose numbers nearer to 1",
         (Float::F64, _) => "choose numbers nearer to 1, or fewer outputs",
     };
@@ -70,11 +70,6 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
         .or_else(|| with_fewer_turns(best, scene))
         .or_else(|| at_full_precision(best, scene))
         .unwrap_or_else(nearer)
-}
-
-/// Whether products with ω² are almost beyond the range of floats.
-pub(super) fn is_far(scene: &Scene) -> bool {
-    !(1e-140..=1e140).contains(&scene.motion.omega.to_f64())
 }
 
 /// Where a method is forced.

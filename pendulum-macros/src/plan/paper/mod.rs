@@ -67,11 +67,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         } else {
             reached = Some(reached.map_or(best, |reached: f64| reached.min(best)));
         }
-        // Terms of Eq. 22 don't help where the rest alone is too much, of a sum that comes near.
-        let largest = |error: &dyn Fn(&Wanted) -> f64| worst(wanted.iter().map(|of| error(of) / of.curve.size.unit));
-        let (bias, promise) = (largest(&|of| of.bias), largest(&|of| sum.promise(of)));
-        let hopeless = method == Method::Fourier && best - bias > promise && best < NEAR * promise;
-        if !may_grow || hopeless || !helped && !counts {
+        if !may_grow || sum.is_hopeless(&wanted, best) || !helped && !counts {
             break;
         }
     }
@@ -171,6 +167,11 @@ fn rank_of(plan: &Plan) -> [f64; 2] {
     rank(worst(plan.parts.iter().map(|part| part.share)), plan.cost())
 }
 
+/// The largest of the outputs' errors, in units of the tolerance.
+fn in_units(wanted: &[Wanted], error: impl Fn(&Wanted) -> f64) -> f64 {
+    worst(wanted.iter().map(|wanted| error(wanted) / wanted.curve.size.unit))
+}
+
 /// Whether the bound of what was not asked to be small says anything: of a velocity, that it is less than twice the
 /// largest.
 fn is_useful(part: &Part, scene: &Scene) -> bool {
@@ -185,13 +186,18 @@ impl Sum<'_> {
         wanted.iter().any(|wanted| self.left(wanted) <= 0.0)
     }
 
+    /// Whether terms of Eq. 22 don't help: where the rest alone is too much, of a sum that comes near.
+    fn is_hopeless(&self, wanted: &[Wanted], reached: f64) -> bool {
+        let (bias, promise) = (in_units(wanted, |of| of.bias), in_units(wanted, |of| self.promise(of)));
+        self.method == Method::Fourier && reached - bias > promise && reached < NEAR * promise
+    }
+
     /// The cheapest reduction with which the promise is kept, or, if nothing is promised, whose error is beside the
     /// rounding of the rest. Where the recurrence doesn't keep it, the series does in pieces.
     fn plan(&self, wanted: &[Wanted]) -> Result<Plan, Refusal> {
         // No reduction helps.
         if self.lacks_terms(wanted) {
-            let best = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
-            return Err(Refusal::Unreachable { best });
+            return Err(Refusal::Unreachable { best: in_units(wanted, |wanted| wanted.bias) });
         }
         if self.method != Method::Series {
             return self.cheapest(wanted);
