@@ -123,6 +123,13 @@ pub(crate) fn value(series: &[Double], x: Double) -> Double {
     first - x * second
 }
 
+/// Bounds what [`value`] is rounded by for |x| ≤ 1: what a step is off by, less than 2⁻¹⁰⁰ of the sums Σ|aₖ|Uₖ₋ⱼ that it is
+/// made of, counts as if it were aⱼ's; and Uₙ ≤ n + 1.
+pub(crate) fn rounding_of_value(series: &[Double]) -> f64 {
+    let of = |(j, a): (usize, &Double)| a.hi.abs() * ((j + 1) * (j + 2)) as f64;
+    series.iter().enumerate().map(of).sum::<f64>() * two_to(-100)
+}
+
 /// Σ cⱼTⱼ(u), j from `first` on, by Clenshaw's recurrence.
 pub(crate) fn sum(coefficients: &[f64], first: usize, u: f64) -> f64 {
     let (mut next, mut after) = (0.0, 0.0);
@@ -168,9 +175,10 @@ pub(crate) fn cos_pi(x: Double) -> Double {
     cosine(Double::PI * x)
 }
 
-/// sin πx for |x| ≤ 1.5.
+/// sin πx for |x| ≤ 1.5, of small x within 2⁻¹⁰⁰ of itself.
 pub(crate) fn sin_pi(x: Double) -> Double {
-    let value = cos_pi(Double::new(0.5) - x.abs());
+    let magnitude = x.abs();
+    let value = if magnitude.hi > 0.25 { cos_pi(Double::new(0.5) - magnitude) } else { sine(Double::PI * magnitude) };
     if x.hi < 0.0 { -value } else { value }
 }
 
@@ -279,6 +287,9 @@ mod tests {
         let root = cos_pi(Double::new(0.25));
         assert!((root * root - Double::new(0.5)).hi.abs() < 1e-31);
         assert!((sin_pi(Double::new(-0.5)) + Double::ONE).hi.abs() < 1e-31);
+        // π/6 of it, less a sixth of the cube, which is nothing here.
+        let small = Double::new(1e-20) / 3.0;
+        assert!((sin_pi(small) - Double::PI * small).hi.abs() < 1e-51);
     }
 
     #[test]

@@ -34,17 +34,17 @@ impl Scene {
         !(1e-140..=1e140).contains(&self.motion.omega.to_f64())
     }
 
-    /// The same, over one period.
+    /// The scene over one period.
     pub(crate) fn over_a_period(&self) -> Self {
         Self { t_max: self.motion.period().cloned(), ..self.clone() }
     }
 
-    /// The same, by whatever method serves.
+    /// The scene by whatever method serves.
     pub(crate) fn by_any_method(&self) -> Self {
         Self { method: None, ..self.clone() }
     }
 
-    /// The same, asking for that tolerance.
+    /// The scene asking for that tolerance.
     pub(crate) fn asking(&self, tolerance: f64) -> Self {
         Self { goal: Goal::Tolerance(tolerance), ..self.clone() }
     }

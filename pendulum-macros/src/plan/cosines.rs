@@ -32,6 +32,11 @@ impl Cosines {
         Self { terms, magnitudes }
     }
 
+    /// Of a series' terms.
+    pub(super) fn of(terms: &[(u32, Double)]) -> Self {
+        Self::new(terms.iter().map(|&(m, a)| (m, a.hi)))
+    }
+
     /// Σ wₙ cos((2n−1)πs).
     pub(super) fn odd(weights: &[Double]) -> Self {
         Self::new((1..).step_by(2).zip(weights.iter().map(|w| w.hi)))

@@ -72,9 +72,9 @@ impl Clock {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 28;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219383123319164e-10;
+    pub const MAX_ERROR: f64 = 6.219383123320768e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
-    pub const MAX_VELOCITY_ERROR: f64 = 4.307509858218305e-10;
+    pub const MAX_VELOCITY_ERROR: f64 = 4.3075098582185365e-10;
     /// θ(t), rad; NaN if t is not finite. 28 operations.
     #[inline(always)]
     #[must_use]

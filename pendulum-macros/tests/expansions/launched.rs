@@ -69,9 +69,9 @@ impl Pushed {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 27;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 4.687966789127436e-7;
+    pub const MAX_ERROR: f64 = 4.687966789127545e-7;
     /// Proven bound of the acceleration's error over the horizon, in rad·ω².
-    pub const MAX_ACCELERATION_ERROR: f64 = 6.428471204973055e-7;
+    pub const MAX_ACCELERATION_ERROR: f64 = 6.428471204973341e-7;
     /// θ(t), rad; NaN if t is not finite. 27 operations.
     #[inline(always)]
     #[must_use]

@@ -42,7 +42,7 @@ impl<'a> Approximate<'a> {
     /// sup |θ̂′ − θ̇| over the horizon, in rad per unit of t.
     pub(super) fn velocity(&self) -> f64 {
         let &Self { theta, sum: Sum { scene, swing, method, rate, weights, .. }, drift } = self;
-        let (ours, exact) = (Cosines::odd(weights), sum_of(theta.terms()));
+        let (ours, exact) = (Cosines::odd(weights), Cosines::of(theta.terms()));
         let (rate, exact_rate) = (rate.to_f64(), swing.rate().to_f64());
         if theta.terms().len() > MOST_TERMS {
             let slopes = if *method == Method::Fourier { f64::INFINITY } else { ours.magnitude(1) };
@@ -208,10 +208,6 @@ fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
 fn difference(terms: &[(u32, Double)], weights: &[Double]) -> Cosines {
     let ours = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
     Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (a - ours(index)).hi)))
-}
-
-fn sum_of(terms: &[(u32, Double)]) -> Cosines {
-    Cosines::new(terms.iter().map(|&(m, a)| (m, a.hi)))
 }
 
 /// How far certified suprema may exceed the true ones.

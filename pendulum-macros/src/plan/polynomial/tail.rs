@@ -25,20 +25,21 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach
         let terms: Vec<f64> = terms.collect();
         (terms.iter().map(|c| c.abs()).sum::<f64>(), terms)
     };
-    let derivatives: Vec<(f64, Vec<f64>)> = (1..=DEEPEST + 1).map(derivative).collect();
+    let derivatives: Vec<(f64, Vec<f64>)> = (0..=DEEPEST + 1).map(derivative).collect();
+    let rounding = |order: usize| ROUNDING * (derivatives[order].0 + derivatives[order + 1].0);
+    let magnitude = |order: usize, u: f64| sum(&derivatives[order].1, first, u).abs() + rounding(order);
     let at = |cell: u32| {
         let u = libm::cos(angle(cell));
-        (p(u), sum(coefficients, first, u).abs())
+        (p(u), magnitude(0, u))
     };
-    let at_ends = |coefficients: &[f64], cell: usize| {
-        worst([cell, cell + 1].map(|cell| sum(coefficients, first, libm::cos(angle(cell as u32))).abs()))
-    };
+    let at_ends =
+        |order: usize, cell: usize| worst([cell, cell + 1].map(|cell| magnitude(order, libm::cos(angle(cell as u32)))));
     let bent = |cell: usize, depth: usize| {
-        let largest = |higher: f64, (total, terms): &(f64, Vec<f64>)| total.min(at_ends(terms, cell) + eighth * higher);
-        derivatives[..depth].iter().rev().fold(derivatives[depth].0, largest)
+        let largest = |higher: f64, order: usize| derivatives[order].0.min(at_ends(order, cell) + eighth * higher);
+        (1..=depth).rev().fold(derivatives[depth + 1].0, largest)
     };
     let points: Vec<(f64, f64)> = (0..=CELLS).map(at).collect();
-    // What an error in a cell counts, with the rounding of all this.
+    // What an error in a cell counts, with the rounding of that.
     let counts = |pair: &[(f64, f64)]| weight.between(pair[1].0, pair[0].0) * INFLATION_OF_SUMS;
     let counts: Vec<f64> = points.windows(2).map(counts).collect();
     // In a cell where the second derivative is at most so much.
@@ -52,7 +53,7 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach
     let met = first_met..counts.len();
     let close = CLOSE * worst(met.clone().map(|cell| error(cell, 0.0)));
     let bound = |cell: usize| {
-        let (mut depth, mut bound) = (0, error(cell, derivatives[0].0));
+        let (mut depth, mut bound) = (0, error(cell, derivatives[1].0));
         while bound > close && depth < DEEPEST {
             depth += 1;
             bound = error(cell, bent(cell, depth));
@@ -72,16 +73,25 @@ pub(super) fn supremum_beyond(coefficients: &[f64], first: usize, ellipse: f64) 
     let step = ellipse / f64::from(cells);
     let eighth = step * step / 8.0;
     let second: Vec<f64> = coefficients.iter().zip(degrees()).map(|(c, j)| j * j * c).collect();
-    let fourth: f64 = second.iter().zip(degrees()).map(|(c, j)| j * j * c.abs() * at_most_cosh(j * ellipse)).sum();
+    let magnitude = |coefficients: &[f64], order: i32| -> f64 {
+        let terms = coefficients.iter().zip(degrees());
+        terms.map(|(c, j)| power(j, order) * c.abs() * at_most_cosh(j * ellipse)).sum()
+    };
+    let fourth = magnitude(&second, 2);
+    let sums = [coefficients, &second].map(|all| (all, ROUNDING * (magnitude(all, 0) + magnitude(all, 2))));
     let at = |index: u32| {
         let u = libm::cosh(step * f64::from(index));
-        [coefficients, &second].map(|coefficients| sum(coefficients, first, u).abs())
+        sums.map(|(all, rounding)| sum(all, first, u).abs() + rounding)
     };
     let points: Vec<[f64; 2]> = (0..=cells).map(at).collect();
     let largest = |order: usize, pair: &[[f64; 2]]| worst([pair[0][order], pair[1][order]]);
     let bounds = points.windows(2).map(|pair| largest(0, pair) + eighth * (largest(1, pair) + eighth * fourth));
     worst(bounds) * INFLATION_OF_SUMS
 }
+
+/// What a sum is rounded by, of Σ(1 + j²)|cⱼTⱼ|: as in [`crate::chebyshev::rounding_of_value`], where a step is off by five
+/// halves of a unit of the sums it is made of in one word, and (j + 1)(j + 2) ≤ 3(1 + j²); and coefficients are rounded.
+const ROUNDING: f64 = 5.0 * f64::EPSILON;
 
 /// Parts at most that what is beyond the end is cut into.
 const MOST_BEYOND: f64 = 16.0;

@@ -52,7 +52,8 @@ impl<'a> Clock<'a> {
         Self { rate, launch: launch.to_double(), horizon: scene.horizon(), float: scene.float }
     }
 
-    /// The greatest |t| at which a phase at this rate is any good.
+    /// The greatest |t| at which a phase at this rate is any good. Eq. 3, whose rate isn't the motion's, may be asked for
+    /// more by default; what it is wrong by is then all that it can be (`paper/bias.rs`).
     pub(crate) fn reach(&self) -> f64 {
         self.horizon.min(UNLIMITED / self.rate.to_f64()).min(f64::MAX)
     }
@@ -217,7 +218,7 @@ impl<'a> Clock<'a> {
         let crosses = exponent(half * OF_RATE) != exponent(half / OF_RATE);
         let escape = f64::from(u8::from(crosses)) * half_ulp(half * WIDENED, self.float);
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * OF_RATE;
-        let rounding = |anchors: f64| half_ulp(anchors / rate * WIDENED, self.float) * rate;
+        let rounding = |anchors: f64| half_ulp(anchors / rate * WIDENED, self.float) * rate * OF_RATE;
         let (before, last) = if self.starts_on_half() {
             // Of three words the second difference is rounded, too, and half-way between two origins all three are.
             (0.0, count as f64 - 1.0 + self.halfway(origin))
@@ -265,8 +266,8 @@ impl<'a> Clock<'a> {
     }
 
     /// The same for motions that pass the lowest point within a thousandth of the time between anchors: of three words
-    /// the second product is exact, too, and the third below 2⁻³; what they leave is below 2⁻⁵⁷, and two sums are
-    /// rounded to 2⁻⁵⁴.
+    /// the second product is exact, too, and the third below 2⁻³; what they leave is below 2⁻⁵⁶, and that product and two
+    /// sums are rounded to 2⁻⁵⁴ at most.
     fn fine_any_time(&self) -> Reduction {
         self.wide_words(Origin::Lowest, split_down(self.rate, 29, 3, Float::F64), two_to(-52))
     }
@@ -320,9 +321,10 @@ impl<'a> Clock<'a> {
     }
 
     /// What the words leave, the roundings of the last part, and those of sums, relative to the result.
-    fn any_time(&self, count: usize, origin: Origin, doubled: bool) -> Reduction {
+    pub(super) fn any_time(&self, count: usize, origin: Origin, doubled: bool) -> Reduction {
         let words = split_near(self.rate, &[26, 25, 25][..count - 1]);
-        let drift = self.drift(&words) + self.rounding_of_last_part(&words);
+        let of_lost = if doubled { self.rounding_of_lost(&words) } else { 0.0 };
+        let drift = self.drift(&words) + self.rounding_of_last_part(&words) + of_lost;
         let scheme = Scheme::AnyTime { words, doubled };
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         let overshoot = two_to(-20);
@@ -354,6 +356,13 @@ impl<'a> Clock<'a> {
         let most = |word: usize| self.reach() * words[words.len() - word].abs() * WIDENED;
         let (last, before) = (most(1), most(2));
         half_ulp(last, Float::F64) + half_ulp(last + before * two_to(-26), Float::F64)
+    }
+
+    /// Sums in two words are exact but for what is rounded of what they lose: the launch's second word and the errors of
+    /// four sums are added to the last part, together less than 2⁻⁵⁰, since no sum that is rounded is above 2.
+    fn rounding_of_lost(&self, words: &[f64]) -> f64 {
+        let last = self.reach() * words.last().map_or(0.0, |word| word.abs()) * WIDENED;
+        5.0 * half_ulp(last + two_to(-50), Float::F64)
     }
 
     /// The rounding of the product of time and rate; of one below ½, and of its sum with half an anchor, if that is

@@ -205,6 +205,30 @@ fn remainders_just_beyond_half_an_anchor() {
     }
 }
 
+/// Next to the lowest point, where what is relative to the remainder is next to nothing: at the end of the longest horizon,
+/// of rates made for it.
+#[test]
+fn remainders_next_to_the_lowest_point() {
+    let context = Context::for_digits(60);
+    let mut random = Random::new(15);
+    let mut worst: f64 = 0.0;
+    for _ in 0..20_000 {
+        let launch = context.float(random.unit()).unwrap() + context.float(random.unit() * 2f64.powi(-54)).unwrap();
+        let t = (2f64.powi(53) * (1.0 + random.unit())).floor();
+        let number = context.float((t * (0.3 + 0.6 * random.unit())).floor()).unwrap();
+        let beside = context.float((random.unit() - 0.5) * 1e-22).unwrap();
+        let rate = (number + context.ratio(1, 2) + beside - &launch) / context.float(t).unwrap();
+        let clock = Clock { rate: &rate, launch: launch.to_double(), horizon: f64::INFINITY, float: Float::F64 };
+        let horizon = clock.reach();
+        let reduction = clock.any_time(4, Origin::Lowest, true);
+        let mut trial = Trial { reduction, rate: rate.clone(), launch: launch.clone(), horizon, worst };
+        let program = trial.program();
+        trial.at(&program, t);
+        worst = trial.worst;
+    }
+    assert!(worst > 0.4, "of its error only {worst} was seen");
+}
+
 /// What a launch is off an origin by is never lost, nor are few digits taken for none.
 #[test]
 fn launches_hardly_off_an_origin() {

@@ -1,6 +1,6 @@
 //! Two arcsines beside each other, of sums of harmonics: how far θ̂ is from θ, cell by cell.
 
-use super::{difference, sum_of};
+use super::difference;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::program::rounding::products;
@@ -22,9 +22,9 @@ pub(super) struct Sines {
 
 impl Sines {
     pub(super) fn new(weights: &[Double], theta: &Curve, curves: &SwingCurves) -> Self {
-        let (theta, omitted_slope) = (sum_of(theta.terms()), theta.omitted_slope());
+        let (theta, omitted_slope) = (Cosines::of(theta.terms()), theta.omitted_slope());
         let curve = curves.half_sine();
-        let (whole, rest) = (sum_of(curve.terms()), difference(curve.terms(), weights));
+        let (whole, rest) = (Cosines::of(curve.terms()), difference(curve.terms(), weights));
         let omitted = [curve.omitted(), curve.omitted_slope()];
         let complementary = curves.complementary();
         Self { ours: Cosines::odd(weights), whole, rest, theta, omitted, omitted_slope, complementary }

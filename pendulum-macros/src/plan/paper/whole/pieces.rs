@@ -10,7 +10,7 @@
 //! follows from sup |R| is in [`super::residual`].
 
 use super::Allowance;
-use super::residual::{Point, of_residual, residual, twice_arcsine};
+use super::residual::{largest_residual, of_residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
 use crate::plan::kernel::{Core, Kernel};
@@ -37,25 +37,18 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise>
 }
 
 fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
-    let table = CosineTable::new(POINTS);
-    let sampled = |index: usize| -> Vec<(Double, Double)> {
-        let phases = table.points().map(|u| phase(pieces, index, u));
-        phases.map(|s| (s, sum.at(s))).collect()
-    };
-    let samples: Vec<Vec<(Double, Double)>> = (0..=pieces / 2).map(sampled).collect();
-    let mut points: Vec<Point> = samples.iter().flatten().map(|(s, y)| Point { s: s.hi, y: y.hi.abs() }).collect();
-    // From the lowest point on.
-    points.sort_by(|a, b| b.s.total_cmp(&a.s));
     // A sum that may reach 1 isn't worth the interpolation.
-    of_residual(sum, &points, 0.0)?;
+    of_residual(sum, 0.0)?;
+    let table = CosineTable::new(POINTS);
     let (mut series, mut residual) = (Vec::new(), 0.0_f64);
-    for (index, own) in samples.iter().enumerate() {
-        let values: Option<Vec<Double>> = own.iter().map(|&(_, y)| twice_arcsine(y)).collect();
+    for index in 0..=pieces / 2 {
+        let piece = Piece { sum, pieces, index };
+        let values: Option<Vec<Double>> = table.points().map(|u| twice_arcsine(sum.at(piece.phase(u)))).collect();
         let own = table.coefficients(&values?);
-        residual = residual.max(Piece { sum, pieces, index }.residual(&own, negligible)?);
+        residual = residual.max(piece.residual(&own, negligible)?);
         series.push(own);
     }
-    let error = of_residual(sum, &points, residual)?;
+    let error = of_residual(sum, residual)?;
     (error <= negligible).then(|| Piecewise::known(series, error))
 }
 
@@ -91,8 +84,7 @@ impl Piece<'_> {
         let ellipse = |rho: f64| (self.bound(series, rho), rho);
         let ellipses = [3.0, 5.0, 8.0, 12.0, 20.0, 32.0].into_iter().map(ellipse);
         let interpolation = Interpolation::fewest(ellipses, negligible * 1e-4, 2, MOST_POINTS)?;
-        let at = |u: Double| residual(self.sum.at(self.phase(u)), series, u);
-        Some(interpolation.supremum(CosineTable::new(interpolation.points).points().map(at)))
+        Some(largest_residual(self.sum, series, |u| self.phase(u), interpolation))
     }
 
     /// The same on the ellipse with parameter ρ.

@@ -1,13 +1,15 @@
 //! What an interpolant Q of θ̂ = 2 arcsin y is wrong by, from its residual R = y − sin(Q/2), which is analytic wherever y
 //! and Q are.
 //!
-//! Where |y| and |y − R| = |sin(Q/2)| are at most Y < 1, Q/2, which is arcsin y at the points of the interpolation, stays
-//! between −π/2 and π/2 from one of them to the next, and |θ̂ − Q| ≤ 2 sup|R|/√(1 − Y²).
+//! Q/2, which is arcsin y at the points of the interpolation, stays between −π/2 and π/2 from one of them to the next if
+//! |y| and |y − R| = |sin(Q/2)| are below 1 there. Where they are at most Y, |θ̂ − Q| ≤ 2|R|/√(1 − Y²).
 
-use crate::chebyshev::{cos_pi, sin_pi, value};
-use crate::power::power;
+use crate::chebyshev::{CosineTable, Interpolation, cos_pi, lebesgue, rounding_of_value, sin_pi, value};
+use crate::plan::cosines::Cosines;
+use crate::plan::paper::bias::supremum;
+use crate::power::two_to;
+use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::series::Wave;
-use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -20,37 +22,32 @@ pub(super) fn twice_arcsine(y: Double) -> Option<Double> {
     (y.hi.abs() < 1.0).then_some(x * Double::PI * 2.0)
 }
 
-/// |y − sin(Q/2)| where the sum is y and the interpolant Q has its variable at u.
-pub(super) fn residual(y: Double, series: &[Double], u: Double) -> f64 {
-    (y - sin_pi(value(series, u) / (Double::PI * 2.0))).hi.abs()
+/// Bounds |R| for the interpolant Q, at a phase for each u, of |u| ≤ 1, by another interpolation.
+///
+/// Its samples are y as the sum gives it and the sine of Q/2, which is rounded as Q is and by some 2⁻¹⁰⁰ of itself; so may
+/// the phase be, where y changes by Σ mπ|wₘ| at most. That the points are rounded changes both alike.
+pub(super) fn largest_residual(
+    sum: &Wave,
+    series: &[Double],
+    phase: impl Fn(Double) -> Double,
+    interpolation: Interpolation,
+) -> f64 {
+    let at = |u: Double| (sum.at(phase(u)) - sin_pi(value(series, u) / (Double::PI * 2.0))).hi.abs();
+    let size: f64 = sum.terms().iter().map(|&(m, w)| f64::from(m + 1) * w.hi.abs()).sum();
+    let rounding = sum.rounding() + rounding_of_value(series) + size * two_to(-96);
+    interpolation.supremum(CosineTable::new(interpolation.points).points().map(at))
+        + lebesgue(interpolation.points) * rounding
 }
 
-/// What a residual of the sine makes of the angle; `None` if the sum, known at some points, may reach 1.
-pub(super) fn of_residual(sum: &Wave, points: &[Point], residual: f64) -> Option<f64> {
-    let most = largest(points, bend(sum)) + residual;
-    (most < 1.0).then(|| 2.0 * residual / (1.0 - most * most).sqrt())
-}
-
-/// Bounds |y″|.
-fn bend(sum: &Wave) -> f64 {
-    sum.terms().iter().map(|&(m, w)| w.hi.abs() * power(f64::from(m) * PI, 2)).sum()
-}
-
-/// |y| at a phase.
-#[derive(Clone, Copy)]
-pub(super) struct Point {
-    pub(super) s: f64,
-    pub(super) y: f64,
-}
-
-/// Bounds |y| where |y″| ≤ `bend`, from points between the lowest point, ½, and the turning point, 0, about which y is
-/// odd and even.
-fn largest(points: &[Point], bend: f64) -> f64 {
-    let lowest = Point { s: 0.5, y: 0.0 };
-    let other_side = points.last().map(|&Point { s, y }| Point { s: -s, y });
-    let all: Vec<Point> = std::iter::once(lowest).chain(points.iter().copied()).chain(other_side).collect();
-    let between = |pair: &[Point]| worst([pair[0].y, pair[1].y]) + bend * power(pair[0].s - pair[1].s, 2) / 8.0;
-    worst(all.windows(2).map(between))
+/// What a residual of the sine makes of the angle; `None` if the sum may reach 1.
+pub(super) fn of_residual(sum: &Wave, residual: f64) -> Option<f64> {
+    let y = Cosines::of(sum.terms());
+    let steepest = |low: f64, high: f64| {
+        let most = y.over(low, high).largest(0) + residual;
+        2.0 / ((1.0 - most) * (1.0 + most)).sqrt()
+    };
+    let slope = supremum([0.0, 0.5], steepest) * INFLATION_OF_SUMS;
+    slope.is_finite().then_some(slope * residual)
 }
 
 #[cfg(test)]
@@ -65,22 +62,20 @@ mod tests {
         assert_eq!(twice_arcsine(Double::new(1.0)), None);
     }
 
-    /// Of cos πs − ½ cos 3πs.
+    /// Of cos πs − ½ cos 3πs, which is largest where cos² πs is 5/12.
     #[test]
-    fn the_bend_of_a_known_sum() {
-        let sum = Wave::harmonics(&[Double::ONE, Double::new(-0.5)]);
-        assert!((bend(&sum) - 5.5 * PI * PI).abs() < 1e-12);
-    }
-
-    /// cos πs, of which no sample is the largest value.
-    #[test]
-    fn the_largest_sum_between_samples() {
-        let at = |s: f64| Point { s, y: (PI * s).cos() };
-        let bound = |samples: &[f64]| largest(&samples.iter().map(|&s| at(s)).collect::<Vec<_>>(), PI * PI);
-        let fine = bound(&[0.4, 0.3, 0.2, 0.1, 0.04]);
-        assert!(fine > 1.0 && fine < 1.01, "{fine}");
-        // Where samples are missing the bend counts: π²/8 times the square of the gap.
-        assert!((bound(&[0.05]) - at(0.05).y - PI * PI / 8.0 * 0.45 * 0.45).abs() < 1e-12);
-        assert!((bound(&[0.45, 0.2]) - at(0.2).y - PI * PI / 8.0 * 0.16).abs() < 1e-12);
+    fn what_residuals_of_a_known_sum_make() {
+        let sum = |largest: f64| {
+            let factor = largest / (5.0 / 3.0 * (5.0_f64 / 12.0).sqrt());
+            Wave::harmonics(&[factor, -0.5 * factor].map(Double::new))
+        };
+        for largest in [0.01, 0.9, 0.999] {
+            let expected = 2e-9 / (1.0 - (largest + 1e-9_f64).powi(2)).sqrt();
+            let found = of_residual(&sum(largest), 1e-9).unwrap();
+            assert!(found >= expected && found < 1.04 * expected, "{largest}: {found:e} {expected:e}");
+            assert!(of_residual(&sum(largest), 0.999_999 - largest).is_some(), "{largest}");
+            assert_eq!(of_residual(&sum(largest), 1.0 - largest), None);
+        }
+        assert_eq!(of_residual(&sum(1.0), 0.0), None);
     }
 }

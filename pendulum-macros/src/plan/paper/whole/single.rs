@@ -11,7 +11,7 @@
 //! (2/π) ln M + 1 (Rivlin 1974). What follows from sup |R| is in [`super::residual`].
 
 use super::Allowance;
-use super::residual::{Point, of_residual, residual, twice_arcsine};
+use super::residual::{largest_residual, of_residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
 use crate::plan::form::{Division, Form};
@@ -136,15 +136,8 @@ impl Chart<'_> {
     /// ρ is below r·(B/r)^(ln x/ln ρ) on that with parameter x.
     fn distance(self, series: &[Double], negligible: f64) -> Option<Distance> {
         let interpolation = self.enough_points(series, negligible * 1e-4)?;
-        let sample = |u: Double| {
-            let s = self.phase(u);
-            let y = self.sum.at(s);
-            (Point { s: s.hi, y: y.hi.abs() }, residual(y, series, u))
-        };
-        let table = CosineTable::new(interpolation.points);
-        let (points_of_sum, residuals): (Vec<Point>, Vec<f64>) = table.points().map(sample).unzip();
-        let residual = interpolation.supremum(residuals);
-        let within = of_residual(self.sum, &points_of_sum, residual)?;
+        let residual = largest_residual(self.sum, series, |u| self.phase(u), interpolation);
+        let within = of_residual(self.sum, residual)?;
         let log_rho = libm::log(interpolation.rho);
         let power = libm::log(self.bound(series, interpolation.rho)? / residual) / log_rho;
         Some(Distance { within, growth: Growth::Power { power, log_rho } })

@@ -33,7 +33,11 @@ fn plans_compute_twice_the_arcsine() {
         "theta0 = 0.99π, n = 15, omega = 7",
         "theta0 = 0.999π, n = 40",
         "theta0 = 0.9999π, n = 78",
-        // Where polynomials in pieces are to be had, but not so near.
+        "theta0 = 0.9138π, n = 3",
+        "theta0 = 0.9546π, n = 4",
+        "theta0 = 0.9765π, n = 6, float = f32",
+        "theta0 = 0.98685π, n = 8",
+        // Not so near: in pieces.
         "theta0 = 0.965143π, n = 8",
         "theta0 = 0.972931π, n = 14, velocity0 = 0.01",
         "theta0 = 0.999922π, n = 37, float = f32",
