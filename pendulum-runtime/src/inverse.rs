@@ -33,11 +33,12 @@ const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
 /// Rotations reach angles within so many turns: of more an `f64` tells no part.
 const MOST_TURNS: f64 = 1e15;
 
-/// The first t ≥ 0 at which θ(t) = `angle`, which is not where the motion starts.
-pub(crate) fn time_at(motion: &Motion, angle: f64) -> Option<f64> {
+/// The first t ≥ 0 at which θ(t) = `angle`, which is not where the motion starts; what a swing stays short of by at most
+/// `beyond` is its turning point.
+pub(crate) fn time_at(motion: &Motion, angle: f64, beyond: f64) -> Option<f64> {
     let way = Way::new(motion, angle);
     let (r, k) = match motion.regime {
-        Regime::Rest | Regime::Swing => (swing(motion, &way), Double::ONE),
+        Regime::Rest | Regime::Swing => (swing(motion, &way, beyond), Double::ONE),
         Regime::Separatrix => (separatrix(motion, &way), Double::ONE),
         Regime::Rotation => (rotation(motion, &way), motion.k),
     };
@@ -111,7 +112,7 @@ fn ascent(moduli: &Moduli) -> Double {
 }
 
 /// Angles above the start are passed on the way up to the turning point, those below on the way down from it.
-fn swing(motion: &Motion, way: &Way) -> Option<Double> {
+fn swing(motion: &Motion, way: &Way, beyond: f64) -> Option<Double> {
     let (reach, moduli) = (motion.amplitude, &motion.moduli);
     let target = way.target.hi;
     // Where the way is longer than any number the target isn't one.
@@ -126,12 +127,12 @@ fn swing(motion: &Motion, way: &Way) -> Option<Double> {
     let k = hypotenuse(speed, sine.abs());
     let start = Place { x: sine / k, y: speed / k, z: cosine };
     // Rounded, the amplitude may be more than is reached, or less than the angle of the start.
-    let at_reach = target.abs() == reach && way.start.hi.abs() <= reach * lift;
+    let at_reach = (0.0..=beyond).contains(&(target.abs() - reach)) && way.start.hi.abs() <= reach * lift;
     let turn = || {
         let up = start.to_end(moduli);
         if target > 0.0 { up } else { up + ascent(moduli) }
     };
-    if at_reach && way.target.lo == 0.0 {
+    if at_reach && target.abs() == reach && way.target.lo == 0.0 {
         return Some(turn());
     }
     let (difference, sum) = way.sines();

@@ -198,13 +198,13 @@ impl Motion {
         }
     }
 
-    /// The first t ≥ 0 at which θ(t) = `angle`.
-    pub(crate) fn time_at(&self, angle: f64) -> Result<f64, Error> {
+    /// The first t ≥ 0 at which θ(t) = `angle`; what a swing stays short of by at most `beyond` is its turning point.
+    pub(crate) fn time_at(&self, angle: f64, beyond: f64) -> Result<f64, Error> {
         finite("theta", angle)?;
         if angle == self.theta {
             return Ok(0.0);
         }
-        inverse::time_at(self, angle).ok_or(Error::NeverReached { angle })
+        inverse::time_at(self, angle, beyond).ok_or(Error::NeverReached { angle })
     }
 }
 

@@ -150,7 +150,8 @@ impl<F: Scalar> Pendulum<F> {
     /// the last sentences under Conditioning hold of t, too.
     ///
     /// Near a turning point half an ulp of the *angle* moves t by √(ulp/|θ̈|). So that its turning points can be asked
-    /// for, ± what [`amplitude`](Self::amplitude) returns stands for them, wherever it was rounded to. The angle that the
+    /// for, ± what [`amplitude`](Self::amplitude) returns stands for them, wherever it was rounded to; of a swing about a
+    /// whole number of turns, what is up to two ulps beyond them, as `turns * TAU ± amplitude` may be. The angle that the
     /// motion was given to start in is reached at t = 0.
     ///
     /// # Errors
@@ -169,7 +170,8 @@ impl<F: Scalar> Pendulum<F> {
         // What `amplitude` returns is the turning point, wherever it was rounded to, but where the motion starts there.
         let is_turning = self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
         let target = if is_turning && angle != self.motion.theta { amplitude.copysign(angle) } else { angle };
-        let time = F::narrow_or_infinite(self.motion.time_at(target)?);
+        let beyond = if self.motion.base.hi == 0.0 { 0.0 } else { 2.0 * F::ULP * angle.abs() };
+        let time = F::narrow_or_infinite(self.motion.time_at(target, beyond)?);
         if time.widen().is_finite() { Ok(time) } else { Err(Error::NeverReached { angle }) }
     }
 

@@ -43,6 +43,9 @@ pub trait Scalar:
     + Into<f64>
     + 'static
 {
+    /// One unit in the last place of 1.
+    #[doc(hidden)]
+    const ULP: f64;
     /// Exactly.
     #[doc(hidden)]
     fn widen(self) -> f64;
@@ -64,6 +67,8 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
+    const ULP: f64 = f64::EPSILON;
+
     #[inline]
     fn widen(self) -> f64 {
         self
@@ -99,6 +104,8 @@ fn apart<M, T>(motion: &M, x: f64, function: impl FnOnce(&M, f64) -> T) -> T {
 }
 
 impl Scalar for f32 {
+    const ULP: f64 = f32::EPSILON as f64;
+
     #[inline]
     fn widen(self) -> f64 {
         f64::from(self)

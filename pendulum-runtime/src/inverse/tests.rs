@@ -119,7 +119,7 @@ const BEYOND_THE_TOP: [Passage; 13] = [
 /// The error of `time_at`, in ulp.
 fn error(([theta, velocity, omega, angle], expected): &Passage) -> f64 {
     let motion = crate::launch::from_state(*theta, *velocity, *omega).expect("valid");
-    let found = motion.time_at(*angle).expect("reached");
+    let found = motion.time_at(*angle, 0.0).expect("reached");
     let ulp = expected.hi.next_up() - expected.hi;
     ((found - expected.hi) - expected.lo).abs() / ulp
 }
@@ -142,7 +142,7 @@ fn the_fastest() {
             let motion = crate::launch::from_state(0.25, direction * speed, 1.0).expect("valid");
             for angle in [0.5, 3.0, 4.0, 100.0, 1e-300, -7.0, -1e10] {
                 let way = direction * (angle - 0.25);
-                match motion.time_at(angle) {
+                match motion.time_at(angle, 0.0) {
                     Ok(t) => assert!((t * speed / way - 1.0).abs() <= 2.0 * f64::EPSILON, "{speed} {angle}"),
                     Err(_) => assert!(way < 0.0, "{speed} {angle}"),
                 }
@@ -156,7 +156,7 @@ fn the_fastest() {
 fn what_is_never_reached() {
     let never = |theta: f64, velocity: f64, angle: f64| {
         let motion = crate::launch::from_state(theta, velocity, 1.0).expect("valid");
-        assert_eq!(motion.time_at(angle), Err(crate::Error::NeverReached { angle }), "{theta} {velocity}");
+        assert_eq!(motion.time_at(angle, 0.0), Err(crate::Error::NeverReached { angle }), "{theta} {velocity}");
     };
     for amplitude in [5e-324_f64, 1e-200, 1.0, 3.1415926514704893] {
         for angle in [amplitude.next_up(), -amplitude.next_up(), 1.0 + amplitude, 6.0, -1e300] {
@@ -181,10 +181,45 @@ fn turning_points() {
     for direction in [1.0, -1.0] {
         let motion = crate::launch::from_state(0.3 * direction, 1.2 * direction, 1.0).expect("valid");
         let amplitude = direction * motion.amplitude;
-        let [first, second] = [amplitude, -amplitude].map(|angle| motion.time_at(angle).expect("reached"));
+        let [first, second] = [amplitude, -amplitude].map(|angle| motion.time_at(angle, 0.0).expect("reached"));
         assert!((first - 1.520_439_018_754_477_4).abs() <= f64::EPSILON, "{first}");
         assert!((second - 5.051_361_590_524_643).abs() <= 4.0 * f64::EPSILON, "{second}");
     }
     let released = crate::launch::from_state(1.0, 0.0, 1.0).expect("valid");
-    assert_eq!(released.time_at(1.0), Ok(0.0));
+    assert_eq!(released.time_at(1.0, 0.0), Ok(0.0));
+}
+
+/// About a whole number of turns they are the sum of that and the amplitude, which is rounded.
+#[test]
+fn turning_points_after_turns() {
+    let mut reached = 0;
+    for index in 0..2000 {
+        let theta = -40.0 + 0.04 * f64::from(index);
+        let motion = crate::launch::from_state(theta, 0.0, 1.0).expect("valid");
+        let turns = (theta / TAU).round();
+        if motion.amplitude < 0.01 || turns == 0.0 {
+            continue;
+        }
+        let half = 0.5 * motion.period();
+        for (side, expected) in [(1.0, 0.0), (-1.0, half)] {
+            let angle = turns * TAU + side * motion.amplitude.copysign(theta - turns * TAU);
+            let found = motion.time_at(angle, 2.0 * f64::EPSILON * angle.abs()).expect("reached");
+            // Half a unit of the angle moves the time by its root, either way; from the start forward only.
+            let off = (found - expected).abs().min((found - 2.0 * half).abs());
+            assert!(off < 3e-6, "{theta} {side}: {found} {expected}");
+            reached += 1;
+        }
+    }
+    assert!(reached > 3000, "{reached}");
+}
+
+/// The same in either type, as anyone would write it.
+#[test]
+fn turning_points_after_turns_by_the_interface() -> Result<(), crate::Error> {
+    let p = crate::Pendulum::<f64>::from_state(7.0, 0.0, 1.0)?;
+    assert!((p.time_at(TAU - p.amplitude())? - 0.5 * p.period()).abs() < 1e-7);
+    let p = crate::Pendulum::<f32>::from_state(7.0, 0.0, 1.0)?;
+    assert!((p.time_at(core::f32::consts::TAU - p.amplitude())? - 0.5 * p.period()).abs() < 2e-3);
+    assert!(p.time_at(5.56).is_err() && p.time_at(5.57).is_ok());
+    Ok(())
 }

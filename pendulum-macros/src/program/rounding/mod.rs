@@ -225,7 +225,7 @@ fn product(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded(products((a.low, a.high), (b.low, b.high)), float);
     let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
     let reach = |most| ends.into_iter().all(|(x, y)| is_within(two_prod(x, y), most));
-    let power = |x: Known| x.is_number() && x.error == 0.0 && is_power_of_two(x.low.abs());
+    let power = |x: Known| x.is_number() && is_power_of_two(x.low.abs());
     let local = match (power(a), power(b)) {
         (false, false) => of_numbers(a, b, two_prod, float).unwrap_or_else(|| rounding(low, high, reach, float)),
         (true, _) if a.low.abs() >= 1.0 => 0.0,
