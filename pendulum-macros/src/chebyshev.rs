@@ -6,7 +6,7 @@ use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 use std::ops::{Add, Mul};
 
-/// cos(πj/(2m)) for every j, from one table of a quarter wave.
+/// The cosine of every multiple of π/(2m), from one table of a quarter wave.
 pub(crate) struct CosineTable {
     m: usize,
     quarter: Vec<Double>,
@@ -19,7 +19,8 @@ impl CosineTable {
         Self { m, quarter }
     }
 
-    fn get(&self, j: usize) -> Double {
+    /// cos(πj/(2m)).
+    pub(crate) fn get(&self, j: usize) -> Double {
         let j = j % (4 * self.m);
         let j = if j > 2 * self.m { 4 * self.m - j } else { j };
         if j > self.m { -self.quarter[2 * self.m - j] } else { self.quarter[j] }
@@ -33,9 +34,13 @@ impl CosineTable {
     /// The coefficients of the interpolant of a function on [−1, 1], and what its values are rounded by besides the
     /// function's own.
     pub(crate) fn interpolant(&self, function: impl Fn(Double) -> Double) -> (Vec<Double>, f64) {
-        let values: Vec<Double> = self.points().map(function).collect();
+        self.through(&self.points().map(function).collect::<Vec<_>>())
+    }
+
+    /// The same of one with these values at the points.
+    pub(crate) fn through(&self, values: &[Double]) -> (Vec<Double>, f64) {
         let rounding = self.rounding(worst(values.iter().map(|value| value.hi.abs())));
-        (self.coefficients(&values), rounding)
+        (self.coefficients(values), rounding)
     }
 
     /// Bounds what an interpolant's values are rounded by that is at most `largest` at the points.

@@ -1,5 +1,7 @@
 //! The Fourier series of the outputs: independent values to sample, and bounds in the complex plane.
 
+mod parts;
+
 use crate::chebyshev::{cos_pi, sin_pi};
 use crate::motion::{Elliptic, Rotation, Swing};
 use crate::power::{power, two_to};
@@ -341,17 +343,18 @@ impl Wave {
         self.tail(0.0, of_slope)
     }
 
-    /// Bounds what a value is rounded by. The recurrence gives the sum with what each step is off by added to its
-    /// amplitude, times a wave, of which none exceeds 1. Cosine and sine of πs are within 2⁻¹⁰⁰, hence 2 cos 2πs within
-    /// 2⁻⁹⁷ and a step within 2⁻⁹⁶ of the sums it is made of, and what its product lost. These, like Chebyshev's Uₙ, add up
-    /// to at most Σ |aₙ|(n + 1)(n + 2)/2.
+    /// Bounds what a value is rounded by, also of [`Self::at_parts`]. The recurrence gives the sum with what each step is
+    /// off by added to its amplitude, times a wave, of which none exceeds 1. Cosine and sine of πs are within 2⁻¹⁰⁰, hence
+    /// 2 cos 2πs within 2⁻⁹⁷ and a step within 2⁻⁹⁶ of the sums it is made of, and what its product lost. These, like
+    /// Chebyshev's Uₙ, add up to at most Σ |aₙ|(n + 1)(n + 2)/2.
     pub(crate) fn rounding(&self) -> f64 {
         let of = |&(m, a): &(u32, Double)| {
             let above = f64::from(m / STEP + 1);
             a.hi.abs() * above * (above + 1.0) * two_to(-96)
         };
         let once = self.constant.hi.abs() + self.linear.hi.abs() + self.first_amplitude();
-        let lost = LOST * (self.terms.len() + 4) as f64;
+        // Of products with amplitudes, in parts of four times as many, and of those with up to 256 sums of them.
+        let lost = LOST * (4 * self.terms.len() + 256) as f64;
         self.terms.iter().map(of).sum::<f64>() + once * two_to(-100) + lost
     }
 }

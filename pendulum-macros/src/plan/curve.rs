@@ -90,6 +90,11 @@ impl Curve {
         self.wave.at(self.arc.phase(s))
     }
 
+    /// The values of a whole one at the phases i/parts + `offset`, i from 0 to parts/2.
+    pub(crate) fn at_parts(&self, parts: usize, offset: Double) -> Vec<Double> {
+        self.wave.at_parts(parts, offset)
+    }
+
     /// Bounds |curve| for |Im s| ≤ `height`.
     pub(crate) fn bound(&self, height: f64) -> f64 {
         self.wave.bound(height * self.arc.stretch.hi)

@@ -100,8 +100,8 @@ impl Asked<'_> {
         for _ in 0..asks {
             let below = self.refused.iter().copied().filter(|&refused| refused < found.tolerance);
             let refused = below.fold(found.tolerance / step, f64::max);
-            let (taken, between) = (OFFERS[0] * reached, (refused * found.tolerance).sqrt());
-            let next = three_digits(if taken > refused && taken * close < found.tolerance { taken } else { between });
+            let [taken, between] = [OFFERS[0] * reached, (refused * found.tolerance).sqrt()].map(three_digits);
+            let next = if taken > refused && taken * close < found.tolerance { taken } else { between };
             if next * close.sqrt() > found.tolerance {
                 break;
             }

@@ -39,12 +39,13 @@ impl Piecewise {
     /// With more terms than this smaller pieces are tried.
     pub(crate) const MOST_TERMS: usize = 16;
 
-    /// A curve in so many pieces from anchor to anchor, the series' own error below `negligible`; `None` if that takes
+    /// A whole curve in so many pieces from anchor to anchor, the series' own error below `negligible`; `None` if that takes
     /// too many points.
     pub(crate) fn new(curve: &Curve, pieces: usize, negligible: f64) -> Option<Self> {
         let Interpolation { points, error, .. } = enough_points(curve, pieces, negligible)?;
         let table = CosineTable::new(points);
-        let series = |index: usize| table.interpolant(|u| curve.at(phase(pieces, index, u)));
+        let values: Vec<Vec<Double>> = table.points().map(|u| curve.at_parts(pieces, u * half(pieces))).collect();
+        let series = |index: usize| table.through(&values.iter().map(|all| all[index]).collect::<Vec<_>>());
         let (series, rounding): (_, Vec<f64>) = (0..=pieces / 2).map(series).unzip();
         Some(Self {
             series,
