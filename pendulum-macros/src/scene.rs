@@ -39,6 +39,12 @@ impl Scene {
         Self { t_max: self.motion.period().cloned(), ..self.clone() }
     }
 
+    /// The scene with the angle less its whole turns.
+    pub(crate) fn wrapped(&self) -> Self {
+        let others = self.outputs.iter().copied().filter(|output| !output.is_angle());
+        Self { outputs: others.chain([Output::Wrapped]).collect(), ..self.clone() }
+    }
+
     /// The scene by whatever method serves.
     pub(crate) fn by_any_method(&self) -> Self {
         Self { method: None, ..self.clone() }

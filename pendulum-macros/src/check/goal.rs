@@ -78,10 +78,10 @@ impl Checker<'_> {
         if n <= most {
             return Ok(n);
         }
-        let remedy = if swing.smallest_working_terms(float.unit()).is_none() {
-            ", and with so few it may exceed 1: state the error as `tol` instead".to_owned()
-        } else {
-            format!("; use `n = {most}`{}", if most > 1 { " or fewer" } else { "" })
+        let remedy = match swing.smallest_working_terms(float.unit()) {
+            None => ", and with so few it may exceed 1: state the error as `tol` instead".to_owned(),
+            Some(least) if least < most => format!("; use an `n` from {least} to {most}"),
+            Some(_) => format!("; use `n = {most}`"),
         };
         let message = format!(
             "`n = {n}` is beyond what `{}` can use at this amplitude: the terms after the first {most} are together less \

@@ -145,8 +145,8 @@ fn refuses_rates_that_are_none() {
 #[test]
 fn refuses_goals_that_cannot_be_kept() {
     refused("theta0 = 1, n = 0", &["`n = 0`", "`n = 1`"]);
-    refused("theta0 = 1, n = 40", &["`n = 40`", "use `n = 10`"]);
-    refused("theta0 = 1, n = 40, float = f32", &["`n = 40`", "use `n = 5`"]);
+    refused("theta0 = 1, n = 40", &["`n = 40`", "use an `n` from 1 to 10"]);
+    refused("theta0 = 1, n = 40, float = f32", &["`n = 40`", "use an `n` from 1 to 5"]);
     refused("theta0 = 1, n = 3, tol = 1e-3", &["`n = 3`", "`tol = 1e-3`", "keep one"]);
     refused("theta0 = 1, tol = 0", &["`tol = 0` is not positive", "full precision"]);
     refused("theta0 = 1, tol = -1e-3", &["`tol = -1e-3` is not positive"]);

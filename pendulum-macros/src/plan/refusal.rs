@@ -59,7 +59,7 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 }
 
 /// What else than a larger tolerance would help.
-fn closer(best: f64, scene: &Scene) -> &'static str {
+fn closer(best: f64, scene: &Scene) -> String {
     let nearer = || match (scene.float, scene.outputs.len()) {
         (Float::F32, _) => "use `float = f64`, which comes closer",
         (Float::F64, _) if scene.is_far() => "choose a unit of time in which ω is nearer to 1",
@@ -67,9 +67,9 @@ fn closer(best: f64, scene: &Scene) -> &'static str {
         (Float::F64, _) => "choose numbers nearer to 1, or fewer outputs",
     };
     by_another_method(scene)
+        .map(str::to_owned)
         .or_else(|| with_fewer_turns(best, scene))
-        .or_else(|| at_full_precision(best, scene))
-        .unwrap_or_else(nearer)
+        .unwrap_or_else(|| at_full_precision(best, scene).unwrap_or_else(nearer).to_owned())
 }
 
 /// Where a method is forced.
@@ -89,22 +89,27 @@ fn by_another_method(scene: &Scene) -> Option<&'static str> {
 }
 
 /// Where it is the rounding of a rotation's turns that is in the way of a tolerance.
-fn with_fewer_turns(best: f64, scene: &Scene) -> Option<&'static str> {
+fn with_fewer_turns(best: f64, scene: &Scene) -> Option<String> {
     let turns = matches!(scene.motion.regime, Regime::Rotation(_)) && scene.outputs.contains(&Output::Theta);
     if !turns || !matches!(scene.goal, Goal::Tolerance(_)) {
         return None;
     }
     let over_a_period = scene.over_a_period();
-    if best.is_finite() && scene.t_max.is_none() {
-        Some("give a `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`")
-    } else if best.is_finite() && is_planned(&over_a_period) {
-        Some("give a shorter `t_max`, since the error of an angle grows with its turns, or use the output `wrapped`")
-    } else if scene.method.is_some() && is_planned(&over_a_period.by_any_method()) {
-        Some("leave `method` out, and give a short `t_max`, since the error of an angle grows with its turns")
-    } else {
-        None
+    if best.is_infinite() {
+        let helps = scene.method.is_some() && is_planned(&over_a_period.by_any_method());
+        return helps.then(|| format!("leave `method` out, and give a short `t_max`, {GROWS}"));
+    }
+    let give = if scene.t_max.is_none() { "give a `t_max`" } else { "give a shorter `t_max`" };
+    match (is_planned(&over_a_period), is_planned(&scene.wrapped())) {
+        (true, true) => Some(format!("{give}, {GROWS}, or use the output `wrapped`")),
+        (true, false) => Some(format!("{give}, {GROWS}")),
+        (false, true) => Some(format!("use the output `wrapped`, {GROWS}")),
+        (false, false) if scene.t_max.is_none() => Some(format!("{give}, which comes closer, {GROWS}")),
+        (false, false) => None,
     }
 }
+
+const GROWS: &str = "since the error of an angle grows with its turns";
 
 /// Where a tolerance is finer than that.
 fn at_full_precision(best: f64, scene: &Scene) -> Option<&'static str> {

@@ -212,6 +212,9 @@ fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
 fn after_point(input: ParseStream) -> &'static str {
     let mut rest = input.cursor().token_stream().into_iter().skip(1);
     match rest.next() {
+        Some(TokenTree::Ident(unit)) if ["deg", "rad", "π"].iter().any(|known| unit == known) => {
+            "a unit follows a digit: leave this point out"
+        }
         Some(TokenTree::Ident(_)) => "nothing can be called here: write the value itself, such as `30deg` or `sqrt(2)`",
         Some(TokenTree::Punct(next)) if next.as_char() == '.' => "a range is no number: write one number",
         _ => "a number has one point, without spaces around it, and ends in a digit",
@@ -330,6 +333,7 @@ mod tests {
         assert!(error("+1").contains("leave it out"));
         assert!(error("30degrees").contains("write it `deg`"));
         assert!(error("2.0_f64.sqrt()").contains("nothing can be called here"));
+        assert!(error("157.deg").contains("leave this point out"));
         assert!(error("0..100").contains("a range is no number"));
         assert!(error("-π..π").contains("a range is no number"));
         for several in ["1.2.3", "1 .0", "1e-6."] {

@@ -350,7 +350,9 @@ fn refusals_are_explained() {
         refusal.unwrap_or_else(|| plan(&scene).unwrap_err()).explain(&scene).to_string()
     };
     for (text, part) in [
-        ("velocity0 = 3, tol = 1e-15", "or give a `t_max`"),
+        ("velocity0 = 3, tol = 1e-12", "or give a `t_max`, since the error of an angle grows with its turns, or use"),
+        ("velocity0 = 3, tol = 1e-15", "or give a `t_max`, which comes closer"),
+        ("velocity0 = 3, tol = 1e-17, t_max = 1e9", "or leave `tol` out for full precision"),
         ("velocity0 = 2.5, tol = 1e-12, t_max = 1e7, outputs = [theta, velocity]", "shorter `t_max`"),
         ("velocity0 = 2.5, tol = 1e-12, t_max = 1e7, outputs = [theta, wrapped]", "or use the output `wrapped`"),
         ("theta0 = 10deg, tol = 1e-2, method = small_angle", "give a short `t_max`"),
