@@ -39,7 +39,7 @@ impl CosineTable {
 
     /// The same of one with these values at the points.
     pub(crate) fn through(&self, values: &[Double]) -> (Vec<Double>, f64) {
-        let rounding = self.rounding(worst(values.iter().map(|value| value.hi.abs())));
+        let rounding = self.sampling_error(worst(values.iter().map(|value| value.hi.abs())));
         (self.coefficients(values), rounding)
     }
 
@@ -54,7 +54,7 @@ impl CosineTable {
     /// is m² (Fejér 1916), times Σ1/(1 − xxᵢ), which is convex, hence largest at x = 1, Tₘ′(1)/Tₘ(1) = m². m being two at
     /// least, all that is less than (4 + Λ)m²·2⁻¹⁰⁰. Where second words underflow, a coefficient's products and what they are
     /// made of lose some 2⁻¹⁰⁷⁰ besides, less than [`UNDERFLOW`] for all of them.
-    fn rounding(&self, largest: f64) -> f64 {
+    fn sampling_error(&self, largest: f64) -> f64 {
         let m = self.m as f64;
         (4.0 + lebesgue(self.m)) * m * m * two_to(-100) * largest + UNDERFLOW
     }

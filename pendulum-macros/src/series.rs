@@ -347,7 +347,7 @@ impl Wave {
     /// off by added to its amplitude, times a wave, of which none exceeds 1. Cosine and sine of πs are within 2⁻¹⁰⁰, hence
     /// 2 cos 2πs within 2⁻⁹⁷ and a step within 2⁻⁹⁶ of the sums it is made of, and what its product lost. These, like
     /// Chebyshev's Uₙ, add up to at most Σ |aₙ|(n + 1)(n + 2)/2.
-    pub(crate) fn rounding(&self) -> f64 {
+    pub(crate) fn sampling_error(&self) -> f64 {
         let of = |&(m, a): &(u32, Double)| {
             let above = f64::from(m / STEP + 1);
             a.hi.abs() * above * (above + 1.0) * two_to(-96)

@@ -184,8 +184,8 @@ impl Curve {
     }
 
     /// What a value is rounded by.
-    pub(crate) fn rounding(&self) -> f64 {
-        self.wave.rounding()
+    pub(crate) fn sampling_error(&self) -> f64 {
+        self.wave.sampling_error()
     }
 
     /// Stands for another curve, from which it strays by at most that.

@@ -18,7 +18,7 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let decades = if is_quick(scene) { 1..10 } else { 1..1 };
     let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * power(10f64, decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
-    let mut asked = Asked { scene, refused: vec![tol] };
+    let mut asked = Asking { scene, refused: vec![tol] };
     if let Some(kept) = asked.first_kept(&offers, least) {
         return asked.finest(kept, STEP);
     }
@@ -53,12 +53,12 @@ struct Kept {
 }
 
 /// Which tolerances have been asked for in vain.
-struct Asked<'a> {
+struct Asking<'a> {
     scene: &'a Scene,
     refused: Vec<f64>,
 }
 
-impl Asked<'_> {
+impl Asking<'_> {
     fn ask(&mut self, tolerance: f64) -> Result<Kept, Refusal> {
         let planned = cheapest(&self.scene.asking(tolerance));
         planned.map(|plan| Kept { tolerance, bound: plan.worst() }).inspect_err(|_| self.refused.push(tolerance))

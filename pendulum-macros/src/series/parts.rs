@@ -10,7 +10,7 @@ impl Wave {
     /// A term is cos(mπ·offset) cos(mπi/parts) − sin(mπ·offset) sin(mπi/parts), or the like of a sine, in which m counts
     /// modulo 2·parts: of thousands no more are left than there are parts.
     ///
-    /// Of up to 2¹⁴ terms it is rounded by less than what [`Wave::rounding`] says of the recurrence, whose terms count
+    /// Of up to 2¹⁴ terms it is rounded by less than what [`Wave::sampling_error`] says of the recurrence, whose terms count
     /// Σ|aₘ|n(n + 1)·2⁻⁹⁶, n being about m/2: the waves of the offset are turned by n steps, each wrong by 2⁻⁹⁸, and all
     /// else adds up to 2⁻⁹⁶Σ|aₘ| at most, of sums to one remainder, wrong by 2⁻¹⁰⁵ each, of those over them, and of
     /// products.
@@ -90,7 +90,7 @@ mod tests {
                 for (i, value) in values.into_iter().enumerate() {
                     let expected = wave.at(offset + Double::new(i as f64 / parts as f64));
                     let apart = (value - expected).hi.abs();
-                    assert!(apart <= 2.0 * wave.rounding(), "{parts} {i}: {apart:e} {:e}", wave.rounding());
+                    assert!(apart <= 2.0 * wave.sampling_error(), "{parts} {i}: {apart:e} {:e}", wave.sampling_error());
                     assert!(apart <= 1e-27, "{parts} {i}: {apart:e}");
                 }
             }

@@ -228,7 +228,7 @@ fn values_are_sums() {
                 };
                 let exact = curve.terms().iter().map(term).fold(context.integer(0), |sum, term| sum + term);
                 let error = (curve.at(Double::new(s)) - exact.to_double()).hi.abs();
-                let (most, sum) = (curve.rounding(), curve.size.largest);
+                let (most, sum) = (curve.sampling_error(), curve.size.largest);
                 assert!(error <= most && most < 1e-22 * sum, "{theta0} {s}: {error:e}, at most {most:e} of {sum}");
             }
         }
@@ -251,7 +251,7 @@ fn values_that_underflow() {
             let [value, exact] = [&small, &one].map(|wave| wave.at(Double::new(s)));
             // The words of the one are multiples of those of the other, or below the smallest number.
             let error = (value.hi - exact.hi * unit.hi).abs() + (value.lo - exact.lo * unit.hi).abs();
-            let most = small.rounding() + small.omitted();
+            let most = small.sampling_error() + small.omitted();
             assert!(error <= most + f64::from_bits(2), "{start} {s}: {error:e}, at most {most:e}");
             assert!(most < f64::from_bits(16 * small.terms().len() as u64 + 1024), "{start}: {most:e}");
         }

@@ -83,7 +83,7 @@ pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
     };
     let Some(smallest) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
     let (analysis, most) = (swing.elliptic.fourier_analysis(), smallest.max(MOST_CHOSEN - 1));
-    let least = least_error(swing);
+    let least = least_at_turning(swing);
     let from = (smallest..most).find(|&n| least(n) < tol).unwrap_or(most);
     first_serving(from, most, |n| analysis.supremum(n) < tol)
 }
@@ -91,7 +91,7 @@ pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
 /// A lower bound of the error of so many terms, that at a turning point: there what is left out alternates, and is at least
 /// its first term less the second. With y for k less that, θ̂/2 is arcsin k − arcsin y off, of which the sine is
 /// (k² − y²)/(k√(1 − y²) + yk′), or more where y is above k.
-fn least_error(swing: &Swing) -> impl Fn(usize) -> f64 {
+fn least_at_turning(swing: &Swing) -> impl Fn(usize) -> f64 {
     let sine = Wave::half_sine(swing);
     let (k, complementary) = (swing.elliptic.modulus.to_f64(), swing.elliptic.complementary.to_f64());
     move |n| {

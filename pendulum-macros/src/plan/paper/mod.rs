@@ -3,7 +3,7 @@
 mod bias;
 mod count;
 mod parts;
-mod series;
+mod series_in_pieces;
 mod whole;
 
 use super::aim::FULL;
@@ -32,7 +32,7 @@ const TRIED_BLINDLY: usize = 2;
 const NEAR: f64 = 4.0;
 
 /// The part of a promise from which on the terms left out count: more terms help then, if slowly.
-const COUNTS: f64 = 0.1;
+const MATTERS: f64 = 0.1;
 
 /// The plan of a forced method, or of the paper's θ̂. Derivatives may need some terms more than θ.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
@@ -61,7 +61,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
         let so_far = reached.map_or(left_out, |reached| left_out.min(reached));
         let helped = best < WORTHWHILE * so_far || best.is_infinite() && more <= TRIED_BLINDLY;
-        let counts = wanted.iter().any(|wanted| wanted.bias > COUNTS * sum.promise(wanted));
+        let counts = wanted.iter().any(|wanted| wanted.bias > MATTERS * sum.promise(wanted));
         if sum.lacks_terms(&wanted) {
             left_out = left_out.min(best);
         } else {

@@ -165,7 +165,7 @@ impl Sum<'_> {
 
     /// Bounds the argument of the arcsine.
     fn size(&self) -> f64 {
-        self.weights.iter().map(|w| w.hi.abs()).sum::<f64>().min(1.0)
+        Cosines::odd(&self.weights).magnitude(0).min(1.0)
     }
 }
 

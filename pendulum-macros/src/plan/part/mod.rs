@@ -1,8 +1,8 @@
 //! One output's kernel, by polynomials, by the passage through the lowest point or in pieces, and whether it keeps the
 //! promise.
 
+mod all_in_pieces;
 mod draft;
-mod in_pieces;
 mod passage;
 mod pieces;
 mod polynomials;
@@ -18,10 +18,10 @@ use super::{Bound, Part};
 use crate::parse::{Float, Output};
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
+pub(super) use all_in_pieces::AllInPieces;
 use draft::Draft;
 #[cfg(test)]
 pub(super) use draft::Drafts;
-pub(super) use in_pieces::InPieces;
 use pendulum_runtime::double::Double;
 pub(super) use polynomials::Approximations;
 use std::f64::consts::PI;

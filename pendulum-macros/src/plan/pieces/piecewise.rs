@@ -49,7 +49,7 @@ impl Piecewise {
         let (series, rounding): (_, Vec<f64>) = (0..=pieces / 2).map(series).unzip();
         Some(Self {
             series,
-            error: error + curve.omitted() + lebesgue(points) * curve.rounding() + worst(rounding),
+            error: error + curve.omitted() + lebesgue(points) * curve.sampling_error() + worst(rounding),
             parity: curve.parity(),
             alternates: curve.is_antiperiodic(),
             met: None,

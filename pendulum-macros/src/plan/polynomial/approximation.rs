@@ -321,7 +321,7 @@ fn missed(curve: &Curve, points: usize) -> f64 {
         Parity::Odd => (8.0 * points as f64, curve.stretch()),
         _ => (1.0, 1.0),
     };
-    lebesgue(points) * (curve.omitted_slope() * stretch + curve.rounding() * divisor)
+    lebesgue(points) * (curve.omitted_slope() * stretch + curve.sampling_error() * divisor)
 }
 
 /// As many points as make the interpolation error negligible.

@@ -5,7 +5,7 @@ use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::form::Variant;
 use crate::plan::memo::Memo;
-use crate::plan::part::{Approximations, InPieces};
+use crate::plan::part::{AllInPieces, Approximations};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
 use crate::plan::variables::Variables;
@@ -21,7 +21,7 @@ pub(super) struct Prospect {
     pub(super) approximations: Vec<Approximations>,
     pub(super) reductions: Vec<Reduction>,
     /// Few pieces first.
-    pub(super) pieces: Vec<InPieces>,
+    pub(super) pieces: Vec<AllInPieces>,
     /// What polynomials gave: more than one candidate may ask.
     pub(super) found: Memo<Asked, Rc<Found>>,
 }
@@ -30,7 +30,7 @@ impl Prospect {
     pub(super) fn new(scene: &Scene, task: Task) -> Self {
         let reductions = task.reductions(scene);
         let approximations = task.aims.iter().map(|aim| Approximations::new(aim, &reductions)).collect();
-        let pieces = InPieces::all(&task, &reductions);
+        let pieces = AllInPieces::all(&task, &reductions);
         let reach = task.reach();
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         Self { task, approximations, reductions, pieces, found: Memo::default() }

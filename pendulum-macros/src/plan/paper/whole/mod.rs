@@ -1,7 +1,7 @@
 //! The paper's θ̂ = 2 arcsin y, y = Σ wₙ cos((2n−1)πs), as a whole: one function of the phase instead of a sum, a root and
 //! an arcsine.
 
-mod pieces;
+mod angle_in_pieces;
 mod residual;
 mod single;
 mod sum_in_pieces;
@@ -102,7 +102,7 @@ impl Whole {
     }
 
     fn piecewise(&self) -> Option<&Piecewise> {
-        self.pieces.get_or_init(|| pieces::approximation(&self.weights, self.limit)).as_ref()
+        self.pieces.get_or_init(|| angle_in_pieces::approximation(&self.weights, self.limit)).as_ref()
     }
 
     fn sum_in_pieces(&self) -> Option<&SumInPieces> {
@@ -142,7 +142,7 @@ impl Whole {
     fn pieces(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let (piecewise, reduction) = (self.piecewise()?, self.in_pieces(reduction)?);
         let mut allowances = self.allowances(self.size.phase_error(&reduction));
-        allowances.find_map(|allowance| pieces::kernel(piecewise, allowance, &reduction, self.direction))
+        allowances.find_map(|allowance| angle_in_pieces::kernel(piecewise, allowance, &reduction, self.direction))
     }
 
     /// The same by the complement, or as little off as can be.

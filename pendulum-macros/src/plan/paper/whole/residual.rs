@@ -34,7 +34,7 @@ pub(super) fn largest_residual(
 ) -> f64 {
     let at = |u: Double| (sum.at(phase(u)) - sin_pi(value(series, u) / (Double::PI * 2.0))).hi.abs();
     let size: f64 = sum.terms().iter().map(|&(m, w)| f64::from(m + 1) * w.hi.abs()).sum();
-    let rounding = sum.rounding() + rounding_of_value(series) + size * two_to(-96);
+    let rounding = sum.sampling_error() + rounding_of_value(series) + size * two_to(-96);
     interpolation.supremum(CosineTable::new(interpolation.points).points().map(at))
         + lebesgue(interpolation.points) * rounding
 }

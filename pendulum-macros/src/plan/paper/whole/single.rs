@@ -14,6 +14,7 @@ use super::Allowance;
 use super::residual::{largest_residual, of_residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
+use crate::plan::cosines::Cosines;
 use crate::plan::form::{Division, Form};
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::moebius::Moebius;
@@ -44,7 +45,7 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     let looks = charts.filter_map(|chart| Some((chart.rough_terms()?, chart)));
     let (rough, chart) = looks.min_by_key(|&(terms, _)| terms)?;
     // A limit far above the motion itself asks for no less.
-    let negligible = limit.min(weights.iter().map(|w| w.hi.abs()).sum()) / 512.0;
+    let negligible = limit.min(Cosines::odd(weights).magnitude(0)) / 512.0;
     // Coefficients fall off geometrically.
     let rate = libm::log(ROUGH) / rough as f64;
     let terms = libm::log(negligible / 4.0) / rate;

@@ -13,6 +13,7 @@ use super::Allowance;
 use super::residual::{largest_residual, of_residual, twice_arcsine};
 use crate::chebyshev::{CosineTable, Interpolation};
 use crate::plan::Bound;
+use crate::plan::cosines::Cosines;
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::pieces::{Piecewise, half, phase};
 use crate::plan::reduction::Reduction;
@@ -30,7 +31,7 @@ const MOST_POINTS: usize = 40;
 
 /// θ̂ for these weights, the pieces' series wrong by much less than `limit`; `None` if it bends too much.
 pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise> {
-    let size: f64 = weights.iter().map(|w| w.hi.abs()).sum();
+    let size = Cosines::odd(weights).magnitude(0);
     let sum = Wave::harmonics(weights);
     // Second words of small coefficients underflow.
     COUNTS.into_iter().filter(|_| size > 1e-150).find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) / 512.0))

@@ -10,7 +10,7 @@ use crate::program::cost::{CLAMP, ROW, lanes_lost};
 use std::cell::OnceCell;
 
 /// All outputs in pieces.
-pub(in crate::plan) struct InPieces {
+pub(in crate::plan) struct AllInPieces {
     pieces: usize,
     /// Of a short horizon.
     met: Option<Met>,
@@ -23,7 +23,7 @@ pub(in crate::plan) struct InPieces {
 /// What the powers of a polynomial of some ten terms cost.
 const POWERS: f64 = 3.0;
 
-impl InPieces {
+impl AllInPieces {
     /// By few pieces and by many; none where an output has no pieces, or no reduction counts pieces.
     pub(in crate::plan) fn all(task: &Task, reductions: &[Reduction]) -> Vec<Self> {
         let serves = task.aims.iter().all(|aim| aim.has_pieces(task));

@@ -8,7 +8,7 @@ use super::Sum;
 use super::parts::Wanted;
 use crate::plan::aim::Aim;
 use crate::plan::harmonics::harmonics;
-use crate::plan::part::InPieces;
+use crate::plan::part::AllInPieces;
 use crate::plan::task::Task;
 use crate::plan::{Bound, Part, Plan};
 use crate::supremum::worst;
@@ -20,7 +20,7 @@ impl Sum<'_> {
         let mut task = Task::new(self.scene);
         task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.restrict(aim, wanted));
         let bias = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
-        let all = InPieces::all(&task, &self.reductions());
+        let all = AllInPieces::all(&task, &self.reductions());
         let pieces = all.first().ok_or(f64::INFINITY)?;
         let mut reached = f64::INFINITY;
         for reduction in pieces.reductions.iter().filter(|reduction| self.serves(wanted, reduction)) {
