@@ -142,6 +142,15 @@ fn the_paper_near_the_top() {
     refused("struct A; θ0 = π - 1e-188, tol = 4e-6, method = small_angle, outputs = [velocity]", "the best found is");
 }
 
+/// Of a passage over a short horizon what lies beyond it was rounded by more than was promised, and the amplitude
+/// exceeded.
+#[test]
+fn swings_beyond_short_horizons() {
+    planned("velocity0 = 2*sqrt(0.731), tol = 9.36882e-8, t_max = 1e-299, float = f32");
+    planned("struct A; velocity0 = 2*sqrt(0.731), tol = 9.36882e-8, t_max = 1e-3, float = f32");
+    planned("struct A; velocity0 = 2*sqrt(0.999), tol = 5e-7, t_max = 0.5, float = f32, outputs = [theta, velocity]");
+}
+
 /// A refusal offers what can be had: these offered tolerances that were refused in turn, or spoke of a precision that
 /// nobody had asked for. `judge` takes them at their word.
 #[test]

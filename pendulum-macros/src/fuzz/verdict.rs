@@ -259,8 +259,12 @@ fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
         scene = Scene { float: Float::F64, ..scene.by_any_method() };
     } else if message.contains("leave `method` out") {
         scene = scene.by_any_method();
-    } else if scene.is_far() || message.contains("give a `t_max`") {
+    } else if message.contains("or use the output `wrapped`, since") {
+        scene = scene.wrapped();
+    } else if scene.is_far() || message.contains("give a `t_max`, which comes closer") {
         return Ok(());
+    } else if message.contains("give a `t_max`") {
+        scene = scene.over_a_period();
     } else if message.contains("use `float = f64`") {
         scene.float = Float::F64;
     } else if message.contains("ask for `theta` alone") {

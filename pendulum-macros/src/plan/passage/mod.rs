@@ -25,7 +25,7 @@ mod outputs;
 mod quotient;
 
 use super::fit::{Domain, Fit};
-use super::variables::Variables;
+use super::variables::{Variables, at_most};
 use crate::motion::{Elliptic, Motion};
 use crate::parse::{Float, Output};
 use crate::power::{power, two_to};
@@ -189,6 +189,12 @@ impl Passage {
         Self { output, orbit, distances, half, images, careful, even, odd, arctangent, factor, truncation }
     }
 
+    /// Whether phases beyond those that are met are kept from it: of what isn't met the rounding isn't known, and the angle
+    /// of a swing exceeds its amplitude by no more than what is known, whatever the time.
+    fn is_held(&self) -> bool {
+        self.output.is_angle() && self.orbit.alternates() && self.distances[1] < self.half
+    }
+
     /// For the reader.
     pub(crate) fn describe(&self) -> String {
         let angle =
@@ -204,6 +210,7 @@ impl Passage {
     pub(crate) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
         let float = b.float();
         let magnitude = b.convert(variables.magnitude, Float::F64);
+        let magnitude = if self.is_held() { at_most(b, magnitude, self.distances[1]) } else { magnitude };
         let quotient = self.quotient(b, magnitude);
         // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the
         // negative.
