@@ -251,7 +251,9 @@ fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
     let mut scene = scene.clone();
     if message.contains("leave `method` out, and give a short `t_max`") {
         scene = scene.over_a_period().by_any_method();
-    } else if message.contains("give a short `t_max`") || message.contains("give a shorter `t_max`") {
+    } else if message.contains("give a `t_max`, which comes closer") {
+        return Ok(());
+    } else if ["a short", "a shorter", "a"].iter().any(|a| message.contains(&format!("give {a} `t_max`"))) {
         scene = scene.over_a_period();
     } else if message.contains("leave `method` and `tol` out") {
         scene = Scene { goal: Goal::Full, ..scene.by_any_method() };
@@ -261,10 +263,8 @@ fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
         scene = scene.by_any_method();
     } else if message.contains("or use the output `wrapped`, since") {
         scene = scene.wrapped();
-    } else if scene.is_far() || message.contains("give a `t_max`, which comes closer") {
+    } else if scene.is_far() {
         return Ok(());
-    } else if message.contains("give a `t_max`") {
-        scene = scene.over_a_period();
     } else if message.contains("use `float = f64`") {
         scene.float = Float::F64;
     } else if message.contains("ask for `theta` alone") {

@@ -90,9 +90,9 @@ impl Curve {
         self.wave.at(self.arc.phase(s))
     }
 
-    /// The values of a whole one at the phases i/parts + `offset`, i from 0 to parts/2.
-    pub(crate) fn at_parts(&self, parts: usize, offset: Double) -> Vec<Double> {
-        self.wave.at_parts(parts, offset)
+    /// For each i from 0 to parts/2 the values of a whole one at the phases i/parts + offset.
+    pub(crate) fn at_parts(&self, parts: usize, offsets: impl Iterator<Item = Double>) -> Vec<Vec<Double>> {
+        self.wave.at_parts(parts, offsets)
     }
 
     /// Bounds |curve| for |Im s| ≤ `height`.

@@ -1,11 +1,11 @@
-//! A wave at the same place of every part of an anchor.
+//! A wave at the same places of every part of an anchor.
 
 use super::{Parity, STEP, Wave};
 use crate::chebyshev::{CosineTable, cos_pi, sin_pi};
 use pendulum_runtime::double::Double;
 
 impl Wave {
-    /// The values at the phases i/parts + `offset`, i from 0 to parts/2, for |`offset`| ≤ ½ and an even number of parts.
+    /// For each i from 0 to parts/2 the values at the phases i/parts + offset, for |offset| ≤ ½ and an even number of parts.
     ///
     /// A term is cos(mπ·offset) cos(mπi/parts) − sin(mπ·offset) sin(mπi/parts), or the like of a sine, in which m counts
     /// modulo 2·parts: of thousands no more are left than there are parts.
@@ -14,20 +14,19 @@ impl Wave {
     /// Σ|aₘ|n(n + 1)·2⁻⁹⁶, n being about m/2: the waves of the offset are turned by n steps, each wrong by 2⁻⁹⁸, and all
     /// else adds up to 2⁻⁹⁶Σ|aₘ| at most, of sums to one remainder, wrong by 2⁻¹⁰⁵ each, of those over them, and of
     /// products.
-    pub(crate) fn at_parts(&self, parts: usize, offset: Double) -> Vec<Double> {
-        let weights = self.modulo_turns(parts, offset);
+    pub(crate) fn at_parts(&self, parts: usize, offsets: impl Iterator<Item = Double>) -> Vec<Vec<Double>> {
+        let weighted: Vec<_> = offsets.map(|offset| (offset, self.modulo_turns(parts, offset))).collect();
         let table = CosineTable::new(parts / 2);
-        let of_terms = |i: usize| {
+        let at = |i: usize, offset: Double, weights: &[(Double, Double)]| {
             let term = |(m, &(even, odd)): (usize, &(Double, Double))| {
                 even * table.get(m * i) + odd * table.get(m * i + 3 * parts / 2)
             };
-            self.remainders(parts).zip(&weights).map(term).fold(Double::ZERO, |sum, term| sum + term)
-        };
-        let at = |i: usize| {
+            let terms = self.remainders(parts).zip(weights).map(term);
             let s = offset + Double::new(i as f64 / parts as f64);
-            self.constant + self.linear * s + of_terms(i)
+            self.constant + self.linear * s + terms.fold(Double::ZERO, |sum, term| sum + term)
         };
-        (0..=parts / 2).map(at).collect()
+        let in_part = |i: usize| weighted.iter().map(|(offset, weights)| at(i, *offset, weights)).collect();
+        (0..=parts / 2).map(in_part).collect()
     }
 
     /// The remainders of m, up to their signs.
@@ -85,7 +84,7 @@ mod tests {
         for wave in waves {
             for (parts, offset) in [(2, 0.3), (32, 0.01), (64, -0.0078), (64, 0.0), (128, 1e-9)] {
                 let offset = Double { hi: offset, lo: 1e-18 * offset };
-                let values = wave.at_parts(parts, offset);
+                let values = wave.at_parts(parts, [offset].into_iter()).concat();
                 assert_eq!(values.len(), parts / 2 + 1);
                 for (i, value) in values.into_iter().enumerate() {
                     let expected = wave.at(offset + Double::new(i as f64 / parts as f64));

@@ -44,9 +44,8 @@ impl Piecewise {
     pub(crate) fn new(curve: &Curve, pieces: usize, negligible: f64) -> Option<Self> {
         let Interpolation { points, error, .. } = enough_points(curve, pieces, negligible)?;
         let table = CosineTable::new(points);
-        let values: Vec<Vec<Double>> = table.points().map(|u| curve.at_parts(pieces, u * half(pieces))).collect();
-        let series = |index: usize| table.through(&values.iter().map(|all| all[index]).collect::<Vec<_>>());
-        let (series, rounding): (_, Vec<f64>) = (0..=pieces / 2).map(series).unzip();
+        let values = curve.at_parts(pieces, table.points().map(|u| u * half(pieces)));
+        let (series, rounding): (_, Vec<f64>) = values.iter().map(|own| table.through(own)).unzip();
         Some(Self {
             series,
             error: error + curve.omitted() + lebesgue(points) * curve.sampling_error() + worst(rounding),

@@ -33,13 +33,13 @@ const MOST_POINTS: usize = 40;
 pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise> {
     let size = Cosines::odd(weights).magnitude(0);
     let sum = Wave::harmonics(weights);
+    // A sum that may reach 1 isn't worth the interpolation.
+    of_residual(&sum, 0.0)?;
     // Second words of small coefficients underflow.
     COUNTS.into_iter().filter(|_| size > 1e-150).find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) / 512.0))
 }
 
 fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
-    // A sum that may reach 1 isn't worth the interpolation.
-    of_residual(sum, 0.0)?;
     let table = CosineTable::new(POINTS);
     let (mut series, mut residual) = (Vec::new(), 0.0_f64);
     for index in 0..=pieces / 2 {
