@@ -9,7 +9,7 @@ use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::met::Met;
 use crate::plan::reduction::Clock;
 use crate::program::rounding::INFLATION_OF_SUMS;
-use crate::supremum::{Halving, by_halves, worst};
+use crate::supremum::{Halving, by_halves};
 use pendulum_runtime::double::Double;
 use sines::Sines;
 use std::f64::consts::PI;
@@ -110,7 +110,7 @@ impl<'a> Approximate<'a> {
         if let Some(first) = terms.first_mut() {
             first.1 = first.1 - self.sum.weights[0];
         }
-        tail(&terms, theta.omitted())
+        largest(&terms, theta.omitted())
     }
 
     /// sup |θ̂ − θ| at those distances from an anchor, if θ has not too many harmonics.
@@ -188,20 +188,14 @@ const MOST_SAMPLED: usize = 40;
 fn left_out(theta: &Curve, kept: usize) -> f64 {
     match theta.terms().get(kept..).unwrap_or_default() {
         many if many.len() > MOST_SAMPLED => many.iter().map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted(),
-        few => tail(few, theta.omitted()),
+        few => largest(few, theta.omitted()),
     }
 }
 
-/// sup |Σ aₘ cos mφ| from 16 samples a wave of the highest harmonic M: at most a factor 1/cos(π/16) above the largest
-/// sample (Ehlich and Zeller 1964); and `omitted`, which bounds terms besides.
-fn tail(terms: &[(u32, Double)], omitted: f64) -> f64 {
-    let Some(&(highest, _)) = terms.last() else { return omitted };
-    let points = 8 * highest;
-    let at = |i: u32| {
-        let phi = PI * f64::from(i) / f64::from(points);
-        terms.iter().map(|&(m, a)| a.hi * libm::cos(f64::from(m) * phi)).sum::<f64>().abs()
-    };
-    worst((0..=points / 2).map(at)) / libm::cos(PI / 16.0) * INFLATION_OF_SUMS + omitted
+/// sup |Σ aₘ cos mφ| of these terms and of more, of which `omitted` is the largest.
+fn largest(terms: &[(u32, Double)], omitted: f64) -> f64 {
+    let sum = Cosines::of(terms);
+    supremum([0.0, 0.5], |low, high| sum.over(low, high).largest(0)) + omitted
 }
 
 /// Σ aₘ cos(mπs) of a curve less Σ wₙ cos((2n−1)πs): one sum.

@@ -6,9 +6,9 @@ use crate::fuzz::random::Random;
 use crate::motion::Regime;
 use crate::plan::tests::probe::largest_error;
 use crate::plan::tests::scene;
-/// The error of the series is the supremum of its tail, here from samples of it. The bound's own are 16 a wave, so that
-/// it is at most 1/cos(π/16) above. (It isn't θ0 less the sum, which is the error at t = 0: elsewhere it is larger by
-/// twice the nome.)
+
+/// The error of the series is the supremum of its tail, here from samples of it. (It isn't θ0 less the sum, which is the
+/// error at t = 0: elsewhere it is larger by twice the nome.)
 #[test]
 fn the_error_of_the_series_is_that_of_its_tail() {
     for (theta0, tol) in [("1", 1e-5), ("7π/8", 1e-4), ("0.999π", 1e-3), ("0.99π", 1e-9)] {
