@@ -12,9 +12,11 @@ pub(crate) use stub::Stub;
 use crate::parse::{Item, Shape};
 use crate::plan::{Function, Plan};
 use crate::scene::Scene;
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-use syn::Attribute;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{ToTokens as _, format_ident, quote};
+use syn::parse::ParseStream;
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Meta, Token};
 
 /// The expansion: an expression that is a fn item, or a unit struct with its constants and functions. `root` is the
 /// path of the crate `pendula`, as its user knows it.
@@ -90,9 +92,29 @@ fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> Tok
     }
 }
 
-/// The `#[cfg(…)]` of the struct, which its `impl` has to share.
-fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
-    attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"))
+/// The conditions of the struct, which its `impl` has to share.
+fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = TokenStream> {
+    attributes.iter().filter_map(|attribute| condition(&attribute.meta)).map(|condition| quote!(#[#condition]))
+}
+
+/// `cfg(…)`, or what remains of `cfg_attr(…, cfg(…), …)`.
+fn condition(meta: &Meta) -> Option<TokenStream> {
+    if meta.path().is_ident("cfg") {
+        return Some(meta.to_token_stream());
+    }
+    let list = meta.require_list().ok().filter(|list| list.path.is_ident("cfg_attr"))?;
+    list.parse_args_with(conditions_of_cfg_attr).ok().flatten()
+}
+
+fn conditions_of_cfg_attr(input: ParseStream) -> syn::Result<Option<TokenStream>> {
+    let mut predicate = TokenStream::new();
+    while !input.peek(Token![,]) {
+        predicate.extend([input.parse::<TokenTree>()?]);
+    }
+    input.parse::<Token![,]>()?;
+    let all = Punctuated::<Meta, Token![,]>::parse_terminated(input)?;
+    let conditions: Vec<_> = all.iter().filter_map(condition).collect();
+    Ok((!conditions.is_empty()).then(|| quote!(cfg_attr(#predicate, #(#conditions),*))))
 }
 
 /// `const fn name(t: f64) -> f64 { … }`, to be inlined wherever it is called: only then do loops over it vectorise, and

@@ -27,6 +27,12 @@ pendula::pendulum! {
 }
 
 pendula::pendulum! {
+    #[cfg_attr(not(any()), derive(Clone), cfg_attr(true, cfg(false)))]
+    struct AbsentToo;
+    theta0 = 1, tol = 1e-3
+}
+
+pendula::pendulum! {
     #[deprecated = "its own impl is no use of it"]
     pub(crate) struct Old;
     theta0 = 1, tol = 1e-3
