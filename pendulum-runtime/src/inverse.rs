@@ -19,7 +19,7 @@
 use crate::angle::{nearest_period, reduce};
 use crate::carlson::carlson_rf;
 use crate::double::Double;
-use crate::double_trig::half_angle;
+use crate::double_trig::{half_angle, supplement};
 use crate::kernel::round;
 use crate::launch::hypotenuse;
 use crate::motion::{Moduli, Motion};
@@ -116,9 +116,10 @@ fn swing(motion: &Motion, way: &Way, beyond: f64) -> Option<Double> {
     let (reach, moduli) = (motion.amplitude, &motion.moduli);
     let target = way.target.hi;
     // Where the way is longer than any number the target isn't one.
-    if target.is_nan() || target.abs() > PI.min(2.0 * reach) {
+    if target.is_nan() || target.abs() > 2.0 * reach {
         return None;
     }
+    let is_over_top = supplement(way.target.abs()).hi < 0.0;
     // Squares of tiny angles would underflow; a power of two times as large, they swing in the same time.
     let lift = if reach < LINEAR { LINEAR / binade(reach) } else { 1.0 };
     let way = way.scale(lift);
@@ -134,6 +135,9 @@ fn swing(motion: &Motion, way: &Way, beyond: f64) -> Option<Double> {
     };
     if at_reach && target.abs() == reach && way.target.lo == 0.0 {
         return Some(turn());
+    }
+    if is_over_top {
+        return at_reach.then(turn);
     }
     let (difference, sum) = way.sines();
     let (sine, cosine) = signed_half_angle(way.target);

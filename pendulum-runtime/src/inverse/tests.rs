@@ -213,6 +213,31 @@ fn turning_points_after_turns() {
     assert!(reached > 3000, "{reached}");
 }
 
+/// Next to the top what is rounded of that sum may be on its other side.
+#[test]
+fn turning_points_next_to_the_top_after_turns() {
+    let (mut reached, mut over) = (0, 0);
+    for turns in 1..400 {
+        let top = f64::from(2 * turns - 1) * PI;
+        for steps in -6..=6 {
+            let theta = (0..6).fold(top, |theta, step| match steps {
+                0.. if step < steps => theta.next_up(),
+                ..0 if step < -steps => theta.next_down(),
+                _ => theta,
+            });
+            let motion = crate::launch::from_state(theta, 0.0, 1.0).expect("valid");
+            let turn = (motion.base.hi / TAU).round() * TAU;
+            for angle in [turn - motion.amplitude, turn + motion.amplitude] {
+                over += i32::from(crate::angle::reduce(angle).angle.hi * (angle - turn) < 0.0);
+                let found = motion.time_at(angle, 2.0 * f64::EPSILON * angle.abs()).expect("reached");
+                assert!((0.0..=1.01 * motion.period()).contains(&found), "{theta} {angle}: {found}");
+                reached += 1;
+            }
+        }
+    }
+    assert!(reached > 9000 && over > 200, "{reached} {over}");
+}
+
 /// The same in either type, as anyone would write it.
 #[test]
 fn turning_points_after_turns_by_the_interface() -> Result<(), crate::Error> {

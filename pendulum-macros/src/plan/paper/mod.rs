@@ -234,7 +234,7 @@ impl Sum<'_> {
         let phase = wanted.phase_error(reduction);
         match self.scene.goal {
             Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
-            _ => phase <= 8.0 * self.scene.float.unit() * wanted.curve.size.largest,
+            _ => phase <= wanted.left_to_phase(self.scene.float.unit()),
         }
     }
 

@@ -45,6 +45,11 @@ impl Wanted {
         self.curve.size.phase_error(in_pieces.as_ref().unwrap_or(reduction))
     }
 
+    /// What the phase may be wrong by without a tolerance.
+    pub(super) fn left_to_phase(&self, unit: f64) -> f64 {
+        self.whole.as_ref().map_or(8.0 * unit * self.curve.size.largest, Whole::left_to_phase)
+    }
+
     /// Whether there are pieces for reductions that can count them.
     pub(super) fn has_pieces(&self) -> bool {
         self.whole.as_ref().is_some_and(Whole::has_pieces)

@@ -34,8 +34,8 @@ pub(super) struct Whole {
     direction: f64,
     /// What their series may be wrong by.
     limit: f64,
-    /// What it may differ from θ̂ by at most, phase and rounding included: the first of these that can be kept counts.
-    allowed: Vec<f64>,
+    /// What it may differ from θ̂ by at most, phase and rounding included.
+    allowed: f64,
     /// What it may differ from θ̂ by at most before these.
     truncation: f64,
 }
@@ -64,19 +64,19 @@ const SHARES: [f64; 2] = [4.0, 16.0];
 
 impl Whole {
     /// `None` where there is no arcsine. It may be off by what a tolerance leaves beside the sum's own `bias`, or by 8
-    /// units in the last place of θ0; if need be by 11 that are proven, of which two thirds have been observed at most.
+    /// units in the last place of θ0.
     pub(super) fn new(sum: &Sum, size: Size, bias: f64) -> Option<Self> {
         if sum.method != Method::Fourier {
             return None;
         }
         let units = |units: f64| 2.0 * units * half_ulp(sum.swing.amplitude.to_f64(), sum.scene.float);
         let allowed = match sum.scene.goal {
-            Goal::Tolerance(tol) => vec![tol - bias],
-            _ => [8.0, 11.0].map(units).into(),
+            Goal::Tolerance(tol) => tol - bias,
+            _ => units(8.0),
         };
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
         let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
-        let (limit, weights, direction) = (truncation.min(allowed[0] / 8.0), sum.weights.clone(), sum.direction());
+        let (limit, weights, direction) = (truncation.min(allowed / 8.0), sum.weights.clone(), sum.direction());
         let (single, pieces, sum_in_pieces) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         Some(Self { single, pieces, sum_in_pieces, weights, size, direction, limit, allowed, truncation })
     }
@@ -109,14 +109,14 @@ impl Whole {
         self.sum_in_pieces.get_or_init(|| SumInPieces::new(&self.weights, self.limit)).as_ref()
     }
 
-    /// The most that is allowed.
-    fn most(&self) -> f64 {
-        self.allowed.iter().copied().fold(0.0, f64::max)
+    /// What the phase may take of that without a tolerance: the rest is enough for pieces.
+    pub(super) fn left_to_phase(&self) -> f64 {
+        0.25 * self.allowed
     }
 
     /// What part of what is allowed, phase and rounding included, an error is.
     pub(super) fn share(&self, bound: Bound) -> f64 {
-        bound.total() / self.most()
+        bound.total() / self.allowed
     }
 
     /// The cheaper of one polynomial in its cheapest form and of many, each off by no more than is allowed; or many for the
@@ -147,7 +147,7 @@ impl Whole {
 
     /// The same by the complement, or as little off as can be.
     fn complement(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
-        let most = self.most();
+        let most = self.allowed;
         let allowance = |reduction: &Reduction| {
             let phase = self.size.phase_error(reduction);
             // So little of the truncation that it doesn't matter for what else there is.
@@ -158,10 +158,8 @@ impl Whole {
 
     /// What may be tried with a phase so wrong, in that order.
     fn allowances(&self, phase: f64) -> impl Iterator<Item = Allowance> {
-        let rests = self.allowed.iter().map(move |allowed| allowed - phase);
-        rests.flat_map(move |rest| {
-            SHARES.map(|share| Allowance { phase, rest, truncation: self.truncation.min(rest / share) })
-        })
+        let rest = self.allowed - phase;
+        SHARES.into_iter().map(move |share| Allowance { phase, rest, truncation: self.truncation.min(rest / share) })
     }
 }
 
