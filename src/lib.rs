@@ -142,7 +142,7 @@ struct Readme;
 /// | constant | meaning | exists |
 /// |---|---|---|
 /// | `THETA0`, `VELOCITY0`, `OMEGA` | θ(0) in rad; θ̇(0) and ω in rad per unit of t | always |
-/// | `T_MAX` | the horizon as a number of the type `float`: what is promised of errors holds for \|t\| up to it | always |
+/// | `T_MAX` | the horizon as a number of the type `float`, in `f32` not above it: what is promised of errors holds for \|t\| up to it | always |
 /// | `AMPLITUDE` | the largest \|θ\|, rad | for a swing |
 /// | `MODULUS` | k = sin(`AMPLITUDE`/2) of a swing, κ = 2ω/\|θ̇\| at the lowest point of a rotation, 1 on the separatrix | always |
 /// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), κ in place of k in a rotation | for swings and rotations |

@@ -64,6 +64,8 @@ pub(crate) struct Blame {
     pub(crate) goal: TokenStream,
     /// The value of `theta0`, else that of `velocity0`.
     pub(crate) start: TokenStream,
+    /// The value of `omega`, else that of `length`, else that of the start.
+    pub(crate) rate: TokenStream,
     /// The value of `method`, else that of the goal.
     pub(crate) method: TokenStream,
 }

@@ -21,6 +21,9 @@ impl Refusal {
     pub(crate) fn explain(&self, scene: &Scene) -> syn::Error {
         let blame = &scene.blame;
         let (tokens, message) = match *self {
+            Self::Unreachable { best } if scene.goal == Goal::Full && scene.is_far() => {
+                (&blame.rate, unreachable(best, scene))
+            }
             Self::Unreachable { best } => (&blame.goal, unreachable(best, scene)),
             Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
                 (&blame.method, ALWAYS_OVERSHOOTS.to_owned())
@@ -52,7 +55,7 @@ fn unreachable(best: f64, scene: &Scene) -> String {
         .map_or_else(|| "can be promised".to_owned(), |method| format!("`method = {}` can promise", method.word()));
     let remedy = closer(best, scene);
     if best.is_infinite() {
-        format!("{asked} is finer than {promise} here: {remedy}")
+        format!("no error was found that {promise} here, neither {asked} nor another: {remedy}")
     } else {
         format!("{asked} is finer than {promise} here: the best found is {best:.2e}; {offer}, or {remedy}")
     }
@@ -60,16 +63,23 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 
 /// What else than a larger tolerance would help.
 fn closer(best: f64, scene: &Scene) -> String {
-    let nearer = || match (scene.float, scene.outputs.len()) {
-        (Float::F32, _) => "use `float = f64`, which comes closer",
-        (Float::F64, _) if scene.is_far() => "choose a unit of time in which ω is nearer to 1",
-        (Float::F64, 1) => "choose numbers nearer to 1",
-        (Float::F64, _) => "choose numbers nearer to 1, or fewer outputs",
-    };
     by_another_method(scene)
         .map(str::to_owned)
         .or_else(|| with_fewer_turns(best, scene))
-        .unwrap_or_else(|| at_full_precision(best, scene).unwrap_or_else(nearer).to_owned())
+        .or_else(|| at_full_precision(best, scene).map(str::to_owned))
+        .unwrap_or_else(|| by_other_numbers(scene))
+}
+
+fn by_other_numbers(scene: &Scene) -> String {
+    match (scene.float, scene.outputs.len()) {
+        (Float::F32, _) => "use `float = f64`, which comes closer".to_owned(),
+        (Float::F64, _) if scene.is_far() => {
+            let omega = scene.motion.omega.to_f64();
+            format!("choose a unit of time in which ω, here {omega:e}, is nearer to 1")
+        }
+        (Float::F64, 1) => "choose numbers nearer to 1".to_owned(),
+        (Float::F64, _) => "choose numbers nearer to 1, or fewer outputs".to_owned(),
+    }
 }
 
 /// Where a method is forced.

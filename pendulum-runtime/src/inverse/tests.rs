@@ -228,7 +228,7 @@ fn turning_points_next_to_the_top_after_turns() {
             let motion = crate::launch::from_state(theta, 0.0, 1.0).expect("valid");
             let turn = (motion.base.hi / TAU).round() * TAU;
             for angle in [turn - motion.amplitude, turn + motion.amplitude] {
-                over += i32::from(crate::angle::reduce(angle).angle.hi * (angle - turn) < 0.0);
+                over += i32::from(reduce(angle).angle.hi * (angle - turn) < 0.0);
                 let found = motion.time_at(angle, 2.0 * f64::EPSILON * angle.abs()).expect("reached");
                 assert!((0.0..=1.01 * motion.period()).contains(&found), "{theta} {angle}: {found}");
                 reached += 1;

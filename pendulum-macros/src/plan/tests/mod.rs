@@ -378,12 +378,13 @@ fn refusals_are_explained() {
     // What can't be had at all, or bounded.
     let infinite = || Some(Refusal::Unreachable { best: f64::INFINITY });
     for (text, part) in [
-        ("theta0 = 1, tol = 1e-17", "here: choose numbers nearer to 1"),
+        ("theta0 = 1, tol = 1e-17", "neither `tol = 1e-17` nor another: choose numbers nearer to 1"),
         (
             "velocity0 = 3, tol = 1e-17, outputs = [theta, velocity]",
-            "here: choose numbers nearer to 1, or fewer outputs",
+            "another: choose numbers nearer to 1, or fewer outputs",
         ),
-        ("theta0 = 1", "the full precision of `f64` is finer than can be promised here"),
+        ("theta0 = 1", "no error was found that can be promised here, neither the full precision of `f64` nor another"),
+        ("theta0 = 1, omega = 1e300", "another: choose a unit of time in which ω, here 1e300, is nearer to 1"),
         (
             "theta0 = 1, n = 2, outputs = [velocity]",
             "`n = 2`: no useful bound can be proven for the error of θ̂'s velocity",
