@@ -90,7 +90,7 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
         Regime::Separatrix(_) if reduction.is_linear() => (1.0, "of itself"),
         Regime::Separatrix(_) => (0.5, "rad of ωt"),
     };
-    let wrong = match reduction.error + most * reduction.relative_error {
+    let wrong = match reduction.error + (most + reduction.overshoot.max(0.0)) * reduction.relative_error {
         0.0 => String::new(),
         error => format!(", wrong by at most {} {unit}", at_most(error, 1)),
     };

@@ -137,18 +137,21 @@ impl Turning {
         if self.wrapped {
             return self.rounding_from_lowest(reduction) + rounding_modulo(float);
         }
-        // The product of the turns with the first word of 2π, and the last sum. At last the conversion to `f32`; in `f64`,
-        // which needs none, as much is more than the product with the second word and its sum are rounded by.
+        // The product of the turns with the first word of 2π, and the last sum. At last the conversion to `f32`, beside which
+        // the product with the second word and its sum count as below 8; in `f64`, which needs none, as much as it would
+        // round by is more than those two.
         let largest = 7.0 * (self.turns + 1.0) + 1.0;
         // So many are a rounded sum of a multiple of 8, the others, and the first number.
         let counted = if self.turns < EXACT_TURNS { 0.0 } else { 14.0 * half_ulp(self.turns + 1.0, Float::F64) };
-        let turns = 2.0 * half_ulp(largest, Float::F64) + counted + half_ulp(largest, float);
+        let second = if float == Float::F32 { 2.0 * half_ulp(7.0, Float::F64) } else { 0.0 };
+        let turns = 2.0 * half_ulp(largest, Float::F64) + counted + half_ulp(largest, float) + second;
         self.rounding_from_lowest(reduction) + turns
     }
 
     /// That of the angle from the lowest point, made of that from the top: of the mean, up to half a turn, its constant and
-    /// product, and the sum with it, in which no more than the periodic part is lost; from the top itself half a turn, too,
-    /// and the sum with that, which turns may leave as it is.
+    /// product, and the sum with it, in which no more than the periodic part is lost, of which what approximates it is no
+    /// more than four times as large; from the top itself half a turn, too, and the sum with that, which turns may leave as
+    /// it is.
     fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
         let Some(periodic) = self.from_top else { return 0.0 };
         let float = reduction.float;
@@ -158,7 +161,7 @@ impl Turning {
         let largest = (PI + self.slope * overshoot) * 1.000_001;
         let of_half_turn = half_ulp(largest, float);
         let mean = of_half_turn + farthest * float.rest(self.turn()).abs() / self.unit.hi;
-        let sum = of_half_turn.min(periodic);
+        let sum = of_half_turn.min(4.0 * periodic);
         let half = match reduction.origin {
             Origin::Lowest => 0.0,
             Origin::Anchor => {

@@ -1,10 +1,10 @@
 //! A proven bound of |θ̂ − θ|, by branch and bound.
 //!
 //! Rounding, with u = 2⁻⁵³. Next to an overshoot the margin dn² + ρ(2y − ρ) cancels and then is under a root, so what it is
-//! rounded by is counted ([`UNIT`]); as is what its ρ is. Of the harmonic j steps after the first of a tail, |sin| is wrong by
+//! rounded by is counted ([`OF_MARGIN`]); as is what its ρ is. Of the harmonic j steps after the first of a tail, |sin| is wrong by
 //! an argument of (2n − 1)πu at most, and by j² times what a step of the recurrence is rounded by, 4u; with j < n
 //! both together are below (2n − 1)²·2⁻⁵⁰. So the tail is wrong by 2⁻⁵⁰ times the bound of its second derivative, and its
-//! slope by as much of the third. All else is relative, and the 10⁻⁹ of `certified_bound` cover it.
+//! slope by as much of the third ([`UNIT`]). All else is relative, and the 10⁻⁹ of `certified_bound` cover it.
 
 use super::{FourierAnalysis, distance};
 use libm::sqrt;
@@ -20,8 +20,12 @@ pub(super) struct Cells<'a> {
     third: f64,
 }
 
-/// Above what rounding does to each part of a sum of a few.
-const UNIT: f64 = 8.0 / (1_u64 << 53) as f64;
+/// 2⁻⁵⁰.
+const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
+
+/// Above what dn² and ρ(2y − ρ) are wrong by, each of itself. Where k′ is small dn is small, too, as sums that cancel: by
+/// 23u of itself at k′ = 10⁻⁶, less with k′ larger, and more as its logarithm grows.
+const OF_MARGIN: f64 = 128.0 / (1_u64 << 53) as f64;
 
 impl<'a> Cells<'a> {
     pub(super) fn new(analysis: &'a FourierAnalysis, terms: usize, goal: f64) -> Self {
@@ -57,7 +61,7 @@ impl<'a> Cells<'a> {
                 distance(y, sqrt((1.0 - y) * (1.0 + y)), y, 1.0)
             } else if margin >= 0.0 {
                 // The less it is, the farther they are apart.
-                let rounding = UNIT * (square + rest.abs());
+                let rounding = OF_MARGIN * (square + rest.abs());
                 distance(end.y, end.dn, tail, (margin - rounding).max(0.0))
             } else {
                 // asin(y − ρ) − asin y grows with y only until y − ρ = 1.
