@@ -110,7 +110,7 @@ impl<'a> Approximate<'a> {
         if let Some(first) = terms.first_mut() {
             first.1 = first.1 - self.sum.weights[0];
         }
-        largest(&terms, theta.omitted())
+        supremum_of_terms(&terms, theta.omitted())
     }
 
     /// sup |θ̂ − θ| at those distances from an anchor, if θ has not too many harmonics.
@@ -188,12 +188,12 @@ const MOST_SAMPLED: usize = 40;
 fn left_out(theta: &Curve, kept: usize) -> f64 {
     match theta.terms().get(kept..).unwrap_or_default() {
         many if many.len() > MOST_SAMPLED => many.iter().map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted(),
-        few => largest(few, theta.omitted()),
+        few => supremum_of_terms(few, theta.omitted()),
     }
 }
 
 /// sup |Σ aₘ cos mφ| of these terms and of more, of which `omitted` is the largest.
-fn largest(terms: &[(u32, Double)], omitted: f64) -> f64 {
+fn supremum_of_terms(terms: &[(u32, Double)], omitted: f64) -> f64 {
     let sum = Cosines::of(terms);
     supremum([0.0, 0.5], |low, high| sum.over(low, high).largest(0)) + omitted
 }

@@ -288,7 +288,7 @@ fn steep_flanks() {
 #[test]
 fn suprema_of_sums() {
     let besides = |terms: &[(u32, f64)], omitted: f64| {
-        largest(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>(), omitted)
+        supremum_of_terms(&terms.iter().map(|&(m, a)| (m, Double::new(a))).collect::<Vec<_>>(), omitted)
     };
     let wave = |terms: &[(u32, f64)]| besides(terms, 0.0);
     for (terms, known) in [([(1, 1.0), (3, -1.0)], 8.0 / 27f64.sqrt()), ([(1, 1.0), (5, 0.5)], 1.5)] {
@@ -310,7 +310,7 @@ fn what_is_left_out() {
     for left in [0, 3, 40, 41, 50] {
         let terms = &theta.terms()[all - left..];
         let magnitudes = terms.iter().map(|(_, a)| a.hi.abs()).sum::<f64>();
-        let sum = if left > 40 { magnitudes } else { largest(terms, 0.0) };
+        let sum = if left > 40 { magnitudes } else { supremum_of_terms(terms, 0.0) };
         assert_eq!(left_out(&theta, all - left), sum + 0.125, "{left}");
     }
 }
