@@ -119,7 +119,6 @@ fn swing(motion: &Motion, way: &Way, beyond: f64) -> Option<Double> {
     if target.is_nan() || target.abs() > 2.0 * reach {
         return None;
     }
-    let is_over_top = supplement(way.target.abs()).hi < 0.0;
     // Squares of tiny angles would underflow; a power of two times as large, they swing in the same time.
     let lift = if reach < LINEAR { LINEAR / binade(reach) } else { 1.0 };
     let way = way.scale(lift);
@@ -136,14 +135,12 @@ fn swing(motion: &Motion, way: &Way, beyond: f64) -> Option<Double> {
     if at_reach && target.abs() == reach && way.target.lo == 0.0 {
         return Some(turn());
     }
-    if is_over_top {
-        return at_reach.then(turn);
-    }
     let (difference, sum) = way.sines();
     let (sine, cosine) = signed_half_angle(way.target);
     let squared = speed_squared(speed, difference * sum, cosine, moduli.kc);
-    // Less whole turns an angle has digits that the amplitude hasn't: it may be within that or beyond.
-    if squared.hi < 0.0 {
+    // Less whole turns an angle has digits that the amplitude hasn't: it may be within that or beyond, even beyond the top,
+    // from where it falls again.
+    if squared.hi < 0.0 || supplement(way.target.abs()).hi < 0.0 {
         return at_reach.then(turn);
     }
     let end = Place { x: sine / k, y: squared.sqrt() / k, z: cosine };

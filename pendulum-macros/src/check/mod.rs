@@ -52,7 +52,7 @@ fn blame(request: &Request) -> Blame {
     let terms = request.n.as_ref().map(|given| given.tokens.clone());
     let goal = terms.or_else(|| tokens(&request.tol)).unwrap_or_else(|| start.clone());
     let method = request.method.as_ref().map_or_else(|| goal.clone(), |given| given.tokens.clone());
-    let rate = tokens(&request.omega).or_else(|| tokens(&request.length)).unwrap_or_else(|| start.clone());
+    let rate = request.rate().map_or_else(|| start.clone(), |given| given.tokens.clone());
     Blame { goal, start, rate, method }
 }
 

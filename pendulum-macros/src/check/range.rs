@@ -114,8 +114,8 @@ impl Checker<'_> {
     /// A value that follows from the rate: blame what sets it.
     fn representable_result(&mut self, value: &Real, what: &str) -> Checked<()> {
         let request = self.request;
-        let givens = [&request.omega, &request.length, &request.velocity0, &request.theta0];
-        match givens.into_iter().flatten().next() {
+        let given = request.rate().or(request.velocity0.as_ref()).or(request.theta0.as_ref());
+        match given {
             Some(given) => self.representable(value, what, given),
             None => Ok(()),
         }

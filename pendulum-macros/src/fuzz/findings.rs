@@ -209,7 +209,10 @@ fn coefficients_beyond_the_range_of_floats() {
 #[test]
 fn derivatives_that_underflow() {
     let series = |start: &str| format!("struct A; {start}, method = series, outputs = [acceleration]");
-    refused("struct A; velocity0 = 5e-153, omega = 1e-153, outputs = [acceleration], tol = 1e-13", "is nearer to 1");
+    refused(
+        "struct A; velocity0 = 5e-153, omega = 1e-153, outputs = [acceleration], tol = 1e-13",
+        "choose a unit of time in which ω, here 1e-153, is nearer to 1",
+    );
     refused(&series("theta0 = 7π/8, omega = 1e-153"), "state `tol = ");
     refused(&series("theta0 = 1e-3, omega = 1e-152"), "state `tol = ");
 }
@@ -238,7 +241,7 @@ fn sums_that_overflow() {
     planned("struct A; theta0 = π - 1e-33, omega = 8.9e298, outputs = [velocity]");
     refused(
         "struct A; theta0 = 0.1, omega = 1.697e308, tol = 1e-12, t_max = 1.956e11 / 1.697e308, method = series, outputs = [velocity]",
-        "is nearer to 1",
+        "choose a unit of time in which ω, here 1.697e308, is nearer to 1",
     );
     let single = "float = f32, outputs = [acceleration]";
     let rate = "velocity0 = (2 - 1e-11) * 6.924e18, omega = 6.924e18, t_max = 1.46e7 / 6.924e18";
@@ -264,7 +267,7 @@ fn refusals_of_forced_methods_near_the_top_take_less_than_a_second() {
     // With as many terms as it takes its velocities overflow; that with fewer they are too far off had ten more asked.
     refused(
         "struct A; theta0 = π - 1e-6, omega = 6.6e300, tol = 1e-6, outputs = [theta, velocity], method = fourier",
-        "is nearer to 1",
+        "choose a unit of time in which ω, here 6.6e300, is nearer to 1",
     );
     refused("velocity0 = 2 - 1e-254, tol = 9.6e-4, method = series, t_max = 5.27, float = f32", "leave `method` out");
 }
@@ -359,7 +362,7 @@ fn remedies_that_help() {
     refused("velocity0 = 2 + 1e-194, tol = 1e-25, method = polynomial", "leave `method` and `tol` out");
     // ω² is beyond every float, with a method as without.
     let far = "struct A; theta0 = π - 1e-7, omega = 1e307, outputs = [velocity], tol = 1e-2, t_max = 5.5e-302";
-    refused(&format!("{far}, method = series"), "is nearer to 1");
+    refused(&format!("{far}, method = series"), "choose a unit of time in which ω, here 1e307, is nearer to 1");
     let single = "struct A; theta0 = 1, tol = 1e-12, float = f32, method = ";
     refused(&format!("{single}polynomial"), "use `float = f64`");
     refused(&format!("{single}harmonic"), "leave `method` out, and use `float = f64`");

@@ -93,6 +93,11 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
 }
 
 impl Request {
+    /// What sets the rate.
+    pub(crate) fn rate(&self) -> Option<&Given<Number>> {
+        self.omega.as_ref().or(self.length.as_ref())
+    }
+
     /// Whether the parameter was written at all, with or without a mistake.
     pub(crate) fn mentions(&self, name: &str) -> bool {
         self.written.iter().any(|written| written.name == name)

@@ -21,10 +21,10 @@ impl Refusal {
     pub(crate) fn explain(&self, scene: &Scene) -> syn::Error {
         let blame = &scene.blame;
         let (tokens, message) = match *self {
-            Self::Unreachable { best } if scene.goal == Goal::Full && scene.is_far() => {
-                (&blame.rate, unreachable(best, scene))
+            Self::Unreachable { best } => {
+                let by_rate = scene.goal == Goal::Full && scene.is_far();
+                (if by_rate { &blame.rate } else { &blame.goal }, unreachable(best, scene))
             }
-            Self::Unreachable { best } => (&blame.goal, unreachable(best, scene)),
             Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
                 (&blame.method, ALWAYS_OVERSHOOTS.to_owned())
             }

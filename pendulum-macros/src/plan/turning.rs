@@ -150,8 +150,8 @@ impl Turning {
 
     /// That of the angle from the lowest point, made of that from the top: of the mean, up to half a turn, its constant and
     /// product, and the sum with it, in which no more than the periodic part is lost, of which what approximates it is no
-    /// more than four times as large; from the top itself half a turn, too, and the sum with that, which turns may leave as
-    /// it is.
+    /// more than four times as large (above Lebesgue's constant of a hundred points); from the top itself half a turn, too,
+    /// and the sum with that, which turns may leave as it is.
     fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
         let Some(periodic) = self.from_top else { return 0.0 };
         let float = reduction.float;

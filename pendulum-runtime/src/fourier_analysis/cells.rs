@@ -1,10 +1,10 @@
 //! A proven bound of |θ̂ − θ|, by branch and bound.
 //!
 //! Rounding, with u = 2⁻⁵³. Next to an overshoot the margin dn² + ρ(2y − ρ) cancels and then is under a root, so what it is
-//! rounded by is counted ([`OF_MARGIN`]); as is what its ρ is. Of the harmonic j steps after the first of a tail, |sin| is wrong by
-//! an argument of (2n − 1)πu at most, and by j² times what a step of the recurrence is rounded by, 4u; with j < n
-//! both together are below (2n − 1)²·2⁻⁵⁰. So the tail is wrong by 2⁻⁵⁰ times the bound of its second derivative, and its
-//! slope by as much of the third ([`UNIT`]). All else is relative, and the 10⁻⁹ of `certified_bound` cover it.
+//! rounded by is counted ([`OF_MARGIN`]); as is what its ρ is ([`OF_TAIL`]). Of the harmonic j steps after the first of a
+//! tail, |sin| is wrong by an argument of (2n − 1)πu at most, and by j² times what a step of the recurrence is rounded by,
+//! 4u; with j < n both together are below (2n − 1)²·2⁻⁵⁰. So the tail is wrong by 2⁻⁵⁰ times the bound of its second
+//! derivative, and its slope by as much of the third. All else is relative, and the 10⁻⁹ of `certified_bound` cover it.
 
 use super::{FourierAnalysis, distance};
 use libm::sqrt;
@@ -20,8 +20,8 @@ pub(super) struct Cells<'a> {
     third: f64,
 }
 
-/// 2⁻⁵⁰.
-const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
+/// What a tail is wrong by, in units of the bound of its second derivative.
+const OF_TAIL: f64 = 1.0 / (1_u64 << 50) as f64;
 
 /// Above what dn² and ρ(2y − ρ) are wrong by, each of itself. Where k′ is small dn is small, too, as sums that cancel: by
 /// 23u of itself at k′ = 10⁻⁶, less with k′ larger, and more as its logarithm grows.
@@ -49,7 +49,7 @@ impl<'a> Cells<'a> {
     fn cell_bound(&self, low: f64, high: f64) -> f64 {
         let radius = core::f64::consts::PI * (high - low); // half the cell, in w = 2πz
         let tail = self.analysis.tail(self.terms, 0.5 * (low + high));
-        let rounding = UNIT * (self.curvature + radius * self.third);
+        let rounding = OF_TAIL * (self.curvature + radius * self.third);
         let spread = radius * tail.slope.abs() + 0.5 * radius * radius * self.curvature + rounding;
         let end = self.analysis.sample(self.terms, high);
         let bound = |tail: f64| {

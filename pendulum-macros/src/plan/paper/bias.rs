@@ -182,12 +182,12 @@ fn of_moved_cosine(farthest: f64, drift: f64) -> f64 {
 }
 
 /// More terms than this are bounded by the sum of their magnitudes.
-const MOST_SAMPLED: usize = 40;
+const MOST_IN_CELLS: usize = 40;
 
 /// sup |Σ aₘ cos mφ| over the terms of θ, or of a derivative that underflows before it does, but the first `kept`.
 fn left_out(theta: &Curve, kept: usize) -> f64 {
     match theta.terms().get(kept..).unwrap_or_default() {
-        many if many.len() > MOST_SAMPLED => many.iter().map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted(),
+        many if many.len() > MOST_IN_CELLS => many.iter().map(|(_, a)| a.hi.abs()).sum::<f64>() + theta.omitted(),
         few => supremum_of_terms(few, theta.omitted()),
     }
 }

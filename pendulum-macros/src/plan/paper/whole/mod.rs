@@ -109,7 +109,7 @@ impl Whole {
         self.sum_in_pieces.get_or_init(|| SumInPieces::new(&self.weights, self.limit)).as_ref()
     }
 
-    /// What the phase may take of that without a tolerance: the rest is enough for pieces.
+    /// What the phase may take of what is allowed, without a tolerance: the rest is enough for pieces.
     pub(super) fn left_to_phase(&self) -> f64 {
         0.25 * self.allowed
     }

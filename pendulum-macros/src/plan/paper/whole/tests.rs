@@ -63,9 +63,9 @@ fn plans_compute_twice_the_arcsine() {
         complements += u32::from(plan.parts[0].description.contains("less than 1"));
         let sum = Wave::harmonics(&weights(swing, plan.terms));
         let ulp = 2.0 * half_ulp(swing.amplitude.to_f64(), scene.float);
-        // Of 12 that are proven there are never 8 seen.
+        // Of 10 that are proven there are never 8 seen.
         let Bound { phase, evaluation, .. } = plan.parts[0].bound;
-        assert!(phase + evaluation <= 12.0 * ulp, "{text}: {:?}", plan.parts[0]);
+        assert!(phase + evaluation <= 10.0 * ulp, "{text}: {:?}", plan.parts[0]);
         let t_max = scene.t_max.as_ref().map_or(2f64.powi(54), Real::to_f64);
         for index in 0..60 {
             let quarter = swing.period.to_f64() / 4.0 * f64::from(index % 8);
@@ -106,6 +106,60 @@ fn in_other_units() {
             let exact = exact(&scene, swing, &sum, t).unwrap();
             let error = (Double::new(plan.functions[0].program.run(t)[0]) - exact).hi.abs();
             assert!(error <= most, "{text} at {t}: {error:e} {most:e}");
+        }
+    }
+}
+
+/// Away from an overshoot θ̂ is by proof within 8 units in the last place of θ0, phase included: also just below a power
+/// of two, where these are the smallest.
+#[test]
+fn sums_away_from_an_overshoot_are_within_eight_units() {
+    let mut planned = 0;
+    for index in 0..150 {
+        let mut random = Random::new(0x9000 + index);
+        let theta0 = random.choose(&[1.0, 2.0, 2.8]) * (1.0 - 0.1 * random.unit());
+        let velocity0 = random.choose(&[0.0, 0.0, 0.1]) * random.unit();
+        let horizon = random.choose(&["", ", t_max = 0.3", ", t_max = 6", ", t_max = 300", ", t_max = 1e5"]);
+        let float = random.choose(&["f64", "f64", "f32"]);
+        let n = random.between(1, if float == "f32" { 4 } else { 9 });
+        let text =
+            format!("struct A; theta0 = {theta0:.4}, velocity0 = {velocity0:.3}, n = {n}{horizon}, float = {float}");
+        let Ok(plan) = plan(&scene(&text)) else { continue };
+        let share = plan.parts[0].share;
+        assert!(share > 0.0 && share <= 1.0, "{text}: {share}, {}", plan.parts[0].description);
+        planned += 1;
+    }
+    assert!(planned > 100, "{planned}");
+}
+
+/// Next to an overshoot θ̂ takes pieces, whatever the horizon: by the root and the arcsine alone it was 46 units of θ0 off in
+/// `f32`, over less than a tenth of a unit of time.
+#[test]
+fn moments_next_to_an_overshoot() {
+    for (theta0, n) in [("0.7307π", 1), ("0.9138π", 3), ("0.9619π", 5), ("0.9803π", 7), ("0.9868π", 8)] {
+        for (float, t_max) in [("f32", "1e-20"), ("f32", "0.01"), ("f32", "0.1"), ("f64", "0.01")] {
+            let text = format!("struct Motion; theta0 = {theta0}, n = {n}, float = {float}, t_max = {t_max}");
+            let share = plan(&scene(&text)).unwrap().parts[0].share;
+            assert!(share > 0.0 && share <= 1.0, "{text}: {share}");
+        }
+    }
+}
+
+/// Nor do other outputs, whose phases had better be from another origin, take them from it: next to an overshoot it was up to
+/// 10⁵ units of θ0 off then.
+#[test]
+fn theta_beside_other_outputs_next_to_an_overshoot() {
+    let motions =
+        ["3.107151, n = 10", "2.871106, n = 3", "2.841786, n = 2, t_max = 24", "-2.980102, n = 7, t_max = 10"];
+    for motion in motions {
+        let share = |outputs: &str| {
+            let text = format!("struct Motion; theta0 = {motion}, outputs = [theta{outputs}]");
+            plan(&scene(&text)).unwrap().parts[0].share
+        };
+        let alone = share("");
+        assert!(alone > 0.0 && alone <= 1.0, "{motion}: {alone}");
+        for outputs in [", velocity", ", position", ", position, acceleration", ", velocity, acceleration, position"] {
+            assert!(share(outputs) <= 1.0, "{motion}{outputs}: {}", share(outputs));
         }
     }
 }
