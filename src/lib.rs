@@ -123,8 +123,8 @@ struct Readme;
 ///
 /// | `method` | is | gives |
 /// |---|---|---|
-/// | `small_angle` | Eq. 3; its phase drifts, so give `t_max` | θ and its derivatives |
-/// | `harmonic` | Eq. 17 | θ and its derivatives |
+/// | `small_angle` | Eq. 3, θ0 cos ωt + (θ̇0/ω) sin ωt; its phase drifts, so give `t_max` | θ and its derivatives |
+/// | `harmonic` | Eq. 17, with the amplitude and the phase of the motion | θ and its derivatives |
 /// | `fourier` | Eq. 22, θ̂ = 2 arcsin y with `n` terms, or as many as `tol` takes | θ̂ and its derivative, −ω² sin θ̂, (sin θ̂, −cos θ̂) |
 /// | `series` | the Fourier series of θ itself; its sum in pieces where a recurrence would be rounded by too much | θ and its derivatives |
 /// | `polynomial` | one in the phase, in pieces where one can't serve | everything |

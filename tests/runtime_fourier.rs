@@ -64,6 +64,34 @@ fn the_small_angle_approximation_at_ten_degrees() {
     to_the_digits_of(100.0 * within(10.0), "11.7");
 }
 
+/// Eq. 3 is the linearised motion from the same state, generated as at run time.
+#[test]
+fn small_angles_from_a_start_in_motion() {
+    macro_rules! same {
+        ($theta0:literal, $velocity0:literal, $omega:literal) => {{
+            pendula::pendulum! {
+                struct Small;
+                theta0 = $theta0, velocity0 = $velocity0, omega = $omega, method = small_angle, t_max = 10,
+                outputs = [theta, velocity]
+            }
+            let p = Pendulum::<f64>::from_state($theta0, $velocity0, $omega).expect("a swing");
+            for t in (-100..=100).map(|i| 0.1 * f64::from(i)) {
+                let (sine, cosine) = (Small::OMEGA * t).sin_cos();
+                let velocity = $velocity0 * cosine - $theta0 * $omega * sine;
+                let (angle, speed) = Small::state(t);
+                let theta = p.small_angle(t);
+                assert!((angle - theta).abs() < 4e-15 && (speed - velocity).abs() < 2e-14, "{t}: {angle} {theta}");
+                assert!((angle - p.theta(t)).abs() <= Small::MAX_ERROR, "{t}");
+                assert!((speed - p.velocity(t)).abs() <= Small::MAX_VELOCITY_ERROR * Small::OMEGA, "{t}");
+            }
+        }};
+    }
+    same!(1.0, 1.0, 1.0);
+    same!(-0.5, 2.0, 3.0);
+    same!(0.7, -0.1, 0.5);
+    same!(0.0, -1.25, 2.0);
+}
+
 /// From these fractions of π on, N = 1, 2, … terms overshoot.
 #[test]
 fn the_limits_of_overshoot() {

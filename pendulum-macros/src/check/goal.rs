@@ -183,8 +183,8 @@ fn gives(method: Method, output: Output) -> bool {
     }
 }
 
-/// Which motions a method describes. Eqs. 3, 17 and 22 are written for release from rest; a swing launched in
-/// mid-motion is the same swing, shifted in phase. The separatrix has no period: one way of computing it is left.
+/// Which motions a method describes. Eqs. 17 and 22 are written for release from rest; a swing launched in mid-motion
+/// is the same swing, shifted in phase. Eq. 3 then is the linearised motion from the same state. The separatrix has no period: one way of computing it is left.
 fn serves(method: Method, regime: &Regime) -> bool {
     match regime {
         Regime::Swing(_) => true,

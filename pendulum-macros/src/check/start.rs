@@ -30,6 +30,10 @@ impl Checker<'_> {
         let velocity0 = self.initial("velocity0", self.request.velocity0.as_ref());
         self.start_is_given()?;
         let (theta0, velocity0) = (theta0?, velocity0?);
+        let request = self.request;
+        if request.misstates("theta0") {
+            return Err(Reported);
+        }
         let [zero, one] = [0, 1].map(|n| self.context.integer(n));
         let theta0 = theta0.unwrap_or_else(|| zero.clone());
         let velocity0 = velocity0.unwrap_or(zero);
@@ -38,6 +42,9 @@ impl Checker<'_> {
         let motion =
             Motion::solve(&theta0, &velocity0, rate).map_err(|why| self.no_motion(why, &theta0, &velocity0))?;
         omega?;
+        if request.misstates("velocity0") {
+            return Err(Reported);
+        }
         self.representable_motion(&motion)?;
         Ok(motion)
     }
@@ -91,6 +98,7 @@ impl Checker<'_> {
                 }
                 Ok(omega)
             }
+            _ if ["omega", "g", "length"].iter().any(|name| request.misstates(name)) => Err(Reported),
             _ => Ok(self.context.integer(1)),
         }
     }
@@ -137,7 +145,7 @@ impl Checker<'_> {
         let degrees = (theta0 * &self.context.ratio(180, 1) / self.context.pi()).to_f64();
         let value = format!("`{blamed}` is {radians:?} rad = {degrees:?}°");
         // A velocity with a mistake was meant as one.
-        let moving = !velocity0.is_zero() || self.request.mentions("velocity0") && velocity.is_none();
+        let moving = !velocity0.is_zero() || self.request.misstates("velocity0");
         let rest = Rest::of(theta0);
         let reduced = rest.shown(angle.is_some_and(|given| given.value.is_in_degrees()));
         let is_plain = angle.is_some_and(|given| given.value.is_plain()) && radians.abs() <= 180.0;
@@ -151,6 +159,7 @@ impl Checker<'_> {
             (why, _) => why,
         };
         let message = match why {
+            NoMotion::Hanging | NoMotion::Balanced if moving => return Reported,
             NoMotion::Hanging if angle.is_some() => {
                 format!("`{blamed}` at rest hangs still: release it at another angle, or push it with `velocity0`")
             }

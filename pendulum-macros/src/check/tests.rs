@@ -202,6 +202,29 @@ fn reports_mistakes_of_every_parameter_together() {
     refused("theta0 = 1, g = 9.81, length = l", &["`l` can't be evaluated"]);
 }
 
+/// What was meant isn't known, and isn't taken for 0 or 1: nothing is said of the motion that would be made by those.
+#[test]
+fn what_depends_on_a_mistake_is_no_other() {
+    for (text, part) in [
+        ("theta0 = 0, velocity = 1", "did you mean `velocity0`"),
+        ("theta0 = 180deg, velocity0 = 1.5rads", "suffix `rads`"),
+        ("theta0 = 180deg, velocity0 = V0", "`V0` can't be evaluated"),
+        ("velocity0 = 0, theta0 = x", "`x` can't be evaluated"),
+        ("velocity0 = 3, theta0 = x, method = harmonic", "`x` can't be evaluated"),
+        ("velocity0 = 3, Omega = 2, method = harmonic", "did you mean `omega`"),
+        ("velocity0 = 3, omega = 2Hz, method = series", "suffix `Hz`"),
+        ("velocity0 = 3, omega = W, n = 4", "`W` can't be evaluated"),
+        ("velocity0 = 3, g = 9.81, len = 0.5, n = 4", "did you mean `length`"),
+        ("theta0 = 1, omga = 1e-3, t_max = 1e18", "did you mean `omega`"),
+        ("theta0 = 0.95π, n = 3, velocity0 = -0.1x", "suffix `x`"),
+    ] {
+        refused(&format!("struct A; {text}"), &[part]);
+    }
+    // Beyond the top it is with any velocity, at any rate.
+    let errors = checked("theta0 = 4, velocity0 = x, omega = y").err().unwrap();
+    assert!(errors.len() == 3 && errors.iter().any(|error| error.contains("beyond the top")), "{errors:#?}");
+}
+
 #[test]
 fn the_regime_is_decided_exactly() {
     let regime = |text: &str| scene(text).motion.regime;

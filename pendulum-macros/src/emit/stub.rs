@@ -15,12 +15,13 @@ pub(crate) struct Stub {
     terms: usize,
 }
 
-/// More coefficients than anyone asks for but by mistake.
+/// So many coefficients as others index where `n` isn't known, or more than anyone asks for but by mistake.
+const UNKNOWN_TERMS: usize = 64;
 const MOST_TERMS: usize = 1000;
 
 impl Stub {
     pub(crate) fn new(request: &Request) -> Self {
-        let terms = request.n.as_ref().map_or(0, |given| given.value).min(MOST_TERMS);
+        let terms = request.n.as_ref().map_or(UNKNOWN_TERMS, |given| given.value).clamp(1, MOST_TERMS);
         Self { shape: request.shape.clone(), float: request.float_meant(), terms }
     }
 
@@ -47,7 +48,9 @@ fn structure(item: &Item, float: Float, terms: usize, scene: Option<&Scene>, err
     let known: Vec<(&str, TokenStream)> = scene.map_or(Vec::new(), constants::of_motion);
     let of_outputs = Output::ALL.iter().map(|&output| Wording::of(output).max_error);
     let others = constants::OF_MOTION.into_iter().filter(|name| !known.iter().any(|(known, _)| known == name));
-    let zero = others.chain(of_outputs).map(|name| format_ident!("{name}"));
+    let ident = |name| format_ident!("{name}");
+    // Other constants' conditions on these, at compile time, mostly want the motion's above 0 and the bounds small.
+    let (positive, zero) = (others.map(ident), of_outputs.map(ident));
     let known = known.iter().map(|(_, constant)| constant);
     let scalars = Output::ALL.iter().filter(|&&output| output != Output::Position);
     let functions = scalars.map(|output| format_ident!("{}", output.word()));
@@ -64,6 +67,7 @@ fn structure(item: &Item, float: Float, terms: usize, scene: Option<&Scene>, err
         #[allow(missing_docs)]
         impl #name {
             #(#known)*
+            #(pub const #positive: #float = 1.0;)*
             #(pub const #zero: #float = 0.0;)*
             pub const METHOD: &'static str = "";
             pub const TERMS: usize = 1;

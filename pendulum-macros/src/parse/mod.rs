@@ -103,6 +103,20 @@ impl Request {
         self.written.iter().any(|written| written.name == name)
     }
 
+    /// Whether the parameter, one of those of the motion, was written with a mistake that has been reported, so that what
+    /// was meant isn't known.
+    pub(crate) fn misstates(&self, name: &str) -> bool {
+        let known = match name {
+            "theta0" => &self.theta0,
+            "velocity0" => &self.velocity0,
+            "omega" => &self.omega,
+            "g" => &self.g,
+            "length" => &self.length,
+            _ => return false,
+        };
+        known.is_none() && self.mentions(name)
+    }
+
     /// Whether something was written that is no parameter, and like none: it may be meant as the one that is missing.
     pub(crate) fn mentions_a_stranger(&self) -> bool {
         self.written.iter().any(|written| !written.is_parameter())

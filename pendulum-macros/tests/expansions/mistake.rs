@@ -30,16 +30,16 @@ pub struct Wrong;
 )]
 #[allow(missing_docs)]
 impl Wrong {
-    pub const THETA0: f64 = 0.0;
-    pub const VELOCITY0: f64 = 0.0;
-    pub const OMEGA: f64 = 0.0;
-    pub const T_MAX: f64 = 0.0;
-    pub const AMPLITUDE: f64 = 0.0;
-    pub const MODULUS: f64 = 0.0;
-    pub const K: f64 = 0.0;
-    pub const K_PRIME: f64 = 0.0;
-    pub const NOME: f64 = 0.0;
-    pub const PERIOD: f64 = 0.0;
+    pub const THETA0: f64 = 1.0;
+    pub const VELOCITY0: f64 = 1.0;
+    pub const OMEGA: f64 = 1.0;
+    pub const T_MAX: f64 = 1.0;
+    pub const AMPLITUDE: f64 = 1.0;
+    pub const MODULUS: f64 = 1.0;
+    pub const K: f64 = 1.0;
+    pub const K_PRIME: f64 = 1.0;
+    pub const NOME: f64 = 1.0;
+    pub const PERIOD: f64 = 1.0;
     pub const MAX_ERROR: f64 = 0.0;
     pub const MAX_VELOCITY_ERROR: f64 = 0.0;
     pub const MAX_ACCELERATION_ERROR: f64 = 0.0;
@@ -48,7 +48,7 @@ impl Wrong {
     pub const METHOD: &'static str = "";
     pub const TERMS: usize = 1;
     pub const OPERATIONS: usize = 1;
-    pub const COEFFICIENTS: [f64; 0usize] = [0.0; 0usize];
+    pub const COEFFICIENTS: [f64; 1usize] = [0.0; 1usize];
     pub const fn theta(_t: f64) -> f64 {
         0.0
     }

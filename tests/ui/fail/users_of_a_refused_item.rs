@@ -20,6 +20,13 @@ pendula::pendulum! {
 }
 const NARROW: f32 = Quoted::theta(1.0);
 
+pendula::pendulum! {
+    struct Unknown;
+    theta0 = 4, n = four
+}
+const FIRST: f64 = Unknown::COEFFICIENTS[0];
+const _: () = assert!(Unknown::PERIOD > 0.0 && Unknown::OMEGA > 0.0 && Unknown::MAX_ERROR < 1e-9);
+
 fn main() {
-    let _ = (SECOND, BOTH, NARROW);
+    let _ = (SECOND, BOTH, NARROW, FIRST);
 }

@@ -3,6 +3,8 @@
 mod sines;
 
 use super::Sum;
+use super::linearised::Departure;
+use crate::exact::Real;
 use crate::parse::Method;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, SwingCurves};
@@ -19,21 +21,28 @@ pub(super) struct Approximate<'a> {
     sum: &'a Sum<'a>,
     /// By how many anchors the phase at this rate comes to differ from the exact one within the horizon.
     drift: f64,
+    /// How the linearised motion departs from the exact one within it, where that is the method.
+    departure: Departure,
     theta: &'a Curve,
 }
 
 impl<'a> Approximate<'a> {
     pub(super) fn new(sum: &'a Sum<'a>, theta: &'a Curve) -> Self {
-        let Sum { scene, swing, rate, .. } = sum;
-        let exact = swing.rate();
-        let horizon = Clock::new(scene, &exact, &swing.launch).reach();
-        let drift = rate.context().float(horizon).map_or(f64::INFINITY, |t| ((rate - &exact).abs() * t).to_f64());
-        Self { sum, drift, theta }
+        let Sum { scene, swing, rate, launch, .. } = sum;
+        let (exact, omega) = (swing.rate(), &scene.motion.omega);
+        let horizon = rate.context().float(Clock::new(scene, &exact, &swing.launch).reach());
+        let until = |t: &Real| ((rate - &exact).abs() * t + (launch - &swing.launch).abs()).to_f64();
+        let drift = horizon.as_ref().map_or(f64::INFINITY, until);
+        let departure = match &horizon {
+            Some(t) if sum.method == Method::SmallAngle => Departure::new(swing, theta, omega, (omega * t).to_f64()),
+            _ => Departure::ANY,
+        };
+        Self { sum, drift, departure, theta }
     }
 
     /// sup |θ̂ − θ| over the horizon, or by how much θ̂ exceeds the amplitude beyond it, if that is more.
     pub(super) fn angle(&self) -> f64 {
-        let everywhere = self.everywhere();
+        let everywhere = self.everywhere().min(self.departure.angle);
         let Some(distances) = self.met() else { return everywhere };
         let within = self.within(distances);
         everywhere.min(within.max(self.excess(within)) * INFLATION_OF_SUMS)
@@ -41,7 +50,7 @@ impl<'a> Approximate<'a> {
 
     /// sup |θ̂′ − θ̇| over the horizon, in rad per unit of t.
     pub(super) fn velocity(&self) -> f64 {
-        let &Self { theta, sum: Sum { scene, swing, method, rate, weights, .. }, drift } = self;
+        let &Self { theta, sum: Sum { scene, swing, method, rate, weights, .. }, drift, departure } = self;
         let (ours, exact) = (Cosines::odd(weights), Cosines::of(theta.terms()));
         let (rate, exact_rate) = (rate.to_f64(), swing.rate().to_f64());
         if theta.terms().len() > MOST_TERMS {
@@ -59,7 +68,8 @@ impl<'a> Approximate<'a> {
             faster => faster * supremum(met, |low, high| ours.over(low, high).largest(1)),
         };
         let shifted = (exact.magnitude(2) * drift).min(2.0 * exact.magnitude(1));
-        ((at_same_phase + shifted) * exact_rate + faster) * INFLATION_OF_SUMS
+        let compared = ((at_same_phase + shifted) * exact_rate + faster) * INFLATION_OF_SUMS;
+        compared.min(departure.velocity * scene.motion.omega.to_f64() * INFLATION_OF_SUMS)
     }
 
     /// How far −ω² sin θ̂ by the paper's formula, or otherwise θ̂″, is from θ̈ over the horizon at most, in rad per unit of
@@ -70,7 +80,8 @@ impl<'a> Approximate<'a> {
         if method != Method::Fourier {
             let bent = Sum::of_weights(scene, swing, method, rate.clone(), self.sum.bends());
             let theta = SwingCurves::new(swing, omega).acceleration();
-            return Approximate { sum: &bent, theta: &theta, ..*self }.at_most();
+            let compared = Approximate { sum: &bent, theta: &theta, ..*self }.at_most();
+            return compared.min(self.departure.acceleration * omega.square().to_f64() * INFLATION_OF_SUMS);
         }
         let by_angle = self.everywhere();
         let apart = if self.theta.terms().len() > MOST_TERMS {

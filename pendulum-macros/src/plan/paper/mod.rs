@@ -2,6 +2,7 @@
 
 mod bias;
 mod count;
+mod linearised;
 mod parts;
 mod series_in_pieces;
 mod whole;
@@ -20,6 +21,7 @@ use crate::supremum::worst;
 use bias::MOST_TERMS;
 pub(super) use count::planned;
 use count::{MORE, MOST_CHOSEN, fewest, fewest_of_series};
+use linearised::Linearised;
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 
@@ -79,8 +81,9 @@ struct Sum<'a> {
     scene: &'a Scene,
     swing: &'a Swing,
     method: Method,
-    /// Anchors per unit of time: of the small-angle motion where that is the method.
+    /// Anchors per unit of time, and their number at t = 0: of the linearised motion where that is the method.
     rate: Real,
+    launch: Real,
     /// Of cos((2n−1)πs).
     weights: Vec<Double>,
     /// b₂ₙ₋₁, where the weights are those of k sn.
@@ -102,13 +105,16 @@ impl<'a> Sum<'a> {
 
     /// The amplitude times a cosine.
     fn of_one(scene: &'a Scene, swing: &'a Swing, method: Method) -> Self {
-        let of_small_angles = || scene.motion.omega.clone().settled() / Context::settled().pi();
-        let rate = if method == Method::SmallAngle { of_small_angles() } else { swing.rate() };
-        Self::of_weights(scene, swing, method, rate, vec![swing.amplitude.to_double()])
+        if method != Method::SmallAngle {
+            return Self::of_weights(scene, swing, method, swing.rate(), vec![swing.amplitude.to_double()]);
+        }
+        let Linearised { amplitude, launch } = Linearised::new(&scene.motion, swing);
+        let rate = scene.motion.omega.clone().settled() / Context::settled().pi();
+        Self { launch, ..Self::of_weights(scene, swing, method, rate, vec![amplitude.to_double()]) }
     }
 
     fn of_weights(scene: &'a Scene, swing: &'a Swing, method: Method, rate: Real, weights: Vec<Double>) -> Self {
-        Self { scene, swing, method, rate, weights, coefficients: Vec::new() }
+        Self { scene, swing, method, rate, launch: swing.launch.clone(), weights, coefficients: Vec::new() }
     }
 
     /// n terms k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
@@ -132,7 +138,7 @@ impl<'a> Sum<'a> {
 
     /// What of our phase a short horizon meets.
     fn met(&self) -> Option<Met> {
-        Met::within(self.scene, &self.rate, &self.swing.launch)
+        Met::within(self.scene, &self.rate, &self.launch)
     }
 
     /// The weights of the sum's derivative, a sum of sines: −wₙ(2n − 1)π·rate.
@@ -214,8 +220,8 @@ impl Sum<'_> {
     fn reductions(&self) -> Vec<Reduction> {
         let &Self { scene, swing, .. } = self;
         let met = self.met();
-        let most = met.map_or(f64::INFINITY, |met| met.wrong(&swing.launch, scene));
-        let reductions = Clock::new(scene, &self.rate, &swing.launch).of_swing(swing).into_iter();
+        let most = met.map_or(f64::INFINITY, |met| met.wrong(&self.launch, scene));
+        let reductions = Clock::new(scene, &self.rate, &self.launch).of_swing(swing).into_iter();
         let fine = reductions.filter(|reduction| reduction.error + 0.5 * reduction.relative_error <= most);
         let mut reductions: Vec<Reduction> =
             fine.map(|reduction| reduction.reaching(met.and_then(Met::reach))).collect();

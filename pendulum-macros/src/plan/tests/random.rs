@@ -187,7 +187,11 @@ fn moments_of_the_paper() {
             "struct A; theta0 = {theta0:.4}{launch}, tol = {tol:.2e}, t_max = {t_max:.4}, method = {method}, float = {float}, \
              outputs = [{output}]"
         );
-        ratios.extend(tightness_within_range(&text, &mut random, 5, 0.02).map(|ratio| (ratio, text)));
+        let ratio = tightness_within_range(&text, &mut random, 5, 0.02);
+        // Eq. 3 of a moment may be wrong by roundings alone, a hundredth of what it is allowed, and they aren't at their worst.
+        let of_roundings =
+            method == "small_angle" && planned(&text).is_some_and(|(_, plan)| plan.parts[0].bound.total() < tol / 64.0);
+        ratios.extend(ratio.filter(|_| !of_roundings).map(|ratio| (ratio, text)));
     }
     ratios.sort_by(|a, b| b.0.total_cmp(&a.0));
     assert!(ratios.len() > 20 && ratios[0].0 <= 4.0, "{} scenes, {:?}", ratios.len(), &ratios[..3]);
