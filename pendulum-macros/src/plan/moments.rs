@@ -8,6 +8,7 @@
 use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::series::Wave;
+use crate::supremum::larger;
 
 /// Of θ, θ̇/ω and θ̈/ω².
 #[derive(Clone, Copy, Debug)]
@@ -39,11 +40,11 @@ impl Moments {
             let here = speed(z);
             let (slow, fast) = (here - SLACK * fastest, before + SLACK * fastest);
             let [high, low] = [slow.max(0.0), fast].map(|v| height(v, fastest));
-            let sine = if low <= 1.0 && high >= 1.0 { 1.0 } else { sine(low).max(sine(high)) };
-            let cosine = (1.0 - low).abs().max((1.0 - high).abs());
+            let sine = if low <= 1.0 && high >= 1.0 { 1.0 } else { larger(sine(low), sine(high)) };
+            let cosine = larger((1.0 - low).abs(), (1.0 - high).abs());
             let steepest = [fast, sine, cosine * fast];
             for (moment, steepest) in moments.iter_mut().zip(steepest) {
-                *moment = moment.max(z * steepest / rate);
+                *moment = larger(*moment, z * steepest / rate);
             }
             before = here;
         }

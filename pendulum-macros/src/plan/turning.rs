@@ -5,6 +5,7 @@ use super::variables::Variables;
 use crate::parse::Float;
 use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
+use crate::supremum::larger;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -38,7 +39,7 @@ impl Finish {
         match self {
             Self::Nothing | Self::Turning(_) => angle,
             // It leads away from no angle but one between the largest number that it may be and the top.
-            Self::Within { largest } => angle.max(beyond_largest_number(*largest, float)),
+            Self::Within { largest } => larger(angle, beyond_largest_number(*largest, float)),
             Self::Wrapped => angle + rounding_modulo(float),
         }
     }

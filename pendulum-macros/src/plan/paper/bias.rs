@@ -11,7 +11,7 @@ use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::met::Met;
 use crate::plan::reduction::Clock;
 use crate::program::rounding::INFLATION_OF_SUMS;
-use crate::supremum::{Halving, by_halves};
+use crate::supremum::{Halving, by_halves, larger};
 use pendulum_runtime::double::Double;
 use sines::Sines;
 use std::f64::consts::PI;
@@ -153,8 +153,9 @@ impl<'a> Approximate<'a> {
         let (ours, amplitude) = (Cosines::odd(weights), swing.amplitude.to_f64());
         let over = |low: f64, high: f64| {
             let sum = ours.over(low, high).largest(0);
-            let angle = if *method == Method::Fourier { 2.0 * libm::asin(sum.min(1.0)) } else { sum };
-            (angle - amplitude).max(0.0)
+            let angle =
+                if *method == Method::Fourier { 2.0 * libm::asin(if sum > 1.0 { 1.0 } else { sum }) } else { sum };
+            larger(angle - amplitude, 0.0)
         };
         let halving =
             Halving { cells: CELLS, slices: CELLS, most: MOST_HALVED, least: error / 64.0, cap: f64::INFINITY };

@@ -55,8 +55,10 @@ impl Trial {
             assert_eq!((bits as i64 - residue) % modulus, 0, "{count}: {}", about());
             let off = (number - real(count)).abs().to_f64();
             // The multiple of 8 and the rest, and where numbers don't begin with 0 the first besides.
-            let sums = if self.reduction.first_number() == 0.0 { 1.0 } else { 2.0 };
-            let rounded = (count.abs() * self.reduction.pieces * 2f64.powi(-53)).floor() / self.reduction.pieces;
+            let first = self.reduction.first_number();
+            let sums = if first == 0.0 { 1.0 } else { 2.0 };
+            let rounded =
+                ((count.abs() + first.abs()) * self.reduction.pieces * 2f64.powi(-53)).floor() / self.reduction.pieces;
             assert!(off <= sums * rounded, "{off}, {count}: {}", about());
         }
         self.worst = self.worst.max(error / promised);

@@ -18,6 +18,7 @@ use crate::plan::kernel::{Core, Kernel};
 use crate::plan::pieces::{Piecewise, half, phase};
 use crate::plan::reduction::Reduction;
 use crate::series::Wave;
+use crate::supremum::larger;
 use pendulum_runtime::double::Double;
 
 /// The numbers of pieces of half a period that are tried.
@@ -46,7 +47,7 @@ fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
         let piece = Piece { sum, pieces, index };
         let values: Option<Vec<Double>> = table.points().map(|u| twice_arcsine(sum.at(piece.phase(u)))).collect();
         let own = table.coefficients(&values?);
-        residual = residual.max(piece.residual(&own, negligible)?);
+        residual = larger(residual, piece.residual(&own, negligible)?);
         series.push(own);
     }
     let error = of_residual(sum, residual)?;
