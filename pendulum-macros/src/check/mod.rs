@@ -39,7 +39,7 @@ pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
             (method, t_max, outputs)
         }
         // Whether the argument of the arcsine in Eq. 22 exceeds 1 depends on none of these.
-        _ if matches!(goal, Goal::Terms(_)) && request.float_is_understood() => (None, None, vec![Output::Theta]),
+        _ if matches!(goal, Goal::Terms(_)) && !request.misstates("float") => (None, None, vec![Output::Theta]),
         _ => return None,
     };
     let (source, blame, float) = (source::of(&request), blame(&request), request.float());

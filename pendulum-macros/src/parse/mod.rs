@@ -46,6 +46,8 @@ pub(crate) struct Written {
     name: String,
     /// Whether it is that name.
     exact: bool,
+    /// Whether there was no mistake in it.
+    understood: bool,
     value: TokenStream,
 }
 
@@ -103,18 +105,9 @@ impl Request {
         self.written.iter().any(|written| written.name == name)
     }
 
-    /// Whether the parameter, one of those of the motion, was written with a mistake that has been reported, so that what
-    /// was meant isn't known.
+    /// Whether the parameter was written, but with a mistake, which has been reported: what was meant isn't known.
     pub(crate) fn misstates(&self, name: &str) -> bool {
-        let known = match name {
-            "theta0" => &self.theta0,
-            "velocity0" => &self.velocity0,
-            "omega" => &self.omega,
-            "g" => &self.g,
-            "length" => &self.length,
-            _ => return false,
-        };
-        known.is_none() && self.mentions(name)
+        self.mentions(name) && !self.written.iter().any(|written| written.name == name && written.understood)
     }
 
     /// Whether something was written that is no parameter, and like none: it may be meant as the one that is missing.
@@ -122,17 +115,9 @@ impl Request {
         self.written.iter().any(|written| !written.is_parameter())
     }
 
-    /// Whether every parameter that was written, but for words that are none, has its value, once.
+    /// Whether there was no mistake in the parameters that were written, but for words that are none.
     pub(crate) fn is_understood(&self) -> bool {
-        let numbers = [&self.theta0, &self.velocity0, &self.omega, &self.g, &self.length, &self.tol, &self.t_max];
-        let words = [self.n.is_some(), self.method.is_some(), self.float.is_some(), self.outputs.is_some()];
-        let valued = numbers.into_iter().flatten().count() + words.into_iter().filter(|&given| given).count();
-        self.written.iter().filter(|written| written.is_parameter()).count() == valued
-    }
-
-    /// Whether what was said of the type, if anything was, could be read.
-    pub(crate) fn float_is_understood(&self) -> bool {
-        self.float.is_some() || !self.mentions("float")
+        self.written.iter().filter(|written| written.is_parameter()).all(|written| written.understood)
     }
 
     /// The type of t and of the results.
@@ -162,7 +147,7 @@ impl Request {
                 report.add(self.as_an_output(&tokens).unwrap_or(error));
                 // `theta0` without a value is a mistake of its own, not a missing `theta0`.
                 let name = first_word(&tokens).map(|word| canonical(&word).to_owned());
-                self.written.extend(name.map(|name| Written { name, exact: false, value: tokens }));
+                self.written.extend(name.map(|name| Written { name, exact: false, understood: false, value: tokens }));
             }
         }
     }
@@ -182,14 +167,16 @@ impl Request {
     fn set(&mut self, name: &Ident, value: TokenStream, report: &mut Report) {
         let word = name.to_string();
         let known = ascii(&word);
-        if let Some(before) = self.written.iter().find(|written| written.exact && written.name == known) {
+        let before = self.written.iter().find(|written| written.exact && written.name == known);
+        let is_first = before.is_none();
+        if let Some(before) = before {
             let [before, now] = [&before.value, &value].map(source::value);
             let alias = if word == known { String::new() } else { format!(", that is `{known}`,") };
             report.at(name.span(), format!("`{word}`{alias} is given twice, `{before}` and `{now}`: keep one"));
         }
-        let exact = is_a_parameter(known);
-        self.written.push(Written { name: canonical(&word).to_owned(), exact, value: value.clone() });
-        report.take(self.fill(name, value));
+        let filled = report.take(self.fill(name, value.clone())).is_some();
+        let (name, exact) = (canonical(&word).to_owned(), is_a_parameter(known));
+        self.written.push(Written { name, exact, understood: filled && is_first, value });
     }
 
     /// Reads the value into its field, whatever was there: the checks to come speak of the last one.
