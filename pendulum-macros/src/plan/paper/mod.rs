@@ -11,7 +11,7 @@ use super::aim::FULL;
 use super::curve::{Curve, Curves, SwingCurves};
 use super::met::Met;
 use super::observed::{BY_RECURRENCE, observed};
-use super::reduction::{Clock, Reduction};
+use super::reduction::{Clock, Origin, Reduction};
 use super::{Part, Plan, Refusal};
 use crate::exact::{Context, Real};
 use crate::motion::{Swing, direction};
@@ -270,9 +270,13 @@ impl Sum<'_> {
             if found.is_some() && !(reduction.has_pieces() && wanted.iter().any(Wanted::has_pieces)) {
                 continue;
             }
-            // Nor where the phase alone is too wrong, or where all else was with another phase from the same origin.
+            // Nor where the phase alone is too wrong, or where all else was with another phase from the same origin, if need
+            // be in the same unit.
             let lost = |wanted: &Wanted| wanted.phase_error(reduction) > self.promise(wanted);
-            if wanted.iter().any(lost) || hopeless.contains(&reduction.origin) {
+            let alike = |&(origin, unit): &(Origin, Option<Double>)| {
+                origin == reduction.origin && unit.is_none_or(|unit| unit == reduction.unit)
+            };
+            if wanted.iter().any(lost) || hopeless.iter().any(alike) {
                 continue;
             }
             let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(wanted, reduction)).collect();
@@ -282,7 +286,9 @@ impl Sum<'_> {
                 part.bound.truncation + part.bound.evaluation > self.promise(wanted) && !wanted.is_whole()
             };
             if each().any(is_lost) {
-                hopeless.push(reduction.origin);
+                // What overflows in units far from 1 doesn't in anchors.
+                let overflows = parts.iter().any(|part| part.bound.evaluation.is_infinite());
+                hopeless.push((reduction.origin, overflows.then_some(reduction.unit)));
             }
             let is_kept = |(part, wanted): (&Part, &Wanted)| part.bound.total() <= self.promise(wanted);
             if each().all(is_kept) && parts.iter().all(|part| is_useful(part, self.scene)) {

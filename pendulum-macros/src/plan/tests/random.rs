@@ -343,6 +343,7 @@ fn far_units_that_over_or_underflow() {
         "theta0 = 0.063, omega = 1e-259, outputs = [velocity], t_max = 80 / 1e-259, method = series",
         "theta0 = 1.113935, omega = 1e265, outputs = [velocity], tol = 8e-5, t_max = 3e5 / 1e265, method = series",
         "theta0 = π - 1.026848e-4, omega = 1e290, outputs = [velocity], method = series",
+        "theta0 = 2, omega = 2.5e39, outputs = [velocity], tol = 1e-5, t_max = 8e4 / 2.5e39, method = fourier",
         "velocity0 = 2.0354e-177, omega = 1e-177, outputs = [velocity], tol = 1.464e-6",
         "theta0 = 0.463415, velocity0 = 2.45e-112, omega = 1e-112, outputs = [acceleration], t_max = 5e5 / 1e-112",
         "velocity0 = (2 + 1e-9)*1e-153, omega = 1e-153, outputs = [acceleration], t_max = 9.1481786451e5 / 1e-153",
@@ -353,6 +354,49 @@ fn far_units_that_over_or_underflow() {
         largest_error(&text, &scene, &plan, &mut random, 10);
         assert!(plan.functions[0].program.run(f64::MAX)[0].is_finite(), "{text}");
     }
+}
+
+/// What is promised of a motion is in units of ω: a scene that is planned at ω = 1 is at any other rate, but for the largest
+/// and the least floats.
+#[test]
+fn far_units_refuse_nothing_more() {
+    assert!(refused_in_far_units_alone(setting("PENDULA_SCENES", 30), setting("PENDULA_FUZZ_SEED", 5)) > 10);
+}
+
+/// How many of so many scenes are planned at both rates.
+fn refused_in_far_units_alone(scenes: u64, seed: u64) -> u32 {
+    let mut random = Random::new(seed);
+    let mut both = 0;
+    for _ in 0..scenes {
+        let (float, most) = random.choose(&[("f64", 100.0), ("f32", 12.0)]);
+        let power = (most * (2.0 * random.unit() - 1.0)).round();
+        let below = 10f64.powf(-9.0 * random.unit());
+        let start = random.choose(&["theta0", "velocity0", "both"]);
+        let (theta0, speed) = match start {
+            "theta0" => (format!("π - {below:.3e}"), 0.0),
+            "velocity0" => ("0".to_owned(), 2.0 + below * random.choose(&[1.0, -1.0])),
+            _ => (format!("{:.3}", 2.0 * random.unit()), 0.8 * random.unit()),
+        };
+        let method = random.choose(&["", "", ", method = fourier", ", method = series", ", method = polynomial"]);
+        let outputs =
+            random.choose(&["theta", "velocity", "acceleration", "theta, velocity", "velocity, acceleration"]);
+        let finest = if float == "f32" { 6.0 } else { 15.0 };
+        let tol = 10f64.powf(-finest * random.unit());
+        let span = 10f64.powf(9.0 * random.unit() - 3.0);
+        let at = |omega: &str| {
+            format!(
+                "struct A; theta0 = {theta0}, velocity0 = {speed:?}*{omega}, omega = {omega}, tol = {tol:.2e}, \
+                 t_max = {span:.3e}/{omega}, float = {float}, outputs = [{outputs}]{method}"
+            )
+        };
+        let far = at(&format!("1e{power}"));
+        match (planned(&at("1")).is_some(), planned(&far).is_some()) {
+            (true, true) => both += 1,
+            (true, false) => panic!("{far} is refused"),
+            _ => {}
+        }
+    }
+    both
 }
 
 /// Where few anchors fit below the largest float, or what words leave of a rate is below the smallest, a plan is refused
