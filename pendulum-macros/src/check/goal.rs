@@ -127,6 +127,9 @@ impl Checker<'_> {
                 Err(self.refuse(&given.tokens, message))
             }
             _ if method == Method::Fourier && !self.request.mentions("n") && !self.request.mentions("tol") => {
+                if self.request.mentions_a_stranger() {
+                    return Err(Reported);
+                }
                 let message = needed_by_fourier(regime, self.request.float());
                 Err(self.refuse(&given.tokens, message))
             }
@@ -184,7 +187,8 @@ fn gives(method: Method, output: Output) -> bool {
 }
 
 /// Which motions a method describes. Eqs. 17 and 22 are written for release from rest; a swing launched in mid-motion
-/// is the same swing, shifted in phase. Eq. 3 then is the linearised motion from the same state. The separatrix has no period: one way of computing it is left.
+/// is the same swing, shifted in phase. Eq. 3 then is the linearised motion from the same state. The separatrix has no
+/// period: one way of computing it is left.
 fn serves(method: Method, regime: &Regime) -> bool {
     match regime {
         Regime::Swing(_) => true,

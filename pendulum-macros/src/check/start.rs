@@ -106,6 +106,9 @@ impl Checker<'_> {
     /// ω is given once: beside `g` and `length` it is `omega` that is one too many, beside one of them that one.
     fn one_source_of_omega(&mut self) -> Checked<()> {
         let request = self.request;
+        if request.misstates("omega") {
+            return Err(Reported);
+        }
         let mentioned = |name| request.mentions(name);
         match (&request.omega, &request.g, &request.length) {
             (Some(omega), Some(_), Some(_)) => {
@@ -144,8 +147,8 @@ impl Checker<'_> {
         let radians = theta0.to_f64();
         let degrees = (theta0 * &self.context.ratio(180, 1) / self.context.pi()).to_f64();
         let value = format!("`{blamed}` is {radians:?} rad = {degrees:?}°");
-        // A velocity with a mistake was meant as one.
-        let moving = !velocity0.is_zero() || self.request.misstates("velocity0");
+        // A velocity with a mistake was meant as one, and so may be what is no parameter.
+        let moving = !velocity0.is_zero() || self.request.may_mean("velocity0");
         let rest = Rest::of(theta0);
         let reduced = rest.shown(angle.is_some_and(|given| given.value.is_in_degrees()));
         let is_plain = angle.is_some_and(|given| given.value.is_plain()) && radians.abs() <= 180.0;

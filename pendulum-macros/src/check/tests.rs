@@ -217,6 +217,15 @@ fn what_depends_on_a_mistake_is_no_other() {
         ("velocity0 = 3, g = 9.81, len = 0.5, n = 4", "did you mean `length`"),
         ("theta0 = 1, omga = 1e-3, t_max = 1e18", "did you mean `omega`"),
         ("theta0 = 0.95π, n = 3, velocity0 = -0.1x", "suffix `x`"),
+        ("theta0 = π, theta_dot = 1", "did you mean `velocity0`"),
+        ("theta0 = 0, dtheta0 = 1", "did you mean `velocity0`"),
+        ("theta0 = 0, push = 1", "unknown parameter `push`"),
+        ("velocity0 = 3, rate = 2, n = 4", "did you mean `omega`"),
+        ("velocity0 = 3, freq = 2, n = 4", "did you mean `omega = 2π*freq`"),
+        ("theta0 = 1, method = fourier, order = 4", "did you mean `n`"),
+        ("theta0 = 1, method = fourier, max_error = 1e-4", "did you mean `tol`"),
+        ("theta0 = 1, method = fourier, digits = 4", "unknown parameter `digits`"),
+        ("theta0 = 1, g = 9.81, length = 1, period = 2", "did you mean `omega = 2π/period`"),
     ] {
         refused(&format!("struct A; {text}"), &[part]);
     }

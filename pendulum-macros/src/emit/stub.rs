@@ -11,17 +11,16 @@ use quote::{format_ident, quote};
 pub(crate) struct Stub {
     shape: Shape,
     float: Float,
-    /// The number of coefficients.
-    terms: usize,
+    /// The number of coefficients, if it is known.
+    terms: Option<usize>,
 }
 
-/// So many coefficients as others index where `n` isn't known, or more than anyone asks for but by mistake.
-const UNKNOWN_TERMS: usize = 64;
+/// More coefficients than anyone asks for but by mistake.
 const MOST_TERMS: usize = 1000;
 
 impl Stub {
     pub(crate) fn new(request: &Request) -> Self {
-        let terms = request.n.as_ref().map_or(UNKNOWN_TERMS, |given| given.value).clamp(1, MOST_TERMS);
+        let terms = request.n.as_ref().map(|given| given.value).filter(|&n| n <= MOST_TERMS);
         Self { shape: request.shape.clone(), float: request.float_meant(), terms }
     }
 
@@ -43,21 +42,27 @@ fn anywhere(errors: &[TokenStream]) -> TokenStream {
     }
 }
 
-fn structure(item: &Item, float: Float, terms: usize, scene: Option<&Scene>, errors: &[TokenStream]) -> TokenStream {
+/// What the stub doesn't know is of one constant, which has the errors in it: of what depends on that the compiler says
+/// nothing more, whether it is a condition, an index or the end of a loop.
+fn structure(
+    item: &Item,
+    float: Float,
+    terms: Option<usize>,
+    scene: Option<&Scene>,
+    errors: &[TokenStream],
+) -> TokenStream {
     let Item { attributes, visibility, name } = item;
     let known: Vec<(&str, TokenStream)> = scene.map_or(Vec::new(), constants::of_motion);
     let of_outputs = Output::ALL.iter().map(|&output| Wording::of(output).max_error);
     let others = constants::OF_MOTION.into_iter().filter(|name| !known.iter().any(|(known, _)| known == name));
-    let ident = |name| format_ident!("{name}");
-    // Other constants' conditions on these, at compile time, mostly want the motion's above 0 and the bounds small.
-    let (positive, zero) = (others.map(ident), of_outputs.map(ident));
+    let unknown = others.chain(of_outputs).map(|name| format_ident!("{name}"));
     let known = known.iter().map(|(_, constant)| constant);
     let scalars = Output::ALL.iter().filter(|&&output| output != Output::Position);
     let functions = scalars.map(|output| format_ident!("{}", output.word()));
+    let terms = terms.map_or_else(|| quote!({ Self::REFUSED as usize }), |terms| quote!(#terms));
     let allowed = allowed();
     let conditions = conditions(attributes);
     quote! {
-        #(#errors)*
         #(#attributes)*
         #[doc = ""]
         #visibility struct #name;
@@ -66,16 +71,16 @@ fn structure(item: &Item, float: Float, terms: usize, scene: Option<&Scene>, err
         #allowed
         #[allow(missing_docs)]
         impl #name {
+            const REFUSED: #float = { #(#errors)* 1.0 };
             #(#known)*
-            #(pub const #positive: #float = 1.0;)*
-            #(pub const #zero: #float = 0.0;)*
-            pub const METHOD: &'static str = "";
-            pub const TERMS: usize = 1;
-            pub const OPERATIONS: usize = 1;
-            pub const COEFFICIENTS: [#float; #terms] = [0.0; #terms];
-            #(pub const fn #functions(_t: #float) -> #float { 0.0 })*
-            pub const fn position(_t: #float) -> (#float, #float) { (0.0, 0.0) }
-            pub const fn state(_t: #float) -> (#float, #float) { (0.0, 0.0) }
+            #(pub const #unknown: #float = Self::REFUSED;)*
+            pub const METHOD: &'static str = { let _ = Self::REFUSED; "" };
+            pub const TERMS: usize = Self::REFUSED as usize;
+            pub const OPERATIONS: usize = Self::REFUSED as usize;
+            pub const COEFFICIENTS: [#float; #terms] = [Self::REFUSED; #terms];
+            #(pub const fn #functions(_t: #float) -> #float { Self::REFUSED })*
+            pub const fn position(_t: #float) -> (#float, #float) { (Self::REFUSED, Self::REFUSED) }
+            pub const fn state(_t: #float) -> (#float, #float) { (Self::REFUSED, Self::REFUSED) }
         }
     }
 }

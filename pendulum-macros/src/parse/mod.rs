@@ -110,6 +110,11 @@ impl Request {
         self.mentions(name) && !self.written.iter().any(|written| written.name == name && written.understood)
     }
 
+    /// Whether that parameter may have been meant by something that was written with a mistake.
+    pub(crate) fn may_mean(&self, name: &str) -> bool {
+        self.misstates(name) || !self.mentions(name) && self.mentions_a_stranger()
+    }
+
     /// Whether something was written that is no parameter, and like none: it may be meant as the one that is missing.
     pub(crate) fn mentions_a_stranger(&self) -> bool {
         self.written.iter().any(|written| !written.is_parameter())

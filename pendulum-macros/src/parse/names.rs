@@ -9,12 +9,31 @@ const PARAMETERS: [&str; 11] =
 /// What parameters are called elsewhere, in lower case.
 const SYNONYMS: [(&str, &[&str]); 9] = [
     ("theta0", &["θ", "θ_0", "angle", "angle0", "amplitude"]),
-    ("velocity0", &["v", "v0", "vel", "speed"]),
-    ("omega", &["w", "ω", "ω0", "ω_0", "frequency", "period"]),
+    (
+        "velocity0",
+        &[
+            "v",
+            "v0",
+            "vel",
+            "speed",
+            "initial_velocity",
+            "theta_dot",
+            "thetadot",
+            "theta_dot0",
+            "dtheta",
+            "dtheta0",
+            "θ̇",
+            "θ̇0",
+        ],
+    ),
+    (
+        "omega",
+        &["w", "w0", "ω", "ω0", "ω_0", "rate", "angular_frequency", "freq", "frequency", "f", "f0", "hz", "period"],
+    ),
     ("g", &["gravity"]),
     ("length", &["l", "ℓ", "ell", "len"]),
-    ("n", &["terms"]),
-    ("tol", &["tolerance", "eps", "epsilon", "error"]),
+    ("n", &["terms", "nterms", "n_terms", "order", "degree", "harmonics"]),
+    ("tol", &["tolerance", "tolerence", "accuracy", "eps", "epsilon", "err", "error", "max_error"]),
     ("t_max", &["t", "t_end", "time", "duration", "horizon"]),
     ("float", &["type", "precision"]),
 ];
@@ -55,7 +74,7 @@ pub(super) fn unknown_parameter(name: &str) -> String {
         (inverse @ "period", _) => {
             format!("unknown parameter `{name}`: did you mean `omega = 2π/{inverse}`, of small oscillations?")
         }
-        (direct @ "frequency", _) => {
+        (direct @ ("f" | "f0" | "hz" | "freq" | "frequency"), _) => {
             format!("unknown parameter `{name}`: did you mean `omega = 2π*{direct}`, of small oscillations?")
         }
         ("precision", _) => {

@@ -25,8 +25,17 @@ pendula::pendulum! {
     theta0 = 4, n = four
 }
 const FIRST: f64 = Unknown::COEFFICIENTS[0];
-const _: () = assert!(Unknown::PERIOD > 0.0 && Unknown::OMEGA > 0.0 && Unknown::MAX_ERROR < 1e-9);
+const _: () = assert!(Unknown::PERIOD > 6.0 && Unknown::MODULUS < 1.0 && Unknown::MAX_ERROR > 0.0);
+const AT: f64 = {
+    let mut t = 0.0;
+    while Unknown::theta(t) >= 0.0 {
+        t += 0.01;
+    }
+    t
+};
+const LETTER: u8 = Unknown::METHOD.as_bytes()[0];
+static TABLE: [f64; Unknown::TERMS] = Unknown::COEFFICIENTS;
 
 fn main() {
-    let _ = (SECOND, BOTH, NARROW, FIRST);
+    let _ = (SECOND, BOTH, NARROW, FIRST, AT, LETTER, &TABLE);
 }

@@ -50,18 +50,19 @@ impl Departure {
 
     /// Over so much of ωt to either side of the start; of more than some periods the integrals say little.
     pub(super) fn new(swing: &Swing, theta: &Curve, omega: &Real, x: f64) -> Self {
-        let known = x <= MOST_RADIANS && theta.terms().len() <= MOST_TERMS;
-        if !known {
+        if x > MOST_RADIANS {
             return Self::ANY;
         }
-        let cosines = Cosines::of(theta.terms());
+        // So near the top that θ has many harmonics it stays there.
+        let few = theta.terms().len() <= MOST_TERMS;
+        let cosines = Cosines::of(if few { theta.terms() } else { &[] });
         let [launch, step] = [swing.launch.to_f64(), (swing.rate() / omega).to_f64() * x / f64::from(SLICES)];
         let largest = swing.amplitude.to_f64() * (1.0 + f64::EPSILON);
         let [onwards, back] = [step, -step].map(|step| {
             let slice = |index: u32| {
                 let at = |index: u32| launch + step * f64::from(index);
-                let angle = cosines.over(at(index), at(index + 1)).largest(0) + theta.omitted();
-                excess_of_arc(angle.min(largest))
+                let angle = || cosines.over(at(index), at(index + 1)).largest(0) + theta.omitted();
+                excess_of_arc(if few { angle().min(largest) } else { largest })
             };
             Self::through((0..SLICES).map(slice), x / f64::from(SLICES))
         });

@@ -4,6 +4,7 @@ use crate::plan::curve::{Curves, SwingCurves};
 use crate::plan::tests::scene;
 use crate::scene::Scene;
 use pendulum_runtime::Pendulum;
+use std::f64::consts::PI;
 
 fn swing(scene: &Scene) -> &Swing {
     let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
@@ -79,4 +80,18 @@ fn departures_of_moments() {
     assert!(known <= bound(0.01) && bound(0.01) <= 1.2 * known, "{:e} {known:e}", bound(0.01));
     assert!(bound(1e-100) < 1e-200 && bound(9.9) < f64::INFINITY);
     assert_eq!(bound(10.1), f64::INFINITY);
+}
+
+/// At the top it is π(1 − cos ωt).
+#[test]
+fn departures_at_the_top() {
+    for start in ["theta0 = π - 1e-20", "theta0 = π - 1e-30, velocity0 = 1e-31"] {
+        let scene = scene(start);
+        let (swing, omega) = (swing(&scene), &scene.motion.omega);
+        let theta = SwingCurves::new(swing, omega).angle();
+        for x in [1e-6_f64, 0.1, 1.0] {
+            let (bound, known) = (Departure::new(swing, &theta, omega, x).angle, PI * 2.0 * (0.5 * x).sin().powi(2));
+            assert!(known * (1.0 - 1e-12) <= bound && bound <= 1.001 * known, "{start} {x}: {bound:e} {known:e}");
+        }
+    }
 }
