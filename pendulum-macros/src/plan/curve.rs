@@ -9,6 +9,7 @@ use crate::plan::reduction::{Origin, Reduction};
 use crate::program::rounding::INFLATION;
 use crate::series::{Parity, Wave};
 use pendulum_runtime::double::Double;
+use pendulum_runtime::elliptic::Jacobi;
 use std::cell::OnceCell;
 
 /// A function of the phase s (in anchors) between two anchors, or over an [`Arc`].
@@ -272,8 +273,15 @@ impl<'a> SwingCurves<'a> {
     }
 
     fn moments(&self) -> &Moments {
-        let slope = || Wave::swing(self.swing, 1, Double::ONE, Double::ONE);
-        self.moments.get_or_init(|| Moments::new(&slope(), self.rate().hi, 2.0 * self.modulus()))
+        let (rate, fastest) = (self.rate().hi, 2.0 * self.modulus());
+        // θ̇/ω = 2k cn: of some hundreds of harmonics the series takes far longer.
+        let cosine = |jacobi: Jacobi| Moments::new(|z| fastest * jacobi.sn_cn_dn(z / rate).1.abs(), rate, fastest);
+        let series = || {
+            let slope = Wave::swing(self.swing, 1, Double::ONE, Double::ONE);
+            Moments::new(|z| slope.roughly(0.5 - z).abs() * rate, rate, fastest)
+        };
+        let jacobi = || Jacobi::from_complementary_modulus(self.complementary()).filter(|_| fastest > 1.0);
+        self.moments.get_or_init(|| jacobi().map_or_else(series, cosine))
     }
 }
 
@@ -350,7 +358,10 @@ impl<'a> RotationCurves<'a> {
         let omega = self.omega.to_f64();
         let slope = || Wave::rotation(self.rotation, 1, Double::ONE, Double::ONE);
         let (rate, fastest) = (self.rate().hi / omega, self.rotation.fastest.to_f64() / omega);
-        self.moments.get_or_init(|| Moments::new(&slope(), rate, fastest))
+        self.moments.get_or_init(|| {
+            let slope = slope();
+            Moments::new(|z| slope.roughly(0.5 - z).abs() * rate, rate, fastest)
+        })
     }
 
     /// The angle itself, of the turn that passes the lowest point at s = ½.

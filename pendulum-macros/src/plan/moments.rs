@@ -7,7 +7,6 @@
 
 use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
-use crate::series::Wave;
 use crate::supremum::larger;
 
 /// Of θ, θ̇/ω and θ̈/ω².
@@ -26,13 +25,12 @@ const SLICES: i32 = 64;
 const SLACK: f64 = 1e-10;
 
 impl Moments {
-    /// Of dθ/ds by the phase s from an anchor. `rate` is the number of anchors per unit of ωt, `fastest` is F/ω.
-    pub(super) fn new(slope: &Wave, rate: f64, fastest: f64) -> Self {
+    /// Of |θ̇|/ω by z, good to [`SLACK`]. `rate` is the number of anchors per unit of ωt, `fastest` is F/ω.
+    pub(super) fn new(speed: impl Fn(f64) -> f64, rate: f64, fastest: f64) -> Self {
         // Where the motion is fast, all of it happens in the first thousandths.
         let first = (0.3 * rate / fastest).min(0.02);
         let ratio = libm::pow(0.5 / first, 1.0 / f64::from(SLICES - 1));
         let end = |slice: i32| if slice == 0 { 0.0 } else { first * power(ratio, slice - 1) };
-        let speed = |z: f64| slope.roughly(0.5 - z).abs() * rate;
         let mut moments = [0.0f64; 3];
         let mut before = fastest;
         for slice in 0..SLICES {
