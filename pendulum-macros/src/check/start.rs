@@ -98,7 +98,7 @@ impl Checker<'_> {
                 }
                 Ok(omega)
             }
-            _ if ["omega", "g", "length"].iter().any(|name| request.misstates(name)) => Err(Reported),
+            _ if ["g", "length"].iter().any(|name| request.misstates(name)) => Err(Reported),
             _ => Ok(self.context.integer(1)),
         }
     }
@@ -109,7 +109,6 @@ impl Checker<'_> {
         if request.misstates("omega") {
             return Err(Reported);
         }
-        let mentioned = |name| request.mentions(name);
         match (&request.omega, &request.g, &request.length) {
             (Some(omega), Some(_), Some(_)) => {
                 let name = &omega.name;
@@ -119,15 +118,15 @@ impl Checker<'_> {
                 );
                 Err(self.refuse(name, message))
             }
-            (_, Some(given), _) | (_, _, Some(given)) if mentioned("omega") => {
+            (Some(_), Some(given), _) | (Some(_), _, Some(given)) => {
                 let message = format!(
                     "`{given}` is given beside `omega`, which it determines: keep `omega`, or `g` and `length`"
                 );
                 Err(self.refuse(&given.name, message))
             }
             (None, Some(_), None) | (None, None, Some(_)) if request.mentions_a_stranger() => Err(Reported),
-            (None, Some(g), None) if !mentioned("length") => Err(self.lonely(g, "`length`, in m")),
-            (None, None, Some(length)) if !mentioned("g") => {
+            (None, Some(g), None) if !request.mentions("length") => Err(self.lonely(g, "`length`, in m")),
+            (None, None, Some(length)) if !request.mentions("g") => {
                 Err(self.lonely(length, "`g`, in m/s², such as `g = 9.81`"))
             }
             _ => Ok(()),

@@ -276,10 +276,8 @@ impl<'a> SwingCurves<'a> {
         let (rate, fastest) = (self.rate().hi, 2.0 * self.modulus());
         // θ̇/ω = 2k cn: of some hundreds of harmonics the series takes far longer.
         let cosine = |jacobi: Jacobi| Moments::new(|z| fastest * jacobi.sn_cn_dn(z / rate).1.abs(), rate, fastest);
-        let series = || {
-            let slope = Wave::swing(self.swing, 1, Double::ONE, Double::ONE);
-            Moments::new(|z| slope.roughly(0.5 - z).abs() * rate, rate, fastest)
-        };
+        let slope = || Wave::swing(self.swing, 1, Double::ONE, Double::ONE);
+        let series = || Moments::of_wave(&slope(), rate, fastest);
         let jacobi = || Jacobi::from_complementary_modulus(self.complementary()).filter(|_| fastest > 1.0);
         self.moments.get_or_init(|| jacobi().map_or_else(series, cosine))
     }
@@ -358,10 +356,7 @@ impl<'a> RotationCurves<'a> {
         let omega = self.omega.to_f64();
         let slope = || Wave::rotation(self.rotation, 1, Double::ONE, Double::ONE);
         let (rate, fastest) = (self.rate().hi / omega, self.rotation.fastest.to_f64() / omega);
-        self.moments.get_or_init(|| {
-            let slope = slope();
-            Moments::new(|z| slope.roughly(0.5 - z).abs() * rate, rate, fastest)
-        })
+        self.moments.get_or_init(|| Moments::of_wave(&slope(), rate, fastest))
     }
 
     /// The angle itself, of the turn that passes the lowest point at s = ½.

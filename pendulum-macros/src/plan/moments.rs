@@ -7,6 +7,7 @@
 
 use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
+use crate::series::Wave;
 use crate::supremum::larger;
 
 /// Of θ, θ̇/ω and θ̈/ω².
@@ -25,6 +26,11 @@ const SLICES: i32 = 64;
 const SLACK: f64 = 1e-10;
 
 impl Moments {
+    /// Of dθ/ds by the phase s from an anchor.
+    pub(super) fn of_wave(slope: &Wave, rate: f64, fastest: f64) -> Self {
+        Self::new(|z| slope.roughly(0.5 - z).abs() * rate, rate, fastest)
+    }
+
     /// Of |θ̇|/ω by z, good to [`SLACK`]. `rate` is the number of anchors per unit of ωt, `fastest` is F/ω.
     pub(super) fn new(speed: impl Fn(f64) -> f64, rate: f64, fastest: f64) -> Self {
         // Where the motion is fast, all of it happens in the first thousandths.
