@@ -44,8 +44,7 @@ macro_rules! agrees {
                 epsilon = Motion::MAX_ACCELERATION_ERROR + slack
             );
             let wrapped = Motion::wrapped(t);
-            // The f64 next to π is below it.
-            assert!(wrapped.abs() <= PI, "{wrapped}");
+            assert!((-PI..PI).contains(&wrapped), "{wrapped}");
             // Modulo a turn: just above −π and just below π are neighbours.
             let off = less_turns(wrapped - theta).abs();
             assert!(off <= Motion::MAX_WRAPPED_ERROR + 4.0 * slack, "{wrapped} for {theta} at {t}: {off:e}");

@@ -1,6 +1,6 @@
 //! The Fourier series of the outputs: independent values to sample, and bounds in the complex plane.
 
-mod parts;
+mod pieces;
 
 use crate::chebyshev::{cos_pi, sin_pi};
 use crate::motion::{Elliptic, Rotation, Swing};
@@ -343,7 +343,7 @@ impl Wave {
         self.tail(0.0, of_slope)
     }
 
-    /// Bounds what a value is rounded by, also of [`Self::at_parts`]. The recurrence gives the sum with what each step is
+    /// Bounds what a value is rounded by, also of [`Self::at_pieces`]. The recurrence gives the sum with what each step is
     /// off by added to its amplitude, times a wave, of which none exceeds 1. Cosine and sine of πs are within 2⁻¹⁰⁰, hence
     /// 2 cos 2πs within 2⁻⁹⁷ and a step within 2⁻⁹⁶ of the sums it is made of, and what its product lost. These, like
     /// Chebyshev's Uₙ, add up to at most Σ |aₙ|(n + 1)(n + 2)/2.

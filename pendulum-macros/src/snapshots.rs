@@ -56,12 +56,15 @@ snapshots! {
                theta0 = 1, velocity0 = -1/2, omega = 3, tol = 1e-6, outputs = [theta, acceleration]"
     separatrix: "pub struct Over;
                  velocity0 = 2, tol = 1e-3, float = f32"
+    arc: "struct Instant;
+          theta0 = 1, tol = 1e-9, t_max = 1, outputs = [state]"
     mistake: "pub struct Wrong;
               theta0 = 4, n = 0"
 }
 
-/// Scenes of every kernel, form and reduction: what is chosen, and what the others would have cost.
-const SCENES: [&str; 24] = [
+/// Scenes of every regime, method and kernel, and of nearly every form and reduction: what is chosen, and what the
+/// others would have cost.
+const SCENES: [&str; 37] = [
     "theta0 = 1e-3",
     "theta0 = 1, tol = 1e-3, t_max = 10",
     "theta0 = 1, tol = 1e-6, t_max = 1e3",
@@ -86,6 +89,19 @@ const SCENES: [&str; 24] = [
     "theta0 = 0.1, method = harmonic, tol = 1e-3",
     "theta0 = 0.1, method = small_angle, t_max = 10",
     "theta0 = 2, method = polynomial, tol = 1e-4, t_max = 1e3",
+    "theta0 = 1, t_max = 1",
+    "theta0 = 7π/8, tol = 1e-9, t_max = 1, outputs = [theta, velocity, position]",
+    "velocity0 = 2, t_max = 1",
+    "theta0 = π - 1e-9",
+    "theta0 = π - 1e-9, method = polynomial",
+    "theta0 = π - 1e-9, method = polynomial, outputs = [position]",
+    "theta0 = 0.954π, n = 4",
+    "theta0 = 7π/8, float = f32, t_max = 1e5",
+    "theta0 = 7π/8, float = f32, tol = 1e-6",
+    "theta0 = 1, velocity0 = 0.5",
+    "theta0 = 1, velocity0 = 0.5, outputs = [velocity]",
+    "theta0 = 7π/8, t_max = 1e4",
+    "velocity0 = 2.1, t_max = 1e9",
 ];
 
 /// The plan of a scene, but for its constants.

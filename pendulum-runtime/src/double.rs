@@ -66,6 +66,8 @@ impl Double {
     pub const ONE: Self = Self::new(1.0);
     /// π to 107 bits.
     pub const PI: Self = Self { hi: core::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+    /// ln 2 to 107 bits.
+    pub const LN_2: Self = Self { hi: core::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
     /// 2π.
     pub(crate) const TURN: Self = Self::PI.scale(2.0);
     /// 1/(2π).

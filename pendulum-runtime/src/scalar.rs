@@ -61,7 +61,7 @@ pub trait Scalar:
     /// Upward.
     #[doc(hidden)]
     fn narrow_up(x: f64) -> Self;
-    /// To nearest, but never beyond the last number below π in magnitude; +π becomes the first number from −π on.
+    /// To nearest, but never beyond the last number below π in magnitude.
     #[doc(hidden)]
     fn narrow_angle(x: f64) -> Self;
 }

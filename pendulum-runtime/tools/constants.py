@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the constants of src/kernel.rs, src/double.rs, src/double_trig.rs and src/angle.rs (needs mpmath only).
+"""Prints the constants of src/kernel.rs, src/double.rs, src/double_trig.rs, src/angle.rs and src/rotation.rs (needs mpmath only).
 
 usage: constants.py
 
@@ -64,6 +64,8 @@ print("4 atan(j/4):")
 for j in range(5):
     print("    (", words(4 * atan(mpf(j) / 4), 2), "),")
 print("pi:", words(pi, 3))
+print("ln 2:", words(log(2), 2))
+print("pi/ln 2:", words(pi / log(2), 2))
 print("1/(2 pi):", words(1 / (2 * pi), 2))
 print("1/factorials:")
 for n in range(2, 28):

@@ -47,7 +47,7 @@ macro_rules! keywords {
 keywords! {
     /// How the motion is approximated.
     Method = "method" {
-        /// Eq. 3: θ0 cos ωt.
+        /// Eq. 3 from any state: θ0 cos ωt + (θ̇0/ω) sin ωt.
         SmallAngle = "small_angle",
         /// Eq. 17: θ0 cos(2πt/T).
         Harmonic = "harmonic",

@@ -91,9 +91,9 @@ impl Curve {
         self.wave.at(self.arc.phase(s))
     }
 
-    /// For each i from 0 to parts/2 the values of a whole one at the phases i/parts + offset.
-    pub(crate) fn at_parts(&self, parts: usize, offsets: impl Iterator<Item = Double>) -> Vec<Vec<Double>> {
-        self.wave.at_parts(parts, offsets)
+    /// For each i from 0 to pieces/2 the values of a whole one at the phases i/pieces + offset.
+    pub(crate) fn at_pieces(&self, pieces: usize, offsets: impl Iterator<Item = Double>) -> Vec<Vec<Double>> {
+        self.wave.at_pieces(pieces, offsets)
     }
 
     /// Bounds |curve| for |Im s| ≤ `height`.

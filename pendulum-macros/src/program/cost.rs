@@ -35,14 +35,18 @@ impl Program {
     }
 }
 
-/// What finding a row of a table costs.
+/// What finding a row of a table costs: bits, a mask and an address. That loops over a table don't vectorise as others
+/// do counts by [`lanes_lost`].
 pub(crate) const ROW: f64 = 3.0;
 
 /// What keeping a number within an interval costs.
 pub(crate) const CLAMP: f64 = 2.0 * MINIMUM;
 
 /// What a minimum, a maximum or a comparison costs.
-pub(crate) const MINIMUM: f64 = 1.3;
+const MINIMUM: f64 = 1.3;
+
+/// What the sign of another number costs.
+pub(crate) const SIGN: f64 = 1.3;
 
 /// What a division costs beside a multiplication.
 pub(crate) const QUOTIENT: f64 = 2.5;
@@ -58,14 +62,15 @@ pub(crate) fn lanes_lost(float: Float) -> f64 {
 }
 
 /// Measured on x86-64, without and with AVX2, `f64` and `f32`, by `cargo run --release -p pendula-benches --bin
-/// weights`; docs/BENCHMARKS.md has the figures. Only their order matters to the planner, and that they are about
+/// weights`, but for tables; docs/BENCHMARKS.md has the figures. Only their order matters to the planner, and that they are about
 /// right.
 fn weight(op: Op) -> f64 {
     match op {
         Op::Input | Op::Constant { .. } | Op::Entry { .. } => 0.0,
         Op::Div(..) => QUOTIENT,
         Op::Root(_) => 36.0,
-        Op::Against { .. } | Op::Min { .. } | Op::Max { .. } => MINIMUM,
+        Op::Min { .. } | Op::Max { .. } => MINIMUM,
+        Op::Against { .. } => SIGN,
         Op::CopySign { .. } | Op::Along { .. } => 1.7,
         Op::Select { .. } => 3.0,
         Op::Row { .. } => ROW,

@@ -53,7 +53,7 @@ impl<'a> Approximate<'a> {
         let &Self { theta, sum: Sum { scene, swing, method, rate, weights, .. }, drift, departure } = self;
         let (ours, exact) = (Cosines::odd(weights), Cosines::of(theta.terms()));
         let (rate, exact_rate) = (rate.to_f64(), swing.rate().to_f64());
-        if theta.terms().len() > MOST_TERMS {
+        if theta.terms().len() > MOST_HARMONICS {
             let slopes = if *method == Method::Fourier { f64::INFINITY } else { ours.magnitude(1) };
             return (slopes * rate + scene.motion.fastest().to_f64()) * INFLATION_OF_SUMS;
         }
@@ -84,7 +84,7 @@ impl<'a> Approximate<'a> {
             return compared.min(self.departure.acceleration * omega.square().to_f64() * INFLATION_OF_SUMS);
         }
         let by_angle = self.everywhere();
-        let apart = if self.theta.terms().len() > MOST_TERMS {
+        let apart = if self.theta.terms().len() > MOST_HARMONICS {
             by_angle
         } else {
             let met = self.met().unwrap_or([0.0, 0.5]);
@@ -114,7 +114,7 @@ impl<'a> Approximate<'a> {
     /// their second derivatives the larger one is.
     fn of_cosine(&self) -> f64 {
         let theta = self.theta;
-        if theta.terms().len() > MOST_TERMS {
+        if theta.terms().len() > MOST_HARMONICS {
             return theta.size.largest.max(self.sum.weights[0].hi.abs()) * (1.0 + 8.0 * f64::EPSILON);
         }
         let mut terms = theta.terms().to_vec();
@@ -127,7 +127,7 @@ impl<'a> Approximate<'a> {
     /// sup |θ̂ − θ| at those distances from an anchor, if θ has not too many harmonics.
     fn within(&self, [least, farthest]: [f64; 2]) -> f64 {
         let theta = self.theta;
-        if theta.terms().len() > MOST_TERMS {
+        if theta.terms().len() > MOST_HARMONICS {
             return f64::INFINITY;
         }
         self.at_same_phase([least, farthest], Sines::angles_apart, 0) + theta.omitted() + self.moved(farthest)
@@ -221,7 +221,7 @@ const SLACK: f64 = 1e-3;
 
 /// So near the top that θ has more harmonics, an approximation of it comes to be as far from it as they are large, and
 /// so does the derivative.
-pub(super) const MOST_TERMS: usize = 400;
+pub(super) const MOST_HARMONICS: usize = 400;
 
 /// Cells of the half wave, and how many of them are halved: next to an overshoot the arcsine's derivative peaks within
 /// a millionth of the half wave.

@@ -1,6 +1,6 @@
 //! How many terms a formula takes.
 
-use super::bias::{Approximate, MOST_TERMS};
+use super::bias::{Approximate, MOST_HARMONICS};
 use super::{Sum, plan};
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
@@ -32,7 +32,7 @@ fn negligible(scene: &Scene, curve: &Curve) -> f64 {
 pub(super) fn fewest_of_series(scene: &Scene, swing: &Swing) -> usize {
     let curves = SwingCurves::new(swing, &scene.motion.omega);
     let theta = curves.angle();
-    let most = theta.terms().len().min(MOST_TERMS);
+    let most = theta.terms().len().min(MOST_HARMONICS);
     let serves = |kept: usize| {
         let sum = Sum::series(scene, swing, &theta, kept);
         Approximate::new(&sum, &theta).angle() <= negligible(scene, &theta)

@@ -1,6 +1,6 @@
 //! Eq. 3, the linearised motion from the initial state: its amplitude and phase, and how it departs from the motion.
 
-use super::bias::MOST_TERMS;
+use super::bias::MOST_HARMONICS;
 use crate::exact::Real;
 use crate::motion::{Motion, Swing};
 use crate::plan::cosines::Cosines;
@@ -54,7 +54,7 @@ impl Departure {
             return Self::ANY;
         }
         // So near the top that θ has many harmonics it stays there.
-        let few = theta.terms().len() <= MOST_TERMS;
+        let few = theta.terms().len() <= MOST_HARMONICS;
         let cosines = Cosines::of(if few { theta.terms() } else { &[] });
         let [launch, step] = [swing.launch.to_f64(), (swing.rate() / omega).to_f64() * x / f64::from(SLICES)];
         let largest = swing.amplitude.to_f64() * (1.0 + f64::EPSILON);

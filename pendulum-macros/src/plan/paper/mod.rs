@@ -18,7 +18,7 @@ use crate::motion::{Swing, direction};
 use crate::parse::{Method, Output};
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
-use bias::MOST_TERMS;
+use bias::MOST_HARMONICS;
 pub(super) use count::planned;
 use count::{MORE, MOST_CHOSEN, fewest, fewest_of_series};
 use linearised::Linearised;
@@ -47,7 +47,7 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
     let may_grow = matches!(method, Method::Fourier | Method::Series) && !is_given;
     // In pieces a series may have as many terms as its bias is known for. Next to the top Eq. 22 takes more than are chosen.
     let most = match method {
-        Method::Series => MOST_TERMS,
+        Method::Series => MOST_HARMONICS,
         _ if fewest < MOST_CHOSEN => MOST_CHOSEN,
         _ => fewest + TRIED_BLINDLY + 1,
     };
@@ -132,7 +132,7 @@ impl<'a> Sum<'a> {
 
     /// The first terms of the series of θ.
     fn series(scene: &'a Scene, swing: &'a Swing, theta: &Curve, kept: usize) -> Self {
-        let first = theta.terms().iter().take(kept.min(MOST_TERMS));
+        let first = theta.terms().iter().take(kept.min(MOST_HARMONICS));
         Self::of_weights(scene, swing, Method::Series, swing.rate(), first.map(|&(_, a)| a).collect())
     }
 

@@ -20,10 +20,10 @@ impl Aim {
     }
 
     /// About how many terms each of so many pieces of each curve takes; `None` where the phase leaves nothing.
-    pub(in crate::plan) fn terms_of_pieces(&self, parts: usize, reduction: &Reduction) -> Option<Vec<usize>> {
+    pub(in crate::plan) fn terms_of_pieces(&self, pieces: usize, reduction: &Reduction) -> Option<Vec<usize>> {
         let left = Some(self.truncation_of_each(self.left(reduction))).filter(|&left| left > 0.0)?;
         let of = |curve: &Curve| {
-            let terms = |left: f64| Piecewise::estimate(curve, parts, left);
+            let terms = |left: f64| Piecewise::estimate(curve, pieces, left);
             // Of logarithms the coefficients fall off with their number besides.
             if self.power == 0 { terms(left * terms(left) as f64) } else { terms(left) }
         };
@@ -39,9 +39,9 @@ impl Aim {
     }
 
     /// Its curves in so many pieces.
-    pub(in crate::plan) fn piecewise(&self, parts: usize) -> Option<Vec<Piecewise>> {
+    pub(in crate::plan) fn piecewise(&self, pieces: usize) -> Option<Vec<Piecewise>> {
         let negligible = |curve: &Curve| self.truncation.min(curve.size.largest).max(self.floor()) / 512.0;
-        self.curves.iter().map(|curve| Piecewise::new(curve, parts, negligible(curve))).collect()
+        self.curves.iter().map(|curve| Piecewise::new(curve, pieces, negligible(curve))).collect()
     }
 
     /// The kernel in pieces, or what it reaches.

@@ -1,12 +1,11 @@
 //! The functions that are approximated by polynomials.
 
-use super::LN_2;
 use pendulum_runtime::double::Double;
 
 /// Σ (ln 2)^(2i + k) vⁱ/(2i + k)!, v = f²: sinh(f ln 2)/f for k = 1, (cosh(f ln 2) − 1)/v for k = 2.
 pub(super) fn series(v: Double, k: u32) -> Double {
-    let square = LN_2 * LN_2 * v;
-    let mut term = if k == 2 { LN_2 * LN_2 * 0.5 } else { LN_2 };
+    let square = Double::LN_2 * Double::LN_2 * v;
+    let mut term = if k == 2 { Double::LN_2 * Double::LN_2 * 0.5 } else { Double::LN_2 };
     let (mut sum, mut n) = (term, f64::from(k));
     while term.hi > 1e-34 {
         term = term * square / ((n + 1.0) * (n + 2.0));

@@ -37,9 +37,6 @@ use functions::{arctangent_ratio, series};
 use pendulum_runtime::double::Double;
 use quotient::{FRACTION, IMAGE_POWER, POWER};
 
-/// ln 2 to 107 bits.
-pub(super) const LN_2: Double = Double { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
-
 /// What is the same for all outputs of one motion.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Orbit {
@@ -100,7 +97,7 @@ const NEGLIGIBLE_BINADE: i32 = 24;
 impl Orbit {
     /// w = (πK/K′)·phase, in units of ln 2; `None` where q′ is too large.
     pub(crate) fn new(motion: &Motion, elliptic: &Elliptic, sigma: f64, direction: f64) -> Option<Self> {
-        let rate = elliptic.span().to_double() / LN_2;
+        let rate = elliptic.span().to_double() / Double::LN_2;
         if libm::exp2(-rate.hi) > LARGEST_IMAGE {
             return None;
         }
@@ -112,7 +109,7 @@ impl Orbit {
     /// w = ωt, in the same units.
     pub(crate) fn separatrix(motion: &Motion, direction: f64) -> Self {
         let (fastest, omega_squared) = (motion.fastest().to_double(), motion.omega.square().to_double());
-        let (rate, image) = (Double::ONE / LN_2, Double::ZERO);
+        let (rate, image) = (Double::ONE / Double::LN_2, Double::ZERO);
         Self { rate, sigma: 0.0, image, image_exponent: 0, direction, fastest, omega_squared }
     }
 
@@ -153,7 +150,7 @@ impl Passage {
         let q = orbit.q();
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
         // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83: less than the bound that is given.
-        let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * LN_2.hi) * 2.0);
+        let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * Double::LN_2.hi) * 2.0);
         let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));

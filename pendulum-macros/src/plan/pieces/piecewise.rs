@@ -44,7 +44,7 @@ impl Piecewise {
     pub(crate) fn new(curve: &Curve, pieces: usize, negligible: f64) -> Option<Self> {
         let Interpolation { points, error, .. } = enough_points(curve, pieces, negligible)?;
         let table = CosineTable::new(points);
-        let values = curve.at_parts(pieces, table.points().map(|u| u * half(pieces)));
+        let values = curve.at_pieces(pieces, table.points().map(|u| u * half(pieces)));
         let (series, rounding): (_, Vec<f64>) = values.iter().map(|own| table.through(own)).unzip();
         Some(Self {
             series,

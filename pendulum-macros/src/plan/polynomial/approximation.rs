@@ -199,7 +199,7 @@ impl Approximation {
     }
 
     /// The series of so many terms. Where it is met as a whole, they make up for the others as well as they can; without
-    /// poles those of an even curve hardly can.
+    /// poles those of an even curve hardly can unless the phase leaves more at one end.
     pub(super) fn shortened(&self, terms: usize, overshoot: f64) -> Rc<Shortened> {
         let terms = terms.min(self.series.len());
         let weighted = self.pole.is_some() || self.parity == Parity::Odd || self.leeway.is_some();

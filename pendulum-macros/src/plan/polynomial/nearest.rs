@@ -1,5 +1,5 @@
-//! Polynomials of so many terms, over poles or not, that are nearest to a curve where it counts: over the poles, and times
-//! an odd curve's phase.
+//! Polynomials of so many terms, over poles or not, that are nearest to a curve where it counts: over the poles, times an
+//! odd curve's phase, and over what the phase leaves at each of its values.
 //!
 //! What dropping Chebyshev coefficients leaves out is almost level on [−1, 1], hence almost the least there is; but over
 //! poles it is largest where these are near, and times the phase of an odd curve largest at one end and nothing at the

@@ -88,13 +88,13 @@ pub(super) enum Way {
     Polynomials,
     /// The passage through the lowest point.
     Passage,
-    /// A polynomial for each of many parts, which are one of those of the prospect.
+    /// A polynomial for each of many pieces, in one of the numbers of the prospect.
     Pieces(usize),
 }
 
 /// How much longer operations of a passage take than those of polynomials: measured in loops over arrays, without and
 /// with AVX2.
-pub(super) fn waiting(float: Float) -> f64 {
+pub(super) fn slowness_of_passage(float: Float) -> f64 {
     match float {
         Float::F64 => 1.45,
         Float::F32 => 2.1,
@@ -103,7 +103,7 @@ pub(super) fn waiting(float: Float) -> f64 {
 
 impl Candidate<'_> {
     /// After how many others it is looked at: many pieces, of which the table is large, only where fewer don't serve; and
-    /// who asks for a polynomial gets one for each of many parts only where one alone doesn't.
+    /// who asks for a polynomial gets one for each of many pieces only where one alone doesn't.
     pub(super) fn resort(&self, scene: &Scene) -> usize {
         match self.way {
             Way::Pieces(index) => index + usize::from(scene.method.is_some()),
@@ -174,7 +174,7 @@ impl Candidate<'_> {
         let mut rejected = Vec::new();
         let passage = || {
             let part = all.aim.passage_part(task, &all.drafts, self.reduction, most)?;
-            Ok((part, waiting(scene.float) * all.aim.passage_estimate()))
+            Ok((part, slowness_of_passage(scene.float) * all.aim.passage_estimate()))
         };
         let mut polynomials = || {
             let asked = Asked { output, reduction: self.reduction.clone(), most };
@@ -196,7 +196,7 @@ impl Candidate<'_> {
     /// What an output was estimated to cost.
     fn estimate(&self, scene: &Scene, all: &Approximations) -> f64 {
         match self.way {
-            Way::Passage => waiting(scene.float) * all.aim.passage_estimate(),
+            Way::Passage => slowness_of_passage(scene.float) * all.aim.passage_estimate(),
             _ => all.variants(self.reduction).first().map_or(0.0, |&(_, cost)| cost),
         }
     }
@@ -231,6 +231,8 @@ impl Candidate<'_> {
             (Some(reached), _) if reached >= error => {
                 Some(format!("can promise no better than {}", at_least(reached, 1)))
             }
+            // It was cheaper, hence not the one for what it leaves of its limit: see [`Choice`].
+            (_, Some(least)) if one.cost < least => Some("keeps it with less room".to_owned()),
             (_, least) => least.map(|least| more(one.cost - least)),
         };
         let (word, parity) = (all.aim.output.word(), all.aim.curves.first().map_or(Parity::Even, Curve::parity));

@@ -1,6 +1,6 @@
 //! A task, the whole motion or an arc of it, and all ways of doing it.
 
-use super::candidate::{Asked, Candidate, Found, Way, waiting};
+use super::candidate::{Asked, Candidate, Found, Way, slowness_of_passage};
 use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::form::Variant;
@@ -52,7 +52,7 @@ impl Prospect {
         // Its operations wait for one another: each takes longer than those of polynomials do.
         let by_passage = |reduction| {
             let passage = candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum());
-            Candidate { cost: waiting(scene.float) * passage.cost, ..passage }
+            Candidate { cost: slowness_of_passage(scene.float) * passage.cost, ..passage }
         };
         let passages = reductions.iter().filter(|reduction| task.passage_by(reduction).is_some()).map(by_passage);
         let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
