@@ -244,7 +244,8 @@ fn of_numbers(a: Known, b: Known, operation: fn(f64, f64) -> (f64, f64), float: 
 
 /// Whether a result in two words is no larger than `most`.
 fn is_within((result, rest): (f64, f64), most: f64) -> bool {
-    result.abs() < most || (result.abs() == most && rest * result <= 0.0)
+    let is_below = rest == 0.0 || (rest < 0.0) != (result < 0.0);
+    result.abs() < most || (result.abs() == most && is_below)
 }
 
 /// How much of a result in two words rounding takes.

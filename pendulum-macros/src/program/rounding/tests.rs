@@ -51,10 +51,13 @@ fn sums_and_differences() {
     expect(after(Op::Add(0, 1), Float::F64, &[a, b]), (1.25, 2.0), 8e-10 + U, U);
     expect(after(Op::Sub(0, 1), Float::F64, &[a, b]), (0.5, 1.25), 8e-10 + U, U);
     expect(after(Op::Sub(1, 0), Float::F64, &[a, b]), (-1.25, -0.5), 8e-10 + U, U);
-    // To 1 by rounding at either end: the sum may be above.
-    let tiny = 2f64.powi(-53) * 0.75;
-    let next = Known::between(tiny, tiny);
-    expect(after(Op::Add(0, 1), Float::F64, &[Known::between(0.0, 1.0), next]), (tiny, 1.0), tiny, tiny);
+    // To a power of two by rounding at either end: the sum may be above, also where a product with its rest is 0.
+    for power in [1.0, 2f64.powi(-600)] {
+        let tiny = 0.75 * U * power;
+        let next = Known::between(tiny, tiny);
+        let sum = after(Op::Add(0, 1), Float::F64, &[Known::between(0.0, power), next]);
+        expect(sum, (tiny, power), tiny, tiny);
+    }
     // No more than the smaller operand is lost.
     for (low, high) in [(1e-20, 1e-20), (-1e-20, 5e-21)] {
         let tiny = Known::between(low, high);
