@@ -47,6 +47,10 @@ impl Context {
         Self { bits: self.bits.max(other.bits) }
     }
 
+    pub(crate) fn bits(self) -> i64 {
+        self.bits as i64
+    }
+
     /// How many leading bits may cancel and still leave the guard bits.
     pub(crate) fn spare_bits(self) -> usize {
         self.bits - GUARD_BITS
@@ -87,7 +91,7 @@ impl Context {
 
     /// Below this relative size two differently computed values of one number may differ.
     pub(crate) fn resolution(self) -> Real {
-        self.power_of_two(64 - self.bits as i64)
+        self.power_of_two(64 - self.bits())
     }
 
     pub(crate) fn power_of_two(self, exponent: i64) -> Real {

@@ -8,7 +8,7 @@ use quote::ToTokens;
 use syn::{Error, Ident, Lit, Result};
 
 /// Literals longer than this, or with larger exponents, are refused: they would only make the compiler wait.
-const MOST_DIGITS: usize = 10_000;
+pub(super) const MOST_DIGITS: usize = 10_000;
 const LARGEST_EXPONENT: u64 = 400;
 
 /// The remedy for a horizon of so many periods: what a period is depends on all of the scene.

@@ -1,5 +1,6 @@
 //! Angle and number expressions: their grammar, and their evaluation from the digits as written.
 
+mod evaluation;
 mod literal;
 mod name;
 mod tree;
@@ -31,6 +32,12 @@ impl Number {
         literal::check(name, &tokens)?;
         name::check(name, &tokens)?;
         match syn::parse2::<Whole>(parenthesise_captures(tokens.clone())) {
+            Ok(Whole(tree)) if tree.digits(false) > literal::MOST_DIGITS => {
+                let most = literal::MOST_DIGITS;
+                let message =
+                    format!("`{name}` is an expression of which more than {most} digits may cancel: write its value");
+                Err(Error::new_spanned(tokens, message))
+            }
             Ok(Whole(tree)) => Ok(Self { tree }),
             Err(error) => {
                 let message = format!("`{name} = {}`: {error}", source::value(&tokens));
@@ -56,9 +63,9 @@ impl Number {
         matches!(inner, Tree::Literal { unit: tree::Unit::None, .. })
     }
 
-    /// The value, in radians if it is an angle.
+    /// The value, in radians if it is an angle, to the precision of `context`.
     pub(crate) fn evaluate(&self, context: Context) -> Result<Real> {
-        self.tree.evaluate(context)
+        evaluation::value(&self.tree, context)
     }
 }
 
@@ -287,6 +294,29 @@ mod tests {
         assert_eq!(value(text), 1e-79);
     }
 
+    /// What is left of terms that cancelled cancels with others, more of its digits than were written.
+    #[test]
+    fn terms_cancel_again() {
+        for (text, exact) in [
+            ("(1/(1+1e-90) - 1 + 1e-90)*1e90*1e90", 1.0),
+            ("(1/(1+1e-97) - 1 + 1e-97)*1e97*1e97", 1.0),
+            ("(sqrt(1+1e-95) - 1 - 0.5e-95)*1e95*1e95*(-8)", 1.0),
+            ("(1/(1+1e-30) - 1 + 1e-30 - 1e-60 + 1e-90)*1e60*1e60", 1.0),
+            ("1/(1 - 1/(1+1e-90) - 1e-90)*1e-90*1e-90", -1.0),
+            ("π*π/π - π", 0.0),
+            ("1e-90 + π - 1e-90 - π", 0.0),
+        ] {
+            assert_eq!(value(text), exact, "{text}");
+        }
+        // All the bits that were asked for, of what is 3e-91 from 1.
+        let number = parse("(1/(1+1e-90) - 1 + 1e-90)*1e90*1e90 - 1").unwrap();
+        let context = Context::for_digits(number.digits());
+        let value = number.evaluate(context).unwrap();
+        let exact = number.evaluate(context.widened(4000)).unwrap();
+        assert!((&value - &exact).abs() <= exact.abs() * context.resolution());
+        assert!((exact.to_f64() + 1e-90).abs() < 1e-104);
+    }
+
     /// In a sum as many as the exponents of its terms are apart, also where these are products.
     #[test]
     fn digits_of_sums() {
@@ -305,6 +335,13 @@ mod tests {
         for digits in [10_001, 10_002, 20_000] {
             assert!(error(&literal(digits)).contains("more than 10000 digits"), "{digits}");
         }
+    }
+
+    #[test]
+    fn at_most_10_000_digits_cancel() {
+        let product = |factors: usize| format!("π - {}", vec!["1e-399"; factors].join("*"));
+        assert_eq!(value(&product(24)), std::f64::consts::PI);
+        assert!(error(&product(26)).contains("more than 10000 digits may cancel"));
     }
 
     #[test]

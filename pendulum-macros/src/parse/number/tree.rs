@@ -1,8 +1,6 @@
-//! The tree of an expression: how many digits it has, its unit, its value.
+//! The tree of an expression: how many digits it has, and its unit.
 
-use crate::exact::{Context, Real};
 use proc_macro2::{Span, TokenStream};
-use syn::{Error, Result};
 
 /// An expression; `blame` are the tokens of the right operand.
 #[derive(Clone, Debug)]
@@ -37,7 +35,7 @@ impl Tree {
             Self::Literal { digits, .. } => {
                 let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
                 let exponent = if in_sum { exponent.parse::<i64>().unwrap_or(0) } else { 0 };
-                mantissa.len() + exponent.unsigned_abs() as usize
+                mantissa.bytes().filter(u8::is_ascii_digit).count() + exponent.unsigned_abs() as usize
             }
             Self::Pi => 0,
             Self::Negative(inner) | Self::Root(inner, _) => inner.digits(in_sum),
@@ -61,7 +59,7 @@ impl Tree {
     }
 
     /// The power of an angle that it is, by the units of its literals: 1 for `90deg`, 0 for `90deg/45deg`.
-    fn angles(&self) -> i32 {
+    pub(super) fn angles(&self) -> i32 {
         match self {
             Self::Literal { unit, .. } => i32::from(matches!(unit, Unit::Degree | Unit::Radian)),
             Self::Pi => 0,
@@ -74,57 +72,4 @@ impl Tree {
             },
         }
     }
-
-    pub(super) fn evaluate(&self, context: Context) -> Result<Real> {
-        Ok(match self {
-            Self::Literal { digits, unit, span } => {
-                let value = context
-                    .decimal(digits)
-                    .ok_or_else(|| Error::new(*span, format!("`{digits}` is not a decimal number")))?;
-                match unit {
-                    Unit::None | Unit::Radian => value,
-                    Unit::Pi => value * context.pi(),
-                    Unit::Degree => value * context.pi() / context.integer(180),
-                }
-            }
-            Self::Pi => context.pi(),
-            Self::Negative(inner) => -inner.evaluate(context)?,
-            Self::Root(inner, span) => {
-                let value = inner.evaluate(context)?;
-                if value.is_negative() {
-                    let shown = value.to_f64();
-                    return Err(Error::new(
-                        *span,
-                        format!("`sqrt` of a negative number, {shown:?}: its argument has to be 0 or more"),
-                    ));
-                }
-                value.sqrt()
-            }
-            Self::Binary { left, operator, right, blame } => {
-                if *operator == Operator::Multiply && left.angles() > 0 && right.angles() > 0 {
-                    let message = "an angle times an angle is no angle: leave out one of the units";
-                    return Err(Error::new_spanned(blame, message));
-                }
-                let (left, right) = (left.evaluate(context)?, right.evaluate(context)?);
-                match operator {
-                    Operator::Add => sum_of(&left, &right),
-                    Operator::Subtract => sum_of(&left, &-right),
-                    Operator::Multiply => left * right,
-                    Operator::Divide if right.is_zero() => {
-                        return Err(Error::new_spanned(
-                            blame,
-                            "division by zero: this divisor is 0, and has to be another number",
-                        ));
-                    }
-                    Operator::Divide => left / right,
-                }
-            }
-        })
-    }
-}
-
-/// A sum whose terms cancel to below the resolution is zero: `sqrt(2)*sqrt(2) - 2` is not a rounding error.
-fn sum_of(left: &Real, right: &Real) -> Real {
-    let sum = left + right;
-    if sum.abs() <= left.abs() * left.context().resolution() { left.context().integer(0) } else { sum }
 }
