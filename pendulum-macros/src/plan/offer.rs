@@ -20,7 +20,9 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
     let mut asked = Asking { scene, refused: vec![tol] };
     if let Some(kept) = asked.first_kept(&offers, least) {
-        return asked.finest(kept, STEP);
+        let far_below = if is_quick(scene) { asked.far_below(kept) } else { None };
+        let (kept, step) = far_below.map_or((kept, STEP), |far_below| (far_below, ANY_STEP));
+        return asked.finest(kept, step);
     }
     if scene.is_far() {
         return f64::INFINITY;
@@ -90,17 +92,34 @@ impl Asking<'_> {
         unlikely.into_iter().rev().find_map(|offer| self.ask(offer).ok())
     }
 
+    /// What was reached for another goal may be far from what can be promised: that is asked for in strides, each of twice
+    /// as many decades as the one before. `None` if there is nothing.
+    fn far_below(&mut self, Kept { mut tolerance, .. }: Kept) -> Option<Kept> {
+        let (mut found, mut stride) = (None, STEP * STEP);
+        loop {
+            let next = three_digits(tolerance / stride);
+            let is_new = next > 0.0 && self.refused.iter().all(|&refused| refused < next);
+            let Some(kept) = is_new.then(|| self.ask(next).ok()).flatten() else { return found };
+            (found, tolerance, stride) = (Some(kept), next, stride * stride);
+        }
+    }
+
     /// What a promise takes is asked for, or what was reached where another was refused; then what is between it and the
     /// largest tolerance that was refused, but at most a `step` below.
     fn finest(mut self, mut found: Kept, step: f64) -> f64 {
         let thorough = is_quick(self.scene) && self.scene.outputs.len() == 1;
         let close = if thorough { 1.02 } else { 1.5 };
-        let asks = if thorough || step > STEP { 8 } else { 3 };
+        let asks = match (thorough, step) {
+            (_, ANY_STEP) => 16,
+            (true, _) => 8,
+            (false, LARGE_STEP) => 6,
+            (false, _) => 3,
+        };
         let mut reached = found.bound;
         for _ in 0..asks {
             let below = self.refused.iter().copied().filter(|&refused| refused < found.tolerance);
-            let refused = below.fold(found.tolerance / step, f64::max);
-            let [taken, between] = [OFFERS[0] * reached, (refused * found.tolerance).sqrt()].map(three_digits);
+            let refused = below.fold((found.tolerance / step).max(f64::from_bits(1)), f64::max);
+            let [taken, between] = [OFFERS[0] * reached, refused.sqrt() * found.tolerance.sqrt()].map(three_digits);
             let next = if taken > refused && taken * close < found.tolerance { taken } else { between };
             if next * close.sqrt() > found.tolerance {
                 break;
@@ -129,6 +148,8 @@ const COARSE: [f64; 2] = [1e-3, 1.0];
 /// So much below one that was found from what was reached hardly any is kept, and below one that is coarse.
 const STEP: f64 = 8.0;
 const LARGE_STEP: f64 = 1e8;
+/// What was found far below what was reached is as near to what can be as anything that was refused.
+const ANY_STEP: f64 = f64::INFINITY;
 
 /// As a message prints it.
 fn three_digits(x: f64) -> f64 {

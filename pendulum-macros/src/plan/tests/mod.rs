@@ -217,10 +217,12 @@ fn the_best_tolerance_of_other_rates() {
     }
 }
 
-/// What is offered can be had, and a fifth less can't: of these scenes full precision promises more than that, or a
-/// method's worst plan is far from its best, or the first of several outputs is better than the others.
+/// What is offered can be had, and a fifth less can't: of these scenes full precision promises more than that, or reaches
+/// far less than a tolerance would, or a method's worst plan is far from its best, or the first of several outputs is
+/// better than the others.
 #[test]
 fn nothing_finer_than_what_is_offered() {
+    const FULL: &str = "that of the float";
     for (text, tol) in [
         ("theta0 = 1.739144, t_max = 0.680, outputs = [acceleration]", "1e-17"),
         ("theta0 = 0.164612, velocity0 = -0.343825", "1e-17"),
@@ -231,8 +233,14 @@ fn nothing_finer_than_what_is_offered() {
         ("theta0 = 7π/8, outputs = [theta, velocity, acceleration, position]", "8e-16"),
         ("velocity0 = 2, t_max = 1e4, outputs = [theta, velocity, position]", "1e-15"),
         ("theta0 = 0.7, velocity0 = 3, float = f32, outputs = [wrapped, acceleration]", "1e-7"),
+        ("theta0 = π - 1e-20, method = polynomial, outputs = [position]", FULL),
+        ("theta0 = π - 1e-16, method = polynomial, outputs = [acceleration]", FULL),
+        ("theta0 = π - 1e-30, method = polynomial, outputs = [acceleration], float = f32", FULL),
+        ("theta0 = 1e-300, omega = 1e-5, outputs = [velocity]", FULL),
+        ("theta0 = 1e-200, omega = 1e-107, outputs = [velocity]", FULL),
     ] {
-        let Refusal::Unreachable { best } = refused(&format!("{text}, tol = {tol}")) else { panic!("another refusal") };
+        let asked = if tol == FULL { text.to_owned() } else { format!("{text}, tol = {tol}") };
+        let Refusal::Unreachable { best } = refused(&asked) else { panic!("another refusal") };
         planned(&format!("{text}, tol = {best:e}"));
         refused(&format!("{text}, tol = {:e}", 0.8 * best));
     }
