@@ -132,14 +132,15 @@ impl Motion {
             }
     }
 
-    /// (sin θ, −cos θ), without an arctangent.
+    /// (sin θ, −cos θ), without an arctangent; no more than 1, so that users may take an arccosine.
     #[inline(always)]
     pub(crate) fn position(&self, point: &Point<'_>) -> (f64, f64) {
         let (sine, cosine) = match point {
             Point::Swing(swing, phase) => swing.half_angle(*phase),
             Point::Rotation(rotation, phase) => rotation.half_angle(*phase),
         };
-        (self.direction * 2.0 * (sine * cosine), (sine - cosine) * (sine + cosine))
+        let (x, y) = (self.direction * 2.0 * (sine * cosine), (sine - cosine) * (sine + cosine));
+        (x.clamp(-1.0, 1.0), y.clamp(-1.0, 1.0))
     }
 
     /// θ̈ = −ω² sin θ.

@@ -125,7 +125,8 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow(t.evaluate(&self.motion, |motion, t| motion.acceleration(&motion.at(t))))
     }
 
-    /// The bob, (sin θ, −cos θ), in units of the length, y upward; computed without θ and without an arctangent.
+    /// The bob, (sin θ, −cos θ), in units of the length, y upward; computed without θ and without an arctangent. Neither is
+    /// ever beyond ±1.
     #[must_use]
     #[inline]
     pub fn position(&self, t: F) -> (F, F) {
