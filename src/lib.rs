@@ -162,7 +162,7 @@ struct Readme;
 /// | function | result |
 /// |---|---|
 /// | `theta(t)`, `velocity(t)`, `acceleration(t)` | θ, θ̇, θ̈ = −ω² sin θ, in rad and the unit of t |
-/// | `position(t) -> (x, y)` | (sin θ, −cos θ) in lengths, y upwards, computed without θ |
+/// | `position(t) -> (x, y)` | (sin θ, −cos θ) in lengths, y upwards, computed without θ; beyond ±1 by no more than `MAX_POSITION_ERROR` |
 /// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
 /// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
 ///
