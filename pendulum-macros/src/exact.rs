@@ -106,7 +106,11 @@ impl Real {
 
     /// Rounded to the precision of [`Context::settled`], if that is less: all that it might cancel with is told from it.
     pub(crate) fn settled(self) -> Self {
-        let Context { bits } = Context::settled();
+        self.within(Context::settled())
+    }
+
+    /// Rounded to the precision of `context`, if that is less.
+    pub(crate) fn within(self, Context { bits }: Context) -> Self {
         if self.0.precision() <= bits { self } else { Self(self.0.with_precision(bits).value()) }
     }
 

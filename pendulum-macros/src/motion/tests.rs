@@ -117,6 +117,25 @@ fn the_precision_follows_the_cancellation() {
     assert!(near.omega.context().spare_bits() >= near.cancelled_bits());
 }
 
+/// An angle that took more digits to evaluate is as exact as any other, no more.
+#[test]
+fn states_that_cancelled_are_on_the_separatrix() {
+    for theta0 in
+        ["100.0 - 100.0 + 90deg", "0.1 - 0.1 + π/2", "(1 + 1e-30 - 1)*1e30*π/2", "(1/3 + 1e-40 - 1/3)*1e40*π/2"]
+    {
+        let regime = motion(&format!("theta0 = {theta0}, velocity0 = sqrt(2)")).regime;
+        assert!(matches!(regime, Regime::Separatrix(_)), "{theta0}: {regime:?}");
+    }
+    for theta0 in ["(1+1e-20-1)*1e20*π", "(1+1e-25-1)*1e25*π", "(1/3 + 1e-40 - 1/3)*1e40*π", "π + 1e-30 - 1e-30"] {
+        let top = motion(&format!("theta0 = {theta0}, velocity0 = 1")).regime;
+        assert!(matches!(top, Regime::Rotation(_)), "{theta0}: {top:?}");
+        let mut report = Report::default();
+        let request = parse(format!("theta0 = {theta0}").parse().unwrap(), &mut report).unwrap();
+        check(request, &mut report);
+        assert!(report.finish().unwrap_err().to_string().contains("balanced"), "{theta0}");
+    }
+}
+
 /// The last of two thousand digits decides between neighbouring floats, and between a swing and the separatrix.
 #[test]
 fn every_digit_counts() {

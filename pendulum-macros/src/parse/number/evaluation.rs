@@ -8,25 +8,27 @@ use super::tree::{Operator, Tree, Unit};
 use crate::exact::{Context, Real};
 use syn::{Error, Result};
 
-/// Last bits of which it doesn't matter whether they are right.
-const NEGLIGIBLE: i64 = 64;
+/// Last bits of which it doesn't matter whether they are right: half of those below [`Context::resolution`], since squares
+/// of values are told from each other.
+const NEGLIGIBLE: i64 = 32;
 
-/// A sum that can't be told from zero at so many times the precision that was asked for is zero: √2·√2 − 2.
-const MOST_PRECISE: i64 = 8;
+/// A sum that can't be told from zero with so many digits, or with twice those that were asked for, is zero: √2·√2 − 2.
+const MOST_DIGITS: usize = 10_000;
 
-/// The value, of whose bits all but the [`NEGLIGIBLE`] are right in the precision of `context`.
+/// The value, in the precision of `context`, of whose bits all but the [`NEGLIGIBLE`] are right.
 pub(super) fn value(tree: &Tree, context: Context) -> Result<Real> {
+    let most = Context::for_digits(MOST_DIGITS).bits().max(2 * context.bits());
     let mut evaluation = Evaluation { context, wrong: 0, is_doubtful: false };
     loop {
         let value = evaluation.of(tree);
         let bits = evaluation.context.bits();
         let missing = context.bits() - NEGLIGIBLE - (bits - evaluation.wrong);
-        let more = if evaluation.is_doubtful && bits < MOST_PRECISE * context.bits() { bits } else { missing };
+        let more = if evaluation.is_doubtful && bits < most { bits.min(most - bits) } else { missing };
         if more <= 0 {
-            return value.map(|value| value.real);
+            return value.map(|value| value.real.within(context));
         }
-        let context = evaluation.context.widened(more.unsigned_abs() as usize);
-        evaluation = Evaluation { context, wrong: 0, is_doubtful: false };
+        let wider = evaluation.context.widened(more.unsigned_abs() as usize);
+        evaluation = Evaluation { context: wider, wrong: 0, is_doubtful: false };
     }
 }
 

@@ -308,6 +308,10 @@ mod tests {
         ] {
             assert_eq!(value(text), exact, "{text}");
         }
+        // x ↦ 1/(1 + x) − 1 + x, about x², four times: of 6400 digits nothing is left but the square.
+        let again = |x: String| format!("(1/(1+{x})-1+{x})");
+        let text = again(again(again(again("1e-400".to_owned())))) + &"*1e400".repeat(16);
+        assert_eq!(value(&text), 1.0);
         // All the bits that were asked for, of what is 3e-91 from 1.
         let number = parse("(1/(1+1e-90) - 1 + 1e-90)*1e90*1e90 - 1").unwrap();
         let context = Context::for_digits(number.digits());
