@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 pendulum! {
-    /// A lantern on a chain of 1.5 m, pushed to 50°: good to a tenth of a milliradian for an hour of play.
+    /// A lantern on a chain of 1.5 m, pushed to 50°: good to a tenth of a milliradian for the time that is passed.
     struct Lantern;
     theta0 = 50deg, g = 9.81, length = 1.5, float = f32, tol = 1e-4, t_max = 3600
 }
@@ -24,7 +24,7 @@ const SWING: [f32; 64] = {
 };
 
 fn main() {
-    // Each lantern was let go at its own moment: a time offset is all it needs to remember.
+    // Each lantern swings with a phase of its own: a time offset is all it needs to remember.
     let released: Vec<f32> = (0..10_000_u16).map(|i| f32::from(i % 977) * 0.01).collect();
     let mut angles = vec![0.0_f32; released.len()];
     let (frames, start) = (600_u16, Instant::now());

@@ -43,8 +43,9 @@
 //! that select one of two numbers, and manipulations of a number's bits, in a fixed order. Plans with a table of
 //! coefficients mask the index of its row, so that no row is missed and no check is needed. The run-time part takes
 //! correctly rounded square roots besides. A fused multiply-add, whose bits would differ, is in neither. So the bits are
-//! the same on every platform and at every optimisation level, but for the sign and payload of a NaN, which IEEE 754
-//! leaves open.
+//! the same on every target with IEEE 754's arithmetic (32-bit x86 without SSE2 has another) and at every optimisation
+//! level, but for the sign and payload of a NaN, which the standard leaves open. Another version may plan differently: where
+//! bits are compared, as in replays and lockstep, pin it.
 #![no_std]
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
@@ -112,11 +113,11 @@ struct Readme;
 /// |---|---|---|---|
 /// | `theta0`, `θ0` | angle at t = 0 | 10⁻³⁰⁰ (`f32`: 10⁻³⁵) ≤ \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
 /// | `velocity0` | θ̇ at t = 0, rad per unit of t (`90deg` is 90 degrees, π/2 rad, per unit of t) | any up to 10¹³⁵·ω | 0, released at rest |
-/// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0, for periods up to 10²⁸⁰ | 1 |
+/// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0, for periods up to 10²⁸⁰ (`f32`: 3·10³⁸) | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing | from 1 to what `float` can use | |
 /// | `tol` | largest error allowed, rounding included: rad for θ, wrapped or not, rad·ω for θ̇, rad·ω² for θ̈, lengths for the position; not with `n` | > 0, within reach of `float` | full precision, below |
-/// | `t_max` | the promise holds for \|t\| ≤ `t_max`, the horizon; a shorter one is a cheaper reduction of the phase, and less than a quarter of a period none at all | > 0, up to 2⁵³ periods | 2⁵³ periods; on the separatrix any time |
+/// | `t_max` | the promise holds for \|t\| ≤ `t_max`, the horizon; a shorter one is a cheaper reduction of the phase, and less than a quarter of a period (half of a rotation's) none at all | > 0, up to 2⁵³ periods | 2⁵³ periods; on the separatrix any time |
 /// | `method` | how θ is approximated, below | any for a swing, `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
 /// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
@@ -129,13 +130,13 @@ struct Readme;
 /// | `series` | the Fourier series of θ itself; its sum in pieces where a recurrence would be rounded by too much | θ and its derivatives |
 /// | `polynomial` | one in the phase, in pieces where one can't serve | everything |
 ///
-/// **Numbers** are decimal literals of up to 10 000 digits (every digit counts) and exponents between ±400, with
-/// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`:
-/// `7π/8`, `157.5deg`, `3*PI/4 - 0.01`. What it ends in belongs to it alone: `3/4π` is 3/(4π). `deg` and `rad` are for
-/// `theta0` and `velocity0` only. Nothing is rounded to `f64` on the way, so every constant is the correctly rounded one of
-/// the exact value. An expression may have up to 500 tokens, and parentheses nested up to 64 deep; a sum that
-/// 10 000 digits don't tell from 0 is 0. A macro sees names, not values: a constant
-/// or variable of your own can't stand there; [`Pendulum`] takes those.
+/// **Numbers** are decimal literals of up to 10 000 digits (every digit counts) and exponents between ±400, with `+ -
+/// * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`,
+/// `157.5deg`, `3*PI/4 - 0.01`. What it ends in belongs to it alone: `3/4π` is 3/(4π). `deg` and `rad` are for
+/// `theta0` and `velocity0` only. Nothing is rounded to `f64` on the way, so every constant is the correctly rounded
+/// one of the exact value. An expression may have up to 500 tokens, and parentheses nested up to 64 deep; a sum that
+/// 10 000 digits don't tell from 0 is 0. A macro sees names, not values: a constant or variable of your own can't
+/// stand there; [`Pendulum`] takes those.
 ///
 /// # What the item has
 /// Constants are of the type `float` where nothing else is said.
@@ -148,7 +149,7 @@ struct Readme;
 /// | `MODULUS` | k = sin(`AMPLITUDE`/2) of a swing, κ = 2ω/\|θ̇\| at the lowest point of a rotation, 1 on the separatrix | always |
 /// | `K`, `K_PRIME`, `NOME` | K(k), K(k′) and q = exp(−πK′/K), κ in place of k in a rotation | for swings and rotations |
 /// | `PERIOD` | T = 4K/ω of a swing, the time of one turn of a rotation | for swings and rotations |
-/// | `METHOD: &str` | `"polynomial"`; where that would be long `"pieces"` (a table of polynomials), near the top `"passage"` (through the lowest point; also the separatrix); or the `method` of the paper or `"series"` that was asked for | always |
+/// | `METHOD: &str` | `"polynomial"`; where that would be long `"pieces"` (a table of polynomials, of up to 16 KiB an output), near the top `"passage"` (through the lowest point; also the separatrix); or the `method` of the paper or `"series"` that was asked for (often with a table of up to 18 KiB) | always |
 /// | `TERMS: usize` | terms (harmonics) of the first output | always |
 /// | `OPERATIONS: usize` | operations in one call of the first function, a square root, a minimum and a look-up of a table's row being one each | always |
 /// | `COEFFICIENTS: [_; N]` | b₁, b₃, … (Eq. 20) | for a plan by Eq. 22 |
@@ -171,7 +172,10 @@ struct Readme;
 /// * Released from rest, for every finite t: θ(−t) = θ(t) to the bit; −θ0 gives the mirror image to the bit, except
 ///   perhaps for the sign of a zero.
 /// * Beyond the horizon the θ of a swing stays within ±(`AMPLITUDE` + `MAX_ERROR`). Beyond a `t_max` of less than a
-///   quarter of a period all outputs may stay as they are at `t_max`.
+///   quarter of a swing's `PERIOD`, half of a rotation's, or 4/ω on the separatrix, all outputs may stay as they are at
+///   `t_max`.
+/// * A bound is that of the t passed. A clock rounded to `f32` is itself wrong, after an hour of seconds by up to 1.2·10⁻⁴
+///   s: keep time in `f64`, and pass what is left of it after whole periods.
 /// * Of θ̇ the bound alone is promised: where `METHOD` is `"passage"` it is not exactly 0 at the release.
 ///
 /// ```

@@ -46,7 +46,8 @@ struct Envelope {
 /// From term to term m grows by this: all of a series are odd multiples of πs, or all are even.
 const STEP: u32 = 2;
 
-/// Relative to the first term, terms below this are omitted: far below the rounding of any output.
+/// A series ends where a bound of all that follows is below this part of its largest number: far below the rounding of
+/// any output.
 const NEGLIGIBLE: f64 = 1e-23;
 
 impl Wave {

@@ -47,7 +47,7 @@ pub(crate) fn agm(x: f64) -> f64 {
     a
 }
 
-/// √q, q = exp(−πK′/K), from both moduli, for q ≤ ¼ (k′ ≥ 0.11), within 3 ulp down to k = 10⁻³⁰⁰.
+/// √q, q = exp(−πK′/K), from both moduli, for q ≤ ¼ (k′ ≥ 0.1134), within 3 ulp down to k = 10⁻³⁰⁰.
 ///
 /// Never as an exponential, whose error grows with K′/K. With aₙ, cₙ the AGM's means and half-differences from a₀ = 1,
 /// b₀ = k′, c₀ = k, three Landen steps turn q into q⁴ = ε(1 + 2ε⁴ + 15ε⁸ + …), ε = c₃/(4a₄) (DLMF 22.2, 19.8), and

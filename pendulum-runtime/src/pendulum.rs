@@ -142,8 +142,8 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow_angle(t.evaluate(&self.motion, |motion, t| motion.wrapped(&motion.at(t))))
     }
 
-    /// The first t ≥ 0 at which θ(t) = `theta`, turns counted. The first from another time on is that of the motion
-    /// [`from_state`](Self::from_state) there, later by as much.
+    /// The first t ≥ 0 at which θ(t) = `theta`, turns counted. For the first after a time t₁ take the state at t₁, make a motion
+    /// of it with [`from_state`](Self::from_state), and add t₁ to its answer.
     ///
     /// By Carlson's RF in twice the working precision, of differences of angles that are exact: within one ulp of the t
     /// at which the motion has the given angle, at any amplitude and next to any turning point. This holds for
@@ -182,20 +182,21 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow_or_infinite(self.motion.period())
     }
 
-    /// The largest |θ| from the vertical, to 1 ulp of a normal number: |θ0| of a swing, 0 at rest, π on the separatrix, ∞ for a rotation.
+    /// The largest |θ|, less whole turns of the initial angle, to 1 ulp of a normal number: 0 at rest, π on the separatrix,
+    /// ∞ for a rotation.
     #[must_use]
     pub fn amplitude(&self) -> F {
         F::narrow_or_infinite(self.motion.amplitude)
     }
 
-    /// The elliptic modulus k: sin(θ0/2) of a swing, 1 on the separatrix, κ = 2ω/v0 < 1 of a rotation that passes the
+    /// The elliptic modulus k: sin(amplitude/2) of a swing, 1 on the separatrix, κ = 2ω/v0 < 1 of a rotation that passes the
     /// bottom at v0.
     #[must_use]
     pub fn modulus(&self) -> F {
         F::narrow(self.motion.moduli.k.to_f64())
     }
 
-    /// The complementary modulus k′ = √(1 − k²): cos(θ0/2) of a swing, 0 on the separatrix. Near the top, where k rounds
+    /// The complementary modulus k′ = √(1 − k²): cos(amplitude/2) of a swing, 0 on the separatrix. Near the top, where k rounds
     /// to 1, it tells motions from each other.
     #[must_use]
     pub fn complementary_modulus(&self) -> F {
@@ -244,7 +245,8 @@ impl<F: Scalar> Pendulum<F> {
         F::narrow(self.motion.small_angle(t.widen()))
     }
 
-    /// The harmonic approximation θ0 cos(2πt/T) with the exact period (Eq. 17), with the phase of the initial state.
+    /// The harmonic approximation (Eq. 17): the amplitude times cos(2πt/T) with the exact period, shifted to the phase of
+    /// the initial state.
     ///
     /// NaN for rotation and separatrix.
     #[must_use]

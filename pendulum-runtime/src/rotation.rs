@@ -15,7 +15,7 @@ use crate::theta_polynomial::{alternate, jacobi_theta2, jacobi_theta3, jacobi_th
 use crate::theta_quotient::{sech_quotient, tanh_quotient};
 use core::f64::consts::{LOG2_E, PI, TAU};
 
-/// κ′ above which the direct series serve: q = 0.1 at κ′ = 0.446.
+/// κ′ above which the direct series serve: q = 0.1 at κ′ = 0.4445.
 const DIRECT_FROM: f64 = 0.45;
 
 /// π/ln 2, in two words since the exponent that it is part of is rounded besides.

@@ -16,7 +16,7 @@ use crate::phase::Reduced;
 use crate::theta_polynomial::{jacobi_theta1, jacobi_theta2, jacobi_theta3, jacobi_theta4};
 use crate::theta_quotient::{sech_quotient, sinh_quotient, tanh_quotient};
 
-/// k′ above which the direct series serve: √q = ½ at k′ = 0.1115.
+/// k′ above which the direct series serve: √q = ½ at k′ = 0.1134.
 const DIRECT_FROM: f64 = 0.12;
 
 /// 2/ln 2, so that e^{2X} = 2^{(2/ln 2) X}.

@@ -336,7 +336,7 @@ impl AnalysedSum {
 /// u₁ and u₂ of the recurrence; of a single weight there is no u₂, which is 0.
 fn clenshaw(b: &mut Builder, cosine: Id, weights: &[Double]) -> (Id, Option<Id>) {
     let constants: Vec<Id> = weights.iter().map(|&weight| b.rounded(weight)).collect();
-    let Some((&last, rest)) = constants.split_last() else { return (cosine, None) };
+    let Some((&last, rest)) = constants.split_last() else { return (b.constant(0.0), None) };
     let square = b.mul(cosine, cosine);
     let (four, two) = (b.constant(4.0), b.constant(2.0));
     let fourfold = b.mul(square, four);

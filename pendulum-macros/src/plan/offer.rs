@@ -21,14 +21,14 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let mut asked = Asking { scene, refused: vec![tol] };
     if let Some(kept) = asked.first_kept(&offers, least) {
         let far_below = if is_quick(scene) { asked.far_below(kept) } else { None };
-        let (kept, step) = far_below.map_or((kept, STEP), |far_below| (far_below, ANY_STEP));
-        return asked.finest(kept, step);
+        let (kept, below) = far_below.map_or((kept, Below::Near), |far_below| (far_below, Below::Anything));
+        return asked.finest(kept, below);
     }
     if scene.is_far() {
         return f64::INFINITY;
     }
     let coarse = COARSE.into_iter().filter(|&coarse| coarse > tol).find_map(|coarse| asked.ask(coarse).ok());
-    coarse.map_or(f64::INFINITY, |kept| asked.finest(kept, LARGE_STEP))
+    coarse.map_or(f64::INFINITY, |kept| asked.finest(kept, Below::Coarse))
 }
 
 /// What full precision promises, or reaches: of an angle that grows without bound, what its turns cost.
@@ -105,20 +105,14 @@ impl Asking<'_> {
     }
 
     /// What a promise takes is asked for, or what was reached where another was refused; then what is between it and the
-    /// largest tolerance that was refused, but at most a `step` below.
-    fn finest(mut self, mut found: Kept, step: f64) -> f64 {
+    /// largest tolerance that was refused, but no farther `below`.
+    fn finest(mut self, mut found: Kept, below: Below) -> f64 {
         let thorough = is_quick(self.scene) && self.scene.outputs.len() == 1;
         let close = if thorough { 1.02 } else { 1.5 };
-        let asks = match (thorough, step) {
-            (_, ANY_STEP) => 16,
-            (true, _) => 8,
-            (false, LARGE_STEP) => 6,
-            (false, _) => 3,
-        };
         let mut reached = found.bound;
-        for _ in 0..asks {
-            let below = self.refused.iter().copied().filter(|&refused| refused < found.tolerance);
-            let refused = below.fold((found.tolerance / step).max(f64::from_bits(1)), f64::max);
+        for _ in 0..below.asks(thorough) {
+            let refused = self.refused.iter().copied().filter(|&refused| refused < found.tolerance);
+            let refused = refused.fold((found.tolerance / below.step()).max(f64::from_bits(1)), f64::max);
             let [taken, between] = [OFFERS[0] * reached, refused.sqrt() * found.tolerance.sqrt()].map(three_digits);
             let next = if taken > refused && taken * close < found.tolerance { taken } else { between };
             if next * close.sqrt() > found.tolerance {
@@ -145,11 +139,40 @@ const OFFERS: [f64; 5] = [1.01, 1.05, 1.25, 2.0, 4.0];
 /// What is asked for where none of these can be promised, unless it is the unit of time that is in the way.
 const COARSE: [f64; 2] = [1e-3, 1.0];
 
-/// So much below one that was found from what was reached hardly any is kept, and below one that is coarse.
+/// Where the best tolerance is, from one that can be promised.
+#[derive(Clone, Copy)]
+enum Below {
+    /// Next to it: it was found from what was reached.
+    Near,
+    /// It is coarse.
+    Coarse,
+    /// Above what was refused.
+    Anything,
+}
+
+impl Below {
+    /// So much below it hardly any is kept.
+    fn step(self) -> f64 {
+        match self {
+            Self::Near => STEP,
+            Self::Coarse => 1e8,
+            Self::Anything => f64::INFINITY,
+        }
+    }
+
+    /// How often something between is asked for.
+    fn asks(self, thorough: bool) -> usize {
+        match (self, thorough) {
+            (Self::Anything, _) => 16,
+            (_, true) => 8,
+            (Self::Coarse, false) => 6,
+            (Self::Near, false) => 3,
+        }
+    }
+}
+
+/// So much below one that was found from what was reached hardly any is kept.
 const STEP: f64 = 8.0;
-const LARGE_STEP: f64 = 1e8;
-/// What was found far below what was reached is as near to what can be as anything that was refused.
-const ANY_STEP: f64 = f64::INFINITY;
 
 /// As a message prints it.
 fn three_digits(x: f64) -> f64 {

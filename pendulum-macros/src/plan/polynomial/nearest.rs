@@ -160,7 +160,7 @@ fn exchanged(reference: &[usize], weighted: &[f64], largest: f64) -> Option<Vec<
     while start < weighted.len() {
         // The largest of those of the same sign.
         let (mut last, mut point) = (start, start + 1);
-        while point < weighted.len() && weighted[last] * weighted[point] >= 0.0 {
+        while point < weighted.len() && (weighted[last] < 0.0) == (weighted[point] < 0.0) {
             if size(point) > size(last) {
                 last = point;
             }

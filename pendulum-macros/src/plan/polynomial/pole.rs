@@ -34,7 +34,7 @@ impl Pair {
         Self { place, height_squared }
     }
 
-    /// Of p² + `linear`·p + `constant`, if its zeros are not real.
+    /// Of p² + `linear`·p + `constant`, if its zeros are not real, nor so far away that they change next to nothing.
     fn of([constant, linear]: [f64; 2], float: Float) -> Option<Self> {
         let place = -0.5 * linear;
         let height_squared = constant - place * place;
