@@ -130,9 +130,9 @@ struct Readme;
 /// | `series` | the Fourier series of θ itself; its sum in pieces where a recurrence would be rounded by too much | θ and its derivatives |
 /// | `polynomial` | one in the phase, in pieces where one can't serve | everything |
 ///
-/// **Numbers** are decimal literals of up to 10 000 digits (every digit counts) and exponents between ±400, with `+ -
-/// * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`: `7π/8`,
-/// `157.5deg`, `3*PI/4 - 0.01`. What it ends in belongs to it alone: `3/4π` is 3/(4π). `deg` and `rad` are for
+/// **Numbers** are decimal literals of up to 10 000 digits (every digit counts) and exponents between ±400, with
+/// `+ - * /`, parentheses, unary minus, `π`, `PI`, `pi` and `sqrt(…)`; a literal may end in `π`, `deg` or `rad`:
+/// `7π/8`, `157.5deg`, `3*PI/4 - 0.01`. What it ends in belongs to it alone: `3/4π` is 3/(4π). `deg` and `rad` are for
 /// `theta0` and `velocity0` only. Nothing is rounded to `f64` on the way, so every constant is the correctly rounded
 /// one of the exact value. An expression may have up to 500 tokens, and parentheses nested up to 64 deep; a sum that
 /// 10 000 digits don't tell from 0 is 0. A macro sees names, not values: a constant or variable of your own can't
