@@ -88,6 +88,10 @@ fn refuses_states_that_do_not_move() {
     refused("theta0 = sqrt(2)*sqrt(2) - 2", &["hangs still"]);
     refused("theta0 = π", &["3.141592653589793 rad = 180.0°", "balanced", "velocity0"]);
     refused("theta0 = -180deg", &["balanced"]);
+    // Of angles that took more digits to evaluate as well.
+    for top in ["(1+1e-20-1)*1e20*π", "(1+1e-25-1)*1e25*π", "(1/3 + 1e-40 - 1/3)*1e40*π", "π + 1e-30 - 1e-30"] {
+        refused(&format!("theta0 = {top}"), &["balanced"]);
+    }
     refused(
         "theta0 = 200deg",
         &["`theta0 = 200deg`", "3.490658503988659 rad = 200.0°", "velocity0", "`theta0 = -160deg`"],

@@ -43,9 +43,7 @@ impl Moments {
             let z = end(slice + 1).min(0.5);
             let here = speed(z);
             let (slow, fast) = (here - SLACK * fastest, before + SLACK * fastest);
-            let ends = [fast, slow.max(0.0)];
-            let [low, high] = ends.map(|v| height(v, fastest));
-            let [of_low, of_high] = ends.map(|v| sine(v, fastest));
+            let [(low, of_low), (high, of_high)] = [fast, slow.max(0.0)].map(|v| height_and_sine(v, fastest));
             let sine = if low <= 1.0 && high >= 1.0 { 1.0 } else { larger(of_low, of_high) };
             let cosine = larger((1.0 - low).abs(), (1.0 - high).abs());
             let steepest = [fast, sine, cosine * fast];
@@ -59,14 +57,10 @@ impl Moments {
     }
 }
 
-/// 1 − cos θ at the velocity v, in units of ω.
-fn height(v: f64, fastest: f64) -> f64 {
-    (0.5 * (fastest - v) * (fastest + v)).clamp(0.0, 2.0)
-}
-
-/// sin θ = √((1 − cos θ)(1 + cos θ)) there: of a small swing 1 − cos² θ would keep no digit, and of a tiny one 1 − cos θ
-/// is 0.
-fn sine(v: f64, fastest: f64) -> f64 {
-    let whole = (fastest - v).max(0.0).sqrt() * (fastest + v).sqrt();
-    whole * (1.0 - 0.5 * height(v, fastest)).sqrt()
+/// 1 − cos θ and sin θ at the velocity v, in units of ω. The sine is √((1 − cos θ)(1 + cos θ)): of a small swing 1 − cos² θ
+/// would keep no digit, and of a tiny one 1 − cos θ is 0.
+fn height_and_sine(v: f64, fastest: f64) -> (f64, f64) {
+    let height = (0.5 * (fastest - v) * (fastest + v)).clamp(0.0, 2.0);
+    let root = (fastest - v).max(0.0).sqrt() * (fastest + v).sqrt();
+    (height, root * (1.0 - 0.5 * height).sqrt())
 }

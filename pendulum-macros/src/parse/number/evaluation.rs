@@ -4,6 +4,7 @@
 //! digits of x. So each value comes with how many of its last bits may be wrong, and where these are too many, all is
 //! computed with more.
 
+use super::literal::MOST_DIGITS;
 use super::tree::{Operator, Tree, Unit};
 use crate::exact::{Context, Real};
 use syn::{Error, Result};
@@ -12,23 +13,21 @@ use syn::{Error, Result};
 /// of values are told from each other.
 const NEGLIGIBLE: i64 = 32;
 
-/// A sum that can't be told from zero with so many digits, or with twice those that were asked for, is zero: √2·√2 − 2.
-const MOST_DIGITS: usize = 10_000;
-
-/// The value, in the precision of `context`, of whose bits all but the [`NEGLIGIBLE`] are right.
+/// The value, in the precision of `context`, of whose bits all but the [`NEGLIGIBLE`] are right. A sum that can't be told
+/// from zero with [`MOST_DIGITS`], or with twice the precision that is asked for, is zero: √2·√2 − 2.
 pub(super) fn value(tree: &Tree, context: Context) -> Result<Real> {
     let most = Context::for_digits(MOST_DIGITS).bits().max(2 * context.bits());
-    let mut evaluation = Evaluation { context, wrong: 0, is_doubtful: false };
+    let mut precision = context;
     loop {
+        let mut evaluation = Evaluation { context: precision, wrong: 0, is_doubtful: false };
         let value = evaluation.of(tree);
-        let bits = evaluation.context.bits();
+        let bits = precision.bits();
         let missing = context.bits() - NEGLIGIBLE - (bits - evaluation.wrong);
         let more = if evaluation.is_doubtful && bits < most { bits.min(most - bits) } else { missing };
         if more <= 0 {
             return value.map(|value| value.real.within(context));
         }
-        let wider = evaluation.context.widened(more.unsigned_abs() as usize);
-        evaluation = Evaluation { context: wider, wrong: 0, is_doubtful: false };
+        precision = precision.widened(more.unsigned_abs() as usize);
     }
 }
 
