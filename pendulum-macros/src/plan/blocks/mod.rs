@@ -322,7 +322,11 @@ mod tests {
         for terms in 4..=20 {
             for chunk in [4, 8, 16] {
                 let powers = sample(terms);
-                let Some(Shifts { best: shift, .. }) = Shifts::new(&powers, chunk) else { continue };
+                let Some(Shifts { best: shift, .. }) = Shifts::new(&powers, chunk) else {
+                    // Of large blocks with many terms none may be had.
+                    assert!(terms > 13 && chunk > LEAST, "{terms} {chunk}");
+                    continue;
+                };
                 let shifted = crate::chebyshev::shift(&powers, Double::new(-shift.by));
                 let adapted = Blocks::adapted(&shifted, chunk, 1.0).unwrap();
                 assert!(adapted.mismatch < 1e-25, "{terms} {chunk}: {}", adapted.mismatch);

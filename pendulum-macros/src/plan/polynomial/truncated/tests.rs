@@ -5,6 +5,7 @@ use super::super::approximation::tests::{PLAIN, curves, nearest};
 use super::*;
 use crate::exact::Context;
 use crate::plan::arc::Arc;
+use crate::plan::blocks::LEAST;
 use crate::plan::form::{Poles, Variant};
 use crate::plan::moebius::Moebius;
 use crate::plan::reduction::Phase;
@@ -26,9 +27,9 @@ fn program(polynomial: &Polynomial, unit: Double) -> Program {
     b.finish(vec![result])
 }
 
-/// What every form gives but adapted coefficients, which may be rounded too much.
+/// What every form gives but adapted coefficients of large blocks, which may be rounded too much.
 fn or_adapted(form: Form, polynomial: Option<Polynomial>) -> Option<Polynomial> {
-    assert!(polynomial.is_some() || matches!(form, Form::Adapted { .. }), "{form:?}");
+    assert!(polynomial.is_some() || matches!(form, Form::Adapted { chunk } if chunk > LEAST), "{form:?}");
     polynomial
 }
 
