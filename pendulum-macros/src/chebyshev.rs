@@ -69,6 +69,9 @@ impl CosineTable {
     }
 }
 
+/// The part of a limit that an interpolation may be wrong by, so that what is dropped of its terms has nearly all of it.
+pub(crate) const NEGLIGIBLE: f64 = 1.0 / 512.0;
+
 /// Bounds the error of interpolation at so many Chebyshev points, of a function that is analytic inside the ellipse
 /// with foci ±1 and parameter ρ, and bounded there: 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and
 /// Approximation Practice*, theorem 8.2, of the other Chebyshev points). At these Tₖ from k = M on is 0 or, but for its

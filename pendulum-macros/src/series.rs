@@ -5,7 +5,7 @@ mod pieces;
 use crate::chebyshev::{cos_pi, sin_pi};
 use crate::motion::{Elliptic, Rotation, Swing};
 use crate::power::{power, two_to};
-use crate::program::rounding::LOST;
+use crate::program::rounding::{INFLATION_OF_SUMS, LOST};
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
@@ -20,9 +20,8 @@ pub(crate) struct Wave {
     /// Bounds what the omitted terms can add, what those kept lost to underflow, and what it strays by, for real s.
     omitted: f64,
     /// The m of the first that is omitted, if any is.
-    first_omitted: u32,
-    /// Of the omitted terms, of which there are none, or none that doesn't underflow, where `omitted` is 0; `None` of a
-    /// finite sum that is no part of a series.
+    first_omitted: Option<u32>,
+    /// Of the series' terms; `None` of a finite sum that is no part of one.
     envelope: Option<Envelope>,
 }
 
@@ -76,17 +75,8 @@ impl Wave {
 
     /// sin(θ/2) = k sn of a swing about its turning point: (2π/K) Σ (−1)ⁿ⁻¹ q^(n−½)/(1 − q²ⁿ⁻¹) cos((2n−1)πs) (Eq. 20).
     pub(crate) fn half_sine(swing: &Swing) -> Self {
-        let nome = swing.elliptic.nome.to_double();
-        let mut power = swing.elliptic.nome.sqrt().to_double();
         let front = Double::PI * 2.0 / swing.elliptic.quarter.to_double();
-        let growth = 1.0 / (1.0 - nome.hi);
-        let envelope = Envelope::of(&swing.elliptic, front.hi * growth, 0);
-        let terms = (1..).step_by(2).map(|m: u32| {
-            let size = front * power / (Double::ONE - power * power);
-            power = power * nome;
-            (m, if m % 4 == 3 { -size } else { size })
-        });
-        Self::collect(Parity::Even, [Double::ZERO; 2], terms, envelope)
+        Self::sn_or_cn(&swing.elliptic, front, Parity::Even)
     }
 
     /// cos(θ/2) = dn of a swing about its turning point: (π/2K)(1 + 4 Σ (−1)ⁿ qⁿ/(1 + q²ⁿ) cos(2nπs)).
@@ -162,9 +152,14 @@ impl Wave {
     /// (2π/(κK)) Σ (−1)ⁿ q^(n+½) cos((2n+1)πs)/(1 − q²ⁿ⁺¹) and −(2π/(κK)) Σ (−1)ⁿ q^(n+½) sin((2n+1)πs)/(1 + q²ⁿ⁺¹).
     pub(crate) fn from_top(rotation: &Rotation, parity: Parity) -> Self {
         let elliptic = &rotation.elliptic;
+        let front = Double::PI * 2.0 / (&elliptic.modulus * &elliptic.quarter).to_double();
+        Self::sn_or_cn(elliptic, front, parity)
+    }
+
+    /// Σ (−1)ⁿ q^(n+½) cos((2n+1)πs)/(1 − q²ⁿ⁺¹) or −Σ (−1)ⁿ q^(n+½) sin((2n+1)πs)/(1 + q²ⁿ⁺¹), `front` times.
+    fn sn_or_cn(elliptic: &Elliptic, front: Double, parity: Parity) -> Self {
         let nome = elliptic.nome.to_double();
         let mut power = elliptic.nome.sqrt().to_double();
-        let front = Double::PI * 2.0 / (&elliptic.modulus * &elliptic.quarter).to_double();
         let envelope = Envelope::of(elliptic, front.hi / (1.0 - nome.hi), 0);
         let terms = (1..).step_by(2).map(|m: u32| {
             let square = power * power;
@@ -194,7 +189,7 @@ impl Wave {
             constant: Double::ZERO,
             terms: vec![(1, Double::ONE)],
             omitted: 0.0,
-            first_omitted: 1 + STEP,
+            first_omitted: None,
             envelope: None,
         }
     }
@@ -207,9 +202,9 @@ impl Wave {
     ) -> Self {
         let mut kept: Vec<(u32, Double)> = Vec::new();
         let (mut largest, mut most) = (linear.hi.abs().max(constant.hi.abs()), linear.hi.abs() + constant.hi.abs());
-        let (mut omitted, mut first_omitted) = (0.0, 0);
+        let (mut omitted, mut first_omitted) = (0.0, None);
         for (m, amplitude) in terms {
-            first_omitted = m;
+            first_omitted = Some(m);
             largest = largest.max(amplitude.hi.abs());
             let tail = envelope.tail(m, 0.0);
             // The recurrence's numbers are at most Σ |aₙ|(n + 1), and a product in two words takes them 2²⁷ times. Where that
@@ -225,16 +220,18 @@ impl Wave {
             }
             kept.push((m, amplitude));
         }
-        // Of amplitudes, of what isn't periodic, and of the unit.
-        omitted += LOST * (kept.len() + 2) as f64;
+        omitted += lost(kept.len());
         Self { parity, linear, constant, terms: kept, omitted, first_omitted, envelope: Some(envelope) }
     }
 
     /// The sum of its first terms, nothing omitted; as unknown as the whole if these overflow.
     pub(crate) fn first(mut self, terms: usize) -> Self {
         self.terms.truncate(terms);
-        let omitted = if self.omitted.is_finite() { 0.0 } else { self.omitted };
-        Self { omitted, ..self }
+        if self.omitted.is_finite() {
+            self.omitted = lost(self.terms.len());
+            self.first_omitted = None;
+        }
+        self
     }
 
     /// Stands for another, from which it strays by at most that for real s.
@@ -314,7 +311,7 @@ impl Wave {
         let growth = PI * height;
         let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * libm::cosh(growth * f64::from(m))).sum();
         let tail = self.tail(growth, |envelope| envelope);
-        (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * (1.0 + 1e-9)
+        (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * INFLATION_OF_SUMS
     }
 
     /// The series converges for |Im s| below this; infinite of a finite sum that is no part of one.
@@ -324,8 +321,8 @@ impl Wave {
 
     /// Bounds what the omitted terms, as large as an envelope that is made of theirs, can add for |Im s| ≤ `growth`/π.
     fn tail(&self, growth: f64, made: impl Fn(Envelope) -> Envelope) -> f64 {
-        let envelope = self.envelope.filter(|_| self.omitted != 0.0);
-        envelope.map_or(0.0, |envelope| made(envelope).tail(self.first_omitted, growth))
+        let envelope = self.envelope.zip(self.first_omitted);
+        envelope.map_or(0.0, |(envelope, first)| made(envelope).tail(first, growth))
     }
 
     /// (m, aₘ) of the terms kept.
@@ -358,6 +355,11 @@ impl Wave {
         let lost = LOST * (4 * self.terms.len() + 256) as f64;
         self.terms.iter().map(of).sum::<f64>() + once * two_to(-100) + lost
     }
+}
+
+/// What so many terms lost to underflow: amplitudes, what isn't periodic, and the unit.
+fn lost(terms: usize) -> f64 {
+    LOST * (terms + 2) as f64
 }
 
 impl Envelope {

@@ -3,6 +3,7 @@
 use super::{Checked, Checker};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Rotation, Swing};
+use crate::parse::names::ascii;
 use crate::parse::number::Number;
 use crate::parse::{Float, Given, Output};
 
@@ -139,7 +140,11 @@ impl Checker<'_> {
         } else {
             format!("above the largest `{float}`, {shown_most}")
         };
-        let subject = if given.name == what { format!("`{given}` is") } else { format!("`{given}` puts {what}") };
+        let subject = if ascii(&given.name.to_string()) == what {
+            format!("`{given}` is")
+        } else {
+            format!("`{given}` puts {what}")
+        };
         let remedy = match (what, small) {
             ("theta0", true) => "choose a larger angle",
             ("theta0", false) => "choose an angle within ±π",

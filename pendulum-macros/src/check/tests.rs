@@ -119,6 +119,7 @@ fn refuses_states_that_do_not_move() {
     refused("theta0 = 2π", &["`theta0 = 2π` at rest hangs still"]);
     refused("theta0 = 1e300", &["`theta0` less its full turns"]);
     refused("theta0 = 1e-400", &["`theta0 = 1e-400` is below the smallest normal `f64`"]);
+    refused("θ0 = 1e-400", &["`θ0 = 1e-400` is below the smallest normal `f64`"]);
     refused("theta0 = 1e-39, float = f32", &["below the smallest normal `f32`", "f64"]);
     refused("theta0 = 1, velocity0 = 1e400", &["`velocity0 = 1e400` is above the largest `f64`"]);
 }
@@ -132,7 +133,8 @@ fn refuses_rates_that_are_none() {
     refused("theta0 = 1, g = 9.81", &["`g = 9.81` alone", "`length`"]);
     refused("theta0 = 1, length = 2", &["`length = 2` alone", "`g`"]);
     refused("theta0 = 1, omega = 1, g = 9.81", &["`g`", "`omega`", "keep"]);
-    refused("theta0 = 1, omega = 1e-308", &["below the smallest normal"]);
+    refused("theta0 = 1, omega = 1e-308", &["`omega = 1e-308` is below the smallest normal"]);
+    refused("theta0 = 1, ω = 1e-308", &["`ω = 1e-308` is below the smallest normal"]);
     refused("theta0 = 1, omega = 1e-285", &["`omega = 1e-285` makes a period of 6.69", "above 1e280", "a larger unit"]);
     refused("velocity0 = 3e-300, omega = 1e-300", &["`omega = 1e-300` makes a period of", "a larger unit"]);
     refused("struct A; theta0 = 1, omega = 1e200, outputs = [acceleration]", &["the largest acceleration above"]);

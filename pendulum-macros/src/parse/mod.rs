@@ -2,7 +2,7 @@
 
 mod depth;
 mod header;
-mod names;
+pub(crate) mod names;
 pub(crate) mod number;
 mod parameter;
 pub(crate) mod source;

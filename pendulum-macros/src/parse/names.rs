@@ -39,7 +39,7 @@ const SYNONYMS: [(&str, &[&str]); 9] = [
 ];
 
 /// The parameter's name in ASCII.
-pub(super) fn ascii(name: &str) -> &str {
+pub(crate) fn ascii(name: &str) -> &str {
     match name {
         "θ0" => "theta0",
         "ω" => "omega",

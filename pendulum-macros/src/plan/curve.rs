@@ -4,7 +4,7 @@ use super::arc::Arc;
 use super::pulses::Pulses;
 use crate::exact::Real;
 use crate::motion::{Rotation, Swing};
-use crate::plan::moments::Moments;
+use crate::plan::conditioning::Conditioning;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::program::rounding::INFLATION;
 use crate::series::{Parity, Wave};
@@ -34,7 +34,7 @@ pub(crate) struct Size {
     /// The largest |derivative| with respect to s.
     pub(crate) slope: f64,
     /// The largest |phase from the lowest point × derivative|.
-    pub(crate) moment: f64,
+    pub(crate) conditioning: f64,
     /// What a tolerance of 1 means: 1, ω, ω².
     pub(crate) unit: f64,
 }
@@ -46,7 +46,7 @@ impl Size {
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
         let relative = match (reduction.relative_error, reduction.origin) {
             (0.0, _) => 0.0,
-            (error, Origin::Lowest) => self.moment * error,
+            (error, Origin::Lowest) => self.conditioning * error,
             (_, Origin::Anchor) => f64::INFINITY,
         };
         self.slope * reduction.error * (1.0 + reduction.relative_error) + relative
@@ -67,8 +67,8 @@ const TOWARDS_POLES: [f64; 6] = [0.5, 0.6, 0.7, 0.8, 0.88, 0.94];
 
 impl Curve {
     /// A whole one with poles, of that size and those largest slopes.
-    fn new(wave: Wave, pulses: Pulses, largest: f64, [slope, moment]: [f64; 2], unit: f64) -> Self {
-        let size = Size { largest, slope: slope * INFLATION, moment, unit };
+    fn new(wave: Wave, pulses: Pulses, largest: f64, [slope, conditioning]: [f64; 2], unit: f64) -> Self {
+        let size = Size { largest, slope: slope * INFLATION, conditioning, unit };
         Self { wave, pulses: Some(pulses), arc: Arc::WHOLE, alternates: false, rises: false, size }
     }
 
@@ -219,7 +219,7 @@ impl Curve {
     /// sin πs.
     pub(crate) fn sine() -> Self {
         let steepest = std::f64::consts::PI;
-        let size = Size { largest: 1.0, slope: steepest, moment: steepest, unit: 1.0 };
+        let size = Size { largest: 1.0, slope: steepest, conditioning: steepest, unit: 1.0 };
         Self { wave: Wave::sine(), pulses: None, arc: Arc::WHOLE, alternates: true, rises: false, size }
     }
 }
@@ -240,12 +240,12 @@ pub(crate) trait Curves {
 pub(crate) struct SwingCurves<'a> {
     swing: &'a Swing,
     omega: &'a Real,
-    moments: OnceCell<Moments>,
+    conditioning: OnceCell<Conditioning>,
 }
 
 impl<'a> SwingCurves<'a> {
     pub(crate) fn new(swing: &'a Swing, omega: &'a Real) -> Self {
-        Self { swing, omega, moments: OnceCell::new() }
+        Self { swing, omega, conditioning: OnceCell::new() }
     }
 
     /// Anchors per unit of ωt: 1/(2K).
@@ -272,14 +272,14 @@ impl<'a> SwingCurves<'a> {
         Curve { alternates: true, ..Curve::new(wave, pulses, largest, slopes, unit) }
     }
 
-    fn moments(&self) -> &Moments {
+    fn conditioning(&self) -> &Conditioning {
         let (rate, fastest) = (self.rate().hi, 2.0 * self.modulus());
         // θ̇/ω = 2k cn: of some hundreds of harmonics the series takes far longer.
-        let cosine = |jacobi: Jacobi| Moments::new(|z| fastest * jacobi.sn_cn_dn(z / rate).1.abs(), rate, fastest);
+        let cosine = |jacobi: Jacobi| Conditioning::new(|z| fastest * jacobi.sn_cn_dn(z / rate).1.abs(), rate, fastest);
         let slope = || Wave::swing(self.swing, 1, Double::ONE, Double::ONE);
-        let series = || Moments::of_wave(&slope(), rate, fastest);
+        let series = || Conditioning::of_wave(&slope(), rate, fastest);
         let jacobi = || Jacobi::from_complementary_modulus(self.complementary()).filter(|_| fastest > 1.0);
-        self.moments.get_or_init(|| jacobi().map_or_else(series, cosine))
+        self.conditioning.get_or_init(|| jacobi().map_or_else(series, cosine))
     }
 }
 
@@ -288,14 +288,14 @@ impl Curves for SwingCurves<'_> {
     fn angle(&self) -> Curve {
         let wave = Wave::swing(self.swing, 0, Double::ONE, Double::ONE);
         let largest = self.swing.amplitude.to_f64();
-        let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().angle];
+        let slopes = [2.0 * self.modulus() / self.rate().hi, self.conditioning().angle];
         let pulses = Pulses::angle(&self.swing.elliptic, largest, 0.0);
         Curve { rises: true, ..Self::curve(wave, pulses, largest, slopes, 1.0) }
     }
 
     fn velocity(&self) -> Curve {
         let omega = self.omega.to_double();
-        let slopes = [self.largest_sine() / self.rate().hi, self.moments().velocity].map(|slope| omega.hi * slope);
+        let slopes = [self.largest_sine() / self.rate().hi, self.conditioning().velocity].map(|slope| omega.hi * slope);
         let pulses = Pulses::velocity(&self.swing.elliptic, 1.0, omega.hi);
         let wave = Wave::swing(self.swing, 1, self.rate(), omega);
         Self::curve(wave, pulses, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
@@ -305,7 +305,8 @@ impl Curves for SwingCurves<'_> {
     fn acceleration(&self) -> Curve {
         let unit = self.omega.square().to_double();
         let square = unit.hi;
-        let slopes = [2.0 * self.modulus() / self.rate().hi, self.moments().acceleration].map(|slope| square * slope);
+        let slopes =
+            [2.0 * self.modulus() / self.rate().hi, self.conditioning().acceleration].map(|slope| square * slope);
         let pulses = Pulses::acceleration(&self.swing.elliptic, 1.0, square);
         let wave = Wave::swing(self.swing, 2, self.rate(), unit);
         Self::curve(wave, pulses, square * self.largest_sine(), slopes, square)
@@ -328,12 +329,12 @@ impl Curves for SwingCurves<'_> {
 pub(crate) struct RotationCurves<'a> {
     rotation: &'a Rotation,
     omega: &'a Real,
-    moments: OnceCell<Moments>,
+    conditioning: OnceCell<Conditioning>,
 }
 
 impl<'a> RotationCurves<'a> {
     pub(crate) fn new(rotation: &'a Rotation, omega: &'a Real) -> Self {
-        Self { rotation, omega, moments: OnceCell::new() }
+        Self { rotation, omega, conditioning: OnceCell::new() }
     }
 
     /// Turns per unit of time.
@@ -352,11 +353,11 @@ impl<'a> RotationCurves<'a> {
         1.0 / self.rotation.elliptic.modulus.to_f64()
     }
 
-    fn moments(&self) -> &Moments {
+    fn conditioning(&self) -> &Conditioning {
         let omega = self.omega.to_f64();
         let slope = || Wave::rotation(self.rotation, 1, Double::ONE, Double::ONE);
         let (rate, fastest) = (self.rate().hi / omega, self.rotation.fastest.to_f64() / omega);
-        self.moments.get_or_init(|| Moments::of_wave(&slope(), rate, fastest))
+        self.conditioning.get_or_init(|| Conditioning::of_wave(&slope(), rate, fastest))
     }
 
     /// The angle itself, of the turn that passes the lowest point at s = ½.
@@ -370,7 +371,7 @@ impl Curves for RotationCurves<'_> {
     /// From the top, less 2πs; its slope is that of the whole.
     fn angle(&self) -> Curve {
         let wave = Wave::rotation(self.rotation, 0, Double::ONE, Double::ONE).without_mean();
-        let slopes = [self.slope(1.0, self.rotation.fastest.to_f64()), self.moments().angle];
+        let slopes = [self.slope(1.0, self.rotation.fastest.to_f64()), self.conditioning().angle];
         let pulses = Pulses::angle(&self.rotation.elliptic, std::f64::consts::PI, 1.0);
         Curve::new(wave, pulses, std::f64::consts::PI, slopes, 1.0)
     }
@@ -380,7 +381,7 @@ impl Curves for RotationCurves<'_> {
         let omega = self.omega.to_f64();
         let fastest = self.rotation.fastest.to_double();
         let wave = Wave::rotation(self.rotation, 1, self.rate() / fastest, fastest);
-        let slopes = [self.slope(omega, omega), omega * self.moments().velocity];
+        let slopes = [self.slope(omega, omega), omega * self.conditioning().velocity];
         let pulses = Pulses::velocity(&self.rotation.elliptic, self.front(), omega);
         Curve::new(wave, pulses, fastest.hi, slopes, omega)
     }
@@ -389,7 +390,7 @@ impl Curves for RotationCurves<'_> {
         let unit = self.omega.square().to_double();
         let square = unit.hi;
         let wave = Wave::rotation(self.rotation, 2, self.rate() / self.omega.to_double(), unit);
-        let slopes = [self.slope(square, self.rotation.fastest.to_f64()), square * self.moments().acceleration];
+        let slopes = [self.slope(square, self.rotation.fastest.to_f64()), square * self.conditioning().acceleration];
         let pulses = Pulses::acceleration(&self.rotation.elliptic, self.front(), square);
         Curve::new(wave, pulses, square, slopes, square)
     }

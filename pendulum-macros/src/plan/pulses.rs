@@ -52,8 +52,7 @@ impl Pulses {
     }
 
     fn with(elliptic: &Elliptic, curve: Of) -> Self {
-        let rate = PI * elliptic.quarter.to_f64() / elliptic.quarter_complementary.to_f64();
-        Self { rate, curve }
+        Self { rate: elliptic.span().to_f64(), curve }
     }
 
     /// θ, or what it has beside uniform turns: `largest` for real phases, and `turns` of a full angle per anchor.

@@ -9,6 +9,7 @@ use super::reduction::{Clock, Origin, Reduction};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Rotation, Separatrix, Swing, direction};
 use crate::parse::Output;
+use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::scene::Scene;
 use std::f64::consts::PI;
 
@@ -70,13 +71,13 @@ impl Task {
         let omega = scene.motion.omega.to_f64();
         let aims = scene.outputs.iter().map(|&output| {
             // |dθ/dw| ≤ 2 and |d²θ/dw²| ≤ 1; the last are the largest w·2 sech w, w·|sin θ| and w·|d(sin θ)/dw|.
-            let (largest, unit, moment) = match output {
+            let (largest, unit, conditioning) = match output {
                 Output::Theta | Output::Wrapped => (PI, 1.0, 1.326),
                 Output::Velocity => (2.0 * omega, omega, 1.16),
                 Output::Acceleration => (omega * omega, omega * omega, 0.93),
                 Output::Position => (1.0, 1.0, 1.326),
             };
-            Aim::with(scene, output, Size { largest, slope: 2.0 * unit, moment: moment * unit, unit })
+            Aim::with(scene, output, Size { largest, slope: 2.0 * unit, conditioning: conditioning * unit, unit })
         });
         let (direction, rate) = (direction(separatrix.mirrored), scene.motion.omega.clone());
         let passage = Some(Orbit::separatrix(&scene.motion, direction));
@@ -134,7 +135,7 @@ impl Task {
         let beside = Scene { motion: Motion::solve(theta0, &slower, omega).ok()?, ..scene.clone() };
         let Regime::Swing(swing) = &beside.motion.regime else { return None };
         let mut arc = Self::swing(&beside, swing).over_arc(&beside)?;
-        let stray = stray.to_f64() * libm::cosh(turned) * (1.0 + 1e-9);
+        let stray = stray.to_f64() * libm::cosh(turned) * INFLATION_OF_SUMS;
         let curves = arc.aims.iter_mut().flat_map(|aim| &mut aim.curves);
         curves.for_each(|curve| curve.stray(stray * curve.size.unit));
         Some(arc)

@@ -1,6 +1,6 @@
 //! What becomes of an angle: that of a rotation is wrapped to [−π, π), or gets its turns.
 
-use super::reduction::{Origin, Reduction};
+use super::reduction::{Origin, ROUNDED, Reduction};
 use super::variables::Variables;
 use crate::parse::Float;
 use crate::program::rounding::half_ulp;
@@ -156,10 +156,10 @@ impl Turning {
     fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
         let Some(periodic) = self.from_top else { return 0.0 };
         let float = reduction.float;
-        // Phases, in anchors, and angles overshoot half a turn; both by four units more of `f32`.
+        // Phases, in anchors, and angles overshoot half a turn; both rounded.
         let overshoot = reduction.overshoot.max(0.0);
-        let farthest = (0.5 + overshoot) * 1.000_001;
-        let largest = (PI + self.slope * overshoot) * 1.000_001;
+        let farthest = (0.5 + overshoot) * (1.0 + ROUNDED);
+        let largest = (PI + self.slope * overshoot) * (1.0 + ROUNDED);
         let of_half_turn = half_ulp(largest, float);
         let mean = of_half_turn + farthest * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = of_half_turn.min(4.0 * periodic);

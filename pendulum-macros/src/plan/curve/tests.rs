@@ -1,4 +1,4 @@
-//! Largest values, slopes and moments of curves are what bounds of the phase's error stand on: here against samples.
+//! Largest values, slopes and conditioning of curves are what bounds of the phase's error stand on: here against samples.
 
 use super::*;
 use crate::fuzz::random::Random;
@@ -6,6 +6,7 @@ use crate::motion::Regime;
 use crate::plan::task::Task;
 use crate::plan::tests::scene;
 use crate::power::two_to;
+use crate::program::rounding::LOST;
 
 /// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the
 /// cosine's period off the anchor.
@@ -26,7 +27,7 @@ fn sampled(curve: &Curve, mean: f64) -> [f64; 3] {
 /// The stated suprema aren't exceeded, by more than differences and samples are wrong, nor more than `times` too large.
 #[track_caller]
 fn stated(name: &str, curve: &Curve, times: [f64; 3]) {
-    let stated = [curve.size.largest, curve.size.slope, curve.size.moment];
+    let stated = [curve.size.largest, curve.size.slope, curve.size.conditioning];
     for ((sampled, stated), times) in sampled(curve, 0.0).into_iter().zip(stated).zip(times) {
         assert!(sampled <= stated * (1.0 + 1e-6), "{name}: {sampled} exceeds {stated}");
         assert!(stated <= times * sampled, "{name}: {stated} for {sampled}");
@@ -39,7 +40,7 @@ fn curves_of_swings() {
         let scene = scene(&format!("theta0 = {theta0}, omega = 3"));
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
         let curves = SwingCurves::new(swing, &scene.motion.omega);
-        // Each slice of the moments is a tenth longer than the one before, at most; of the acceleration's two factors
+        // Each slice of the conditioning is a tenth longer than the one before, at most; of the acceleration's two factors
         // each is bounded by itself.
         stated(theta0, &curves.angle(), [1.001, 1.001, 1.1]);
         stated(theta0, &curves.velocity(), [1.001, 1.001, 1.1]);
@@ -69,21 +70,27 @@ fn curves_of_rotations() {
         let curves = RotationCurves::new(rotation, &scene.motion.omega);
         // Without the uniform part, whose slope is counted.
         let angle = curves.angle();
-        let [largest, slope, moment] = sampled(&angle, std::f64::consts::TAU);
+        let [largest, slope, conditioning] = sampled(&angle, std::f64::consts::TAU);
         assert!(
-            largest <= angle.size.largest && slope <= angle.size.slope * (1.0 + 1e-6) && moment <= angle.size.moment,
+            largest <= angle.size.largest
+                && slope <= angle.size.slope * (1.0 + 1e-6)
+                && conditioning <= angle.size.conditioning,
             "{velocity0}"
         );
-        assert!(angle.size.moment < 1.1 * moment, "{velocity0}: {} for {moment}", angle.size.moment);
+        assert!(
+            angle.size.conditioning < 1.1 * conditioning,
+            "{velocity0}: {} for {conditioning}",
+            angle.size.conditioning
+        );
         for curve in [curves.velocity(), curves.acceleration()] {
-            let [largest, slope, moment] = sampled(&curve, 0.0);
+            let [largest, slope, conditioning] = sampled(&curve, 0.0);
             // Differences of a velocity that hardly changes are wrong by a millionth.
             let slack = 1.0 + 1e-5;
             assert!(largest <= curve.size.largest * (1.0 + 1e-9) && slope <= curve.size.slope * slack, "{velocity0}");
             assert!(
-                moment <= curve.size.moment * slack && curve.size.moment < 1.1 * moment,
-                "{velocity0}: {} for {moment}",
-                curve.size.moment
+                conditioning <= curve.size.conditioning * slack && curve.size.conditioning < 1.1 * conditioning,
+                "{velocity0}: {} for {conditioning}",
+                curve.size.conditioning
             );
         }
         // v₀ at the lowest point, and π at the top.
@@ -133,14 +140,14 @@ fn signs_of_swings() {
     assert!(!curves.half_cosine().alternates && Curve::sine().alternates && cosine.alternates);
 }
 
-/// An error of the phase costs its slope, and a part relative to that from the lowest point the moment; one relative to
+/// An error of the phase costs its slope, and a part relative to that from the lowest point the conditioning; one relative to
 /// any other can't be told.
 #[test]
 fn errors_of_phases() {
     let scene = scene("theta0 = 2");
     let reductions = Task::new(&scene).reductions(&scene);
     let mut curve = Curve::sine();
-    (curve.size.slope, curve.size.moment) = (3.0, 5.0);
+    (curve.size.slope, curve.size.conditioning) = (3.0, 5.0);
     let cost = |origin, error, relative_error| {
         curve.size.phase_error(&Reduction { origin, error, relative_error, ..reductions[0].clone() })
     };
@@ -182,7 +189,9 @@ fn first_terms() {
         for whole in [curves.angle(), curves.velocity()] {
             let first = whole.clone().first(4);
             let [.., fourth, fifth] = &whole.terms()[..5] else { panic!("more terms") };
-            assert_eq!((first.terms().last(), first.omitted(), first.omitted_slope()), (Some(fourth), 0.0, 0.0));
+            assert_eq!((first.terms().last(), first.omitted_slope()), (Some(fourth), 0.0));
+            // What six numbers lose to underflow.
+            assert_eq!(first.omitted(), 6.0 * LOST);
             // About an anchor cosines are all there is; half-way all sines are.
             let s = Double::new(if whole.parity() == Parity::Even { 0.0 } else { 0.5 });
             let apart = (whole.at(s) - first.at(s)).hi.abs() / fifth.1.hi.abs();

@@ -7,14 +7,10 @@ use crate::chebyshev::rounding_of_powers;
 use crate::parse::Float;
 use crate::plan::blocks::{Blocks, magnitude};
 use crate::plan::form::Form;
-use crate::plan::reduction::Reduction;
+use crate::plan::reduction::{ROUNDED, Reduction};
 use crate::program::rounding::lost_to_underflow;
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
-
-/// By how much p exceeds what it is of exact phases, at most: by 4 units of `f32` of the phase itself, its square and a
-/// map's image.
-const ROUNDED_PHASES: f64 = 1e-6;
 
 /// So many terms of an approximation, for the phase of a reduction.
 #[derive(Clone, Copy)]
@@ -166,7 +162,7 @@ impl Truncated<'_> {
         let overshoot = self.reduction.overshoot.max(0.0);
         let beyond = if self.is_arc() { 0.25 * overshoot } else { overshoot * (1.0 + overshoot) };
         // A map's slope is largest at 0 and decreases; at ¼ it is below 1.
-        beyond + ROUNDED_PHASES
+        beyond + ROUNDED
     }
 
     fn is_arc(&self) -> bool {

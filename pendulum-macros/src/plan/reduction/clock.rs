@@ -1,7 +1,7 @@
 //! The reductions that a motion can choose from, and how wrong each is.
 
 use super::words::{exponent, split_down, split_near};
-use super::{LINEAR_HALF, Origin, Reduction, Scheme, is_half};
+use super::{LINEAR_HALF, Origin, ROUNDED, Reduction, Scheme, is_half};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Float;
@@ -26,8 +26,8 @@ const SECOND_ORDER: f64 = 0.001;
 /// rounded.
 const WIDENED: f64 = 1.0 + SECOND_ORDER;
 
-/// What a rate in one word may differ by, 2⁻²⁴ of it.
-const OF_RATE: f64 = 1.000_001;
+/// What a rate in one word may differ by.
+const OF_RATE: f64 = 1.0 + ROUNDED;
 
 /// What all reductions of one motion start from.
 pub(crate) struct Clock<'a> {

@@ -22,6 +22,10 @@ use pendulum_runtime::double::Double;
 use std::ops::Range;
 use words::exponent;
 
+/// The part of itself that a number is wrong by after a few roundings in `f32`, at most: a rate in one word by 2⁻²⁴, a
+/// phase, its square and a map's image by 4 units each.
+pub(crate) const ROUNDED: f64 = 1e-6;
+
 /// How the phase is found, and how wrong it can be over the horizon.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Reduction {

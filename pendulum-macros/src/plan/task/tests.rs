@@ -30,7 +30,7 @@ fn suprema(f: impl Fn(f64) -> f64) -> [f64; 2] {
         let slope = (f(w + STEP) - f(w - STEP)).abs() / (2.0 * STEP);
         [slope, w * slope]
     };
-    (0..8000).map(at).fold([0.0, 0.0], |[a, b], [slope, moment]| [slope.max(a), moment.max(b)])
+    (0..8000).map(at).fold([0.0, 0.0], |[a, b], [slope, conditioning]| [slope.max(a), conditioning.max(b)])
 }
 
 /// 2 gd w, and its derivative.
@@ -87,7 +87,7 @@ fn beside_the_separatrix() {
 }
 
 /// The largest |z·df/dz| of a curve, z being the phase from the lowest point.
-fn moment(curve: &Curve) -> f64 {
+fn conditioning(curve: &Curve) -> f64 {
     const STEP: f64 = 1e-9;
     let at = |i: u32| {
         let z = f64::from(i) / 8000.0;
@@ -97,7 +97,7 @@ fn moment(curve: &Curve) -> f64 {
     (1..=4000).map(at).fold(0.0, f64::max)
 }
 
-/// What is relative to the phase costs a passage the largest moment of the motion itself, near the top and far from it.
+/// What is relative to the phase costs a passage the largest conditioning of the motion itself, near the top and far from it.
 #[test]
 fn passages() {
     for start in [
@@ -117,12 +117,12 @@ fn passages() {
         };
         for aim in &task.aims {
             let steepest = if aim.curves.len() > 1 || aim.output.is_angle() { &angle } else { &aim.curves[0] };
-            let moment = moment(steepest);
+            let conditioning = conditioning(steepest);
             let error = |errors| aim.passage_error(&wrong_by(&scene, &task, errors), 1e-16);
-            let found = error([0.0, 1.0]) / moment;
+            let found = error([0.0, 1.0]) / conditioning;
             assert!((1.0..1.15).contains(&found), "{start} {:?}: {found}", aim.output);
             // Without an error of the reduction, that of w is left.
-            let least = error([0.0, 0.0]) / moment;
+            let least = error([0.0, 0.0]) / conditioning;
             assert!((1e-16..1.15e-16).contains(&least), "{start} {:?}: {least:e}", aim.output);
             // An absolute error costs what it costs other kernels.
             let slope = aim.size.phase_error(&wrong_by(&scene, &task, [1.0, 0.0]));

@@ -10,8 +10,8 @@
 //! follows from sup |R| is in [`super::residual`].
 
 use super::Allowance;
-use super::residual::{largest_residual, of_residual, twice_arcsine};
-use crate::chebyshev::{CosineTable, Interpolation};
+use super::residual::{OF_RESIDUAL, largest_residual, of_residual, twice_arcsine};
+use crate::chebyshev::{CosineTable, Interpolation, NEGLIGIBLE};
 use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::kernel::{Core, Kernel};
@@ -37,7 +37,10 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise>
     // A sum that may reach 1 isn't worth the interpolation.
     of_residual(&sum, 0.0)?;
     // Second words of small coefficients underflow.
-    COUNTS.into_iter().filter(|_| size > 1e-150).find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) / 512.0))
+    COUNTS
+        .into_iter()
+        .filter(|_| size > 1e-150)
+        .find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) * NEGLIGIBLE))
 }
 
 fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
@@ -85,7 +88,7 @@ impl Piece<'_> {
     fn residual(&self, series: &[Double], negligible: f64) -> Option<f64> {
         let ellipse = |rho: f64| (self.bound(series, rho), rho);
         let ellipses = [3.0, 5.0, 8.0, 12.0, 20.0, 32.0].into_iter().map(ellipse);
-        let interpolation = Interpolation::fewest(ellipses, negligible * 1e-4, 2, MOST_POINTS)?;
+        let interpolation = Interpolation::fewest(ellipses, negligible * OF_RESIDUAL, 2, MOST_POINTS)?;
         Some(largest_residual(self.sum, series, |u| self.phase(u), interpolation))
     }
 

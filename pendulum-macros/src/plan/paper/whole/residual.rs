@@ -13,6 +13,9 @@ use crate::series::Wave;
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
+/// The part of what is negligible that the interpolation of a residual may be wrong by.
+pub(super) const OF_RESIDUAL: f64 = 1e-4;
+
 /// 2 arcsin y, by Newton's method on sin πx = y; `None` if |y| ≥ 1.
 pub(super) fn twice_arcsine(y: Double) -> Option<Double> {
     let mut x = Double::new(libm::asin(y.hi) / PI);

@@ -11,8 +11,8 @@
 //! (2/π) ln M + 1 (Rivlin 1974). What follows from sup |R| is in [`super::residual`].
 
 use super::Allowance;
-use super::residual::{largest_residual, of_residual, twice_arcsine};
-use crate::chebyshev::{CosineTable, Interpolation};
+use super::residual::{OF_RESIDUAL, largest_residual, of_residual, twice_arcsine};
+use crate::chebyshev::{CosineTable, Interpolation, NEGLIGIBLE};
 use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::form::{Division, Form};
@@ -45,7 +45,7 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     let looks = charts.filter_map(|chart| Some((chart.rough_terms()?, chart)));
     let (rough, chart) = looks.min_by_key(|&(terms, _)| terms)?;
     // A limit far above the motion itself asks for no less.
-    let negligible = limit.min(Cosines::odd(weights).magnitude(0)) / 512.0;
+    let negligible = limit.min(Cosines::odd(weights).magnitude(0)) * NEGLIGIBLE;
     // Coefficients fall off geometrically.
     let rate = libm::log(ROUGH) / rough as f64;
     let terms = libm::log(negligible / 4.0) / rate;
@@ -136,7 +136,7 @@ impl Chart<'_> {
     /// By Hadamard's theorem of three circles a residual below r on the interval and below B on the ellipse with parameter
     /// ρ is below r·(B/r)^(ln x/ln ρ) on that with parameter x.
     fn distance(self, series: &[Double], negligible: f64) -> Option<Distance> {
-        let interpolation = self.enough_points(series, negligible * 1e-4)?;
+        let interpolation = self.enough_points(series, negligible * OF_RESIDUAL)?;
         let residual = largest_residual(self.sum, series, |u| self.phase(u), interpolation);
         let within = of_residual(self.sum, residual)?;
         let log_rho = libm::log(interpolation.rho);

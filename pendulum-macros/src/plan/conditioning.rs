@@ -1,4 +1,4 @@
-//! Suprema of |z·df/dz| for the angle, the velocity and the acceleration, z being the phase from the lowest point: what
+//! The conditioning of the motion: suprema of |z·df/dz| for the angle, the velocity and the acceleration, z being the phase from the lowest point: what
 //! an error of the phase that is relative to z costs.
 //!
 //! From the lowest point to the anchor v = θ̇ falls, so that in a slice of z it lies between its values at the ends. By
@@ -12,7 +12,7 @@ use crate::supremum::larger;
 
 /// Of θ, θ̇/ω and θ̈/ω².
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moments {
+pub(super) struct Conditioning {
     pub(super) angle: f64,
     pub(super) velocity: f64,
     pub(super) acceleration: f64,
@@ -25,7 +25,7 @@ const SLICES: i32 = 64;
 /// What samples of the velocity may be wrong by, relative to the largest.
 const SLACK: f64 = 1e-10;
 
-impl Moments {
+impl Conditioning {
     /// Of dθ/ds by the phase s from an anchor.
     pub(super) fn of_wave(slope: &Wave, rate: f64, fastest: f64) -> Self {
         Self::new(|z| slope.roughly(0.5 - z).abs() * rate, rate, fastest)
@@ -37,7 +37,7 @@ impl Moments {
         let first = (0.3 * rate / fastest).min(0.02);
         let ratio = libm::pow(0.5 / first, 1.0 / f64::from(SLICES - 1));
         let end = |slice: i32| if slice == 0 { 0.0 } else { first * power(ratio, slice - 1) };
-        let mut moments = [0.0f64; 3];
+        let mut conditioning = [0.0f64; 3];
         let mut before = fastest;
         for slice in 0..SLICES {
             let z = end(slice + 1).min(0.5);
@@ -47,12 +47,12 @@ impl Moments {
             let sine = if low <= 1.0 && high >= 1.0 { 1.0 } else { larger(of_low, of_high) };
             let cosine = larger((1.0 - low).abs(), (1.0 - high).abs());
             let steepest = [fast, sine, cosine * fast];
-            for (moment, steepest) in moments.iter_mut().zip(steepest) {
-                *moment = larger(*moment, z * steepest / rate);
+            for (condition, steepest) in conditioning.iter_mut().zip(steepest) {
+                *condition = larger(*condition, z * steepest / rate);
             }
             before = here;
         }
-        let [angle, velocity, acceleration] = moments.map(|moment| moment * INFLATION_OF_SUMS);
+        let [angle, velocity, acceleration] = conditioning.map(|condition| condition * INFLATION_OF_SUMS);
         Self { angle, velocity, acceleration }
     }
 }
