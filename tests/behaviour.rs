@@ -3,7 +3,7 @@
 mod truth;
 
 use core::f64::consts::PI;
-use pendula::pendulum;
+use pendula::{Pendulum, pendulum};
 use pendula_stress::random::Random;
 
 /// Motions released from rest, each with its mirror image.
@@ -245,6 +245,12 @@ fn the_expression_is_a_function_of_no_size() {
     assert_eq!(size_of_val(&single), 0);
     let pointer: fn(f32) -> (f32, f32) = single;
     assert_eq!(pointer(0.25), single(0.25));
+}
+
+/// As README says.
+#[test]
+fn the_size_of_a_pendulum() {
+    assert_eq!([size_of::<Pendulum<f64>>(), size_of::<Pendulum<f32>>()], [392; 2]);
 }
 
 #[test]

@@ -56,9 +56,10 @@ impl Row {
 /// For tests.
 ///
 /// # Panics
-/// With what was not kept, and the table.
+/// With what was not kept, or not tried, and the table.
 #[track_caller]
 pub fn assert_kept(rows: &[Row]) {
+    assert!(!rows.is_empty() && rows.iter().all(|row| row.found.tried > 0), "{}", table(rows));
     let objections: Vec<String> = rows.iter().flat_map(Row::objections).collect();
     assert!(objections.is_empty(), "{}\n{}", objections.join("\n"), table(rows));
 }

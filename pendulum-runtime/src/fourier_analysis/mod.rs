@@ -205,7 +205,7 @@ impl FourierAnalysis {
     }
 
     /// Calls `f` with 2n − 1 and k b₂ₙ₋₁ for n = N + 1, N + 2, … until the rest is below 2⁻⁵⁵ of the first; weighted
-    /// with (2n − 1)², below 10⁻¹⁴ of the sum.
+    /// with (2n − 1)², below 10⁻¹⁴ of the sum, with (2n − 1)³ below 10⁻¹³.
     fn for_tail(&self, terms: usize, mut f: impl FnMut(f64, f64)) {
         let root = self.root.to_f64();
         let q = root * root;

@@ -78,7 +78,7 @@ fn run(scenes: u64, seed: u64, density: usize) -> Vec<[(f64, String); 2]> {
 fn check(worst: Vec<[(f64, String); 2]>) {
     for [(proven, proven_of), (observed, observed_of)] in worst {
         let most = if observed_of.contains("[position]") { 1.0 } else { 0.5 };
-        assert!(proven <= 1.0, "{proven}: {proven_of}");
+        assert!(proven > 0.0 && proven <= 1.0, "{proven}: {proven_of}");
         assert!(observed <= most, "{observed}: {observed_of}");
     }
 }

@@ -403,34 +403,14 @@ fn refused_in_far_units_alone(scenes: u64, seed: u64) -> u32 {
 /// if there is none whose bound holds to the ends of the horizon.
 #[test]
 fn the_ends_of_far_horizons() {
-    let mut refused = 0;
     for text in [
-        "theta0 = π - 1e-9, omega = 6.3412e-307, outputs = [position]",
-        "theta0 = π - 1e-9, omega = 6.3412e-307, outputs = [velocity]",
         "theta0 = π - 1e-9, omega = 3.3501e-37, float = f32, t_max = 3.4028234e38, tol = 3e-7",
         "theta0 = π - 1e-9, omega = 3.3501e-37, float = f32, t_max = 3.4028234e38, tol = 3e-7, outputs = [position]",
-        "velocity0 = 2.00001*1.3e-307, omega = 1.3e-307, t_max = 1.797e308",
-        "velocity0 = 2*(1-1e-12)*6e-307, omega = 6e-307, outputs = [position]",
-        "theta0 = 0.3, velocity0 = 1.97765*4e-307, omega = 4e-307, t_max = 1.5e308",
         "theta0 = π - 1e-100, omega = 1e-277",
-        "theta0 = 2, omega = 4e-280",
-        "velocity0 = 2.00001*1e-279, omega = 1e-279",
         "theta0 = π - 1e-9, omega = 1e-270, t_max = 1e285, outputs = [position]",
-        "theta0 = π - 1e-100, omega = 1e-290, outputs = [position]",
-        "theta0 = π - 1e-9, omega = 3e-306",
-        "theta0 = π - 1e-9, omega = 1e-298",
-        "theta0 = π-1e-200, omega = 1e-290, tol = 1e-13, outputs=[position]",
-        "theta0 = 3.1, omega = 3e-307",
-        "theta0 = 7π/8, omega = 1e-306",
-        "theta0 = 2, omega = 1.3e-307",
-        "theta0 = 1, omega = 4e-308",
-        "theta0 = 2e-8, omega = 1.5e-307, method = small_angle",
     ] {
         let text = format!("struct Motion; {text}");
-        let Some((scene, plan)) = planned(&text) else {
-            refused += 1;
-            continue;
-        };
+        let (scene, plan) = planned(&text).unwrap();
         let mut probe = Probe::new(&scene, &plan);
         let horizon = probe.horizon;
         for i in 0..300 {
@@ -442,5 +422,25 @@ fn the_ends_of_far_horizons() {
         let ((t, error), bound) = (probe.worst, plan.parts[0].bound.total());
         assert!(error <= bound, "{text}: {error:e} of {bound:e} at {t:e}");
     }
-    assert!((1..18).contains(&refused), "{refused}");
+    // Of these the words of rates underflow.
+    for text in [
+        "theta0 = π - 1e-9, omega = 6.3412e-307, outputs = [position]",
+        "theta0 = π - 1e-9, omega = 6.3412e-307, outputs = [velocity]",
+        "velocity0 = 2.00001*1.3e-307, omega = 1.3e-307, t_max = 1.797e308",
+        "velocity0 = 2*(1-1e-12)*6e-307, omega = 6e-307, outputs = [position]",
+        "theta0 = 0.3, velocity0 = 1.97765*4e-307, omega = 4e-307, t_max = 1.5e308",
+        "theta0 = 2, omega = 4e-280",
+        "velocity0 = 2.00001*1e-279, omega = 1e-279",
+        "theta0 = π - 1e-100, omega = 1e-290, outputs = [position]",
+        "theta0 = π - 1e-9, omega = 3e-306",
+        "theta0 = π - 1e-9, omega = 1e-298",
+        "theta0 = π-1e-200, omega = 1e-290, tol = 1e-13, outputs=[position]",
+        "theta0 = 3.1, omega = 3e-307",
+        "theta0 = 7π/8, omega = 1e-306",
+        "theta0 = 2, omega = 1.3e-307",
+        "theta0 = 1, omega = 4e-308",
+        "theta0 = 2e-8, omega = 1.5e-307, method = small_angle",
+    ] {
+        assert!(planned(&format!("struct Motion; {text}")).is_none(), "{text}");
+    }
 }

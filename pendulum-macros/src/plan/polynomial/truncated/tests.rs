@@ -27,7 +27,7 @@ fn program(polynomial: &Polynomial, unit: Double) -> Program {
     b.finish(vec![result])
 }
 
-/// What every form gives but adapted coefficients of large blocks, which may be rounded too much.
+/// What every form gives but adapted coefficients of large blocks: there may be none, or they are rounded too much.
 fn or_adapted(form: Form, polynomial: Option<Polynomial>) -> Option<Polynomial> {
     assert!(polynomial.is_some() || matches!(form, Form::Adapted { chunk } if chunk > LEAST), "{form:?}");
     polynomial
