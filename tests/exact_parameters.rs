@@ -4,12 +4,9 @@
 #![allow(mixed_script_confusables)]
 
 use pendula::Pendulum;
-use pendula_stress::horizon::ANY_TIME;
+use pendula_stress::promised::{ANY_TIME, UNIT};
 use pendula_stress::reference::{self, Exact, bits};
 use std::collections::HashMap;
-
-/// 2⁻⁵⁰, the promise's unit.
-const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
 
 struct Row {
     t: f64,

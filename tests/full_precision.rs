@@ -4,6 +4,7 @@
 mod promise;
 mod truth;
 
+use pendula_stress::promised::{PROVEN, UNIT};
 use promise::{Finding, judge};
 
 /// Proven and observed errors are at most these, relative to the largest value.
@@ -12,7 +13,7 @@ struct Limits {
     observed: f64,
 }
 
-const F64: Limits = Limits { proven: 1.0 / (1_u64 << 49) as f64, observed: 1.0 / (1_u64 << 50) as f64 };
+const F64: Limits = Limits { proven: PROVEN, observed: UNIT };
 const F32: Limits = Limits { proven: 1.0 / (1_u64 << 20) as f64, observed: 1.0 / (1_u64 << 21) as f64 };
 
 fn wrong(limits: &Limits) -> impl Fn(&Finding) -> Option<String> {

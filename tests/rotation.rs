@@ -4,6 +4,7 @@ mod truth;
 
 use core::f64::consts::PI;
 use pendula::{Pendulum, pendulum};
+use pendula_stress::promised::UNIT;
 use pendula_stress::random::Random;
 
 /// The angle less full turns, in [−π, π).
@@ -29,7 +30,7 @@ macro_rules! agrees {
             let (theta, velocity) = runtime.state(t);
             let (x, y) = Motion::position(t);
             // What the runtime may be off by.
-            let slack = theta.abs().max(1.0) / (1_u64 << 50) as f64;
+            let slack = UNIT * theta.abs().max(1.0);
             approx::assert_abs_diff_eq!(Motion::theta(t), theta, epsilon = Motion::MAX_ERROR + slack);
             approx::assert_abs_diff_eq!(
                 Motion::velocity(t) / Motion::OMEGA,
@@ -84,14 +85,13 @@ fn turning_the_other_way_is_the_mirror_image() {
             for _ in 0..2000 {
                 let t = 100.0 * random.signed();
                 // Each is within 2⁻⁵⁰ of the exact one, which mirrors.
-                let unit = 1.0 / (1_u64 << 49) as f64;
-                let allowed = unit * Right::theta(t).abs().max(1.0);
+                let allowed = 2.0 * UNIT * Right::theta(t).abs().max(1.0);
                 approx::assert_abs_diff_eq!(Left::theta(t), -Right::theta(t), epsilon = allowed);
                 approx::assert_abs_diff_eq!(Right::theta(-t), -Right::theta(t), epsilon = allowed);
-                let allowed = unit * Right::velocity(0.0);
+                let allowed = 2.0 * UNIT * Right::velocity(0.0);
                 approx::assert_abs_diff_eq!(Left::velocity(t), -Right::velocity(t), epsilon = allowed);
                 approx::assert_abs_diff_eq!(Right::velocity(-t), Right::velocity(t), epsilon = allowed);
-                approx::assert_abs_diff_eq!(Left::wrapped(t), -Right::wrapped(t), epsilon = unit * PI);
+                approx::assert_abs_diff_eq!(Left::wrapped(t), -Right::wrapped(t), epsilon = 2.0 * UNIT * PI);
             }
         })*};
     }

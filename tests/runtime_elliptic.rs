@@ -1,8 +1,7 @@
 //! `elliptic` against mpmath over its domain, and its behaviour at the edges.
 
-mod data;
-
 use pendula::elliptic::{self, Jacobi, complementary};
+use pendula_stress::reference;
 
 /// Half an ulp of 1.
 const U: f64 = f64::EPSILON / 2.0;
@@ -27,7 +26,7 @@ fn errors(j: &Jacobi, u: f64, phi: f64, expected: [f64; 8]) -> [f64; 8] {
 #[test]
 fn every_row_keeps_the_documented_error() {
     let (mut worst, mut rows) = ([0.0_f64; 8], 0);
-    for (complement, [modulus, u, phi], expected) in data::elliptic() {
+    for (complement, [modulus, u, phi], expected) in reference::elliptic() {
         let j = if complement { Jacobi::from_complementary_modulus(modulus) } else { Jacobi::from_modulus(modulus) };
         let errors = errors(&j.expect("in [0, 1]"), u, phi, expected);
         worst = core::array::from_fn(|i| worst[i].max(errors[i]));

@@ -2,11 +2,9 @@
 
 use core::f64::consts::PI;
 use pendula::{Error, Pendulum, Regime};
+use pendula_stress::promised::UNIT;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-
-/// 2⁻⁵⁰, the promise's unit; tolerances count how many promised values enter.
-const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
 
 fn amplitude() -> impl Strategy<Value = f64> {
     prop_oneof![

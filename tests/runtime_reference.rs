@@ -1,18 +1,13 @@
 //! The runtime against independent truth. `cargo test --release --test runtime_reference -- --nocapture` prints the
 //! table of the worst errors per regime and decade of t.
 
-mod data;
-
-use data::Row;
 use pendula::{Pendulum, Regime};
-use pendula_stress::horizon::RUN_TIME;
 use pendula_stress::motion::{Motion, Start};
+use pendula_stress::promised::{RUN_TIME, UNIT};
 use pendula_stress::random::Random;
+use pendula_stress::reference::{Row, releases_and_launches, states};
 use pendula_stress::truth::{Output, Truth};
 use std::collections::BTreeMap;
-
-/// 2⁻⁵⁰, the promise's unit.
-const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
 
 fn pendulum(row: &Row) -> Pendulum<f64> {
     let made = if row.velocity0 == 0.0 {
@@ -62,7 +57,7 @@ fn decade(periods: f64) -> String {
 #[test]
 fn every_row_keeps_the_promise() {
     let mut worst = BTreeMap::<(String, String), (f64, f64, u32)>::new();
-    for row in data::reference().chain(data::states()) {
+    for row in releases_and_launches().chain(states()) {
         let p = pendulum(&row);
         let periods = periods(&p, row.t);
         if periods > RUN_TIME {
@@ -122,7 +117,7 @@ fn positions_and_accelerations_keep_twice_the_unit() {
 #[test]
 fn time_at_is_within_an_ulp() {
     let (mut worst, mut rows) = (0.0_f64, 0);
-    for row in data::reference().filter(|row| row.velocity0 == 0.0 && row.t > 0.0) {
+    for row in releases_and_launches().filter(|row| row.velocity0 == 0.0 && row.t > 0.0) {
         let p = pendulum(&row);
         let top_speed = (2.0 * p.energy()).sqrt();
         if row.t < p.period() / 2.0 && row.velocity.nearest < -0.01 * top_speed {
@@ -141,7 +136,7 @@ fn time_at_is_within_an_ulp() {
 #[test]
 fn beyond_the_horizon_all_is_finite_and_bounded() {
     let extremes = [2f64.powi(60), 1e22, -1e100, 1e300, f64::MAX, f64::MIN];
-    for row in data::reference() {
+    for row in releases_and_launches() {
         let p = pendulum(&row);
         for t in [row.t].into_iter().chain(extremes) {
             let (theta, velocity) = p.state(t);
@@ -157,7 +152,7 @@ fn beyond_the_horizon_all_is_finite_and_bounded() {
 #[test]
 fn f32_rounds_the_exact_motion_of_its_own_parameters_once() {
     // 2⁻²⁴ is the rounding to f32; the f64 underneath is off by 2⁻⁵⁰ more.
-    for row in data::states() {
+    for row in states() {
         let [theta0, velocity0, omega, t] = [row.theta0, row.velocity0, row.omega, row.t].map(|x| x as f32);
         let narrow = Pendulum::<f32>::from_state(theta0, velocity0, omega).expect("valid");
         let wide = Pendulum::<f64>::from_state(theta0.into(), velocity0.into(), omega.into()).expect("valid");

@@ -7,15 +7,13 @@ use pendula::Pendulum;
 
 use crate::finding::Finding;
 use crate::generated::{Generated, generated};
-use crate::horizon;
 use crate::motion::{Motion, Start};
+use crate::promised::{RUN_TIME, UNIT};
 use crate::random::Random;
 use crate::report::Row;
 use crate::session::{Merge, Session};
 use crate::truth::{Output, Truth};
 
-/// 2⁻⁵⁰.
-const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
 /// Times per amplitude.
 const TIMES: u64 = 16;
 /// Times per compiled plan.
@@ -97,7 +95,7 @@ fn sweep(number: u64, sweep: &mut Sweep) {
         let t = match i {
             0 => 0.0,
             1 => pendulum.period() / 4.0,
-            _ => random.scaled(1e-3, horizon::RUN_TIME) * pendulum.period(),
+            _ => random.scaled(1e-3, RUN_TIME) * pendulum.period(),
         };
         let (angle, speed) = pendulum.state(t);
         angles.tried += 1;

@@ -1,8 +1,8 @@
 //! A few hundred compiled plans; `build.rs` says which.
 
-use crate::horizon::ANY_TIME;
 use crate::motion::{Motion, Start, number};
 use crate::pair::Pair;
+use crate::promised::ANY_TIME;
 use crate::truth::Output;
 
 /// Evaluates an output; positions have two numbers, others a 0.
@@ -29,14 +29,6 @@ pub struct Generated {
 }
 
 macro_rules! generated {
-    (@is theta) => { Output::Theta };
-    (@is velocity) => { Output::Velocity };
-    (@is acceleration) => { Output::Acceleration };
-    (@is position) => { Output::Position };
-    (@bound $plan:ident theta) => { $plan::MAX_ERROR };
-    (@bound $plan:ident velocity) => { $plan::MAX_VELOCITY_ERROR };
-    (@bound $plan:ident acceleration) => { $plan::MAX_ACCELERATION_ERROR };
-    (@bound $plan:ident position) => { $plan::MAX_POSITION_ERROR };
     (@coefficients $plan:ident n = $n:literal,) => { &$plan::COEFFICIENTS };
     (@coefficients $plan:ident $($other:tt)*) => { &[] };
     ($all:ident, $plan:ident, $written:literal, ($($theta0:tt)*), $float:ident, $output:ident, {$($asked:tt)*}) => {
@@ -48,8 +40,8 @@ macro_rules! generated {
             theta0: $written,
             float: stringify!($float),
             asked: stringify!($($asked)*),
-            output: generated!(@is $output),
-            proven: generated!(@bound $plan $output).into(),
+            output: Output::named(stringify!($output)),
+            proven: $crate::bound!($plan $output).into(),
             constants: [$plan::MODULUS, $plan::K, $plan::K_PRIME, $plan::NOME, $plan::PERIOD].map(f64::from),
             coefficients: generated!(@coefficients $plan $($asked)*),
             evaluate: |t| $plan::$output(t as $float).pair(),

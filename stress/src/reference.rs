@@ -25,6 +25,59 @@ impl Exact {
     }
 }
 
+/// A state of a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// What it starts from.
+    pub theta0: f64,
+    /// Likewise.
+    pub velocity0: f64,
+    /// ω.
+    pub omega: f64,
+    /// When it is there.
+    pub t: f64,
+    /// Where it is.
+    pub theta: Exact,
+    /// How fast.
+    pub velocity: Exact,
+}
+
+/// `reference.csv`: releases from rest and launches from the bottom, ω = 1.
+pub fn releases_and_launches() -> impl Iterator<Item = Row> {
+    rows(include_str!("../../tests/data/reference.csv")).map(|cells| {
+        let parameter = bits(cells[1]);
+        let (theta0, velocity0) = if cells[0] == "rest" { (parameter, 0.0) } else { (0.0, parameter) };
+        Row {
+            theta0,
+            velocity0,
+            omega: 1.0,
+            t: bits(cells[2]),
+            theta: Exact::read(&cells[3..]),
+            velocity: Exact::read(&cells[5..]),
+        }
+    })
+}
+
+/// `states.csv`: arbitrary states.
+pub fn states() -> impl Iterator<Item = Row> {
+    rows(include_str!("../../tests/data/states.csv")).map(|cells| Row {
+        theta0: bits(cells[0]),
+        velocity0: bits(cells[1]),
+        omega: bits(cells[2]),
+        t: bits(cells[3]),
+        theta: Exact::read(&cells[4..]),
+        velocity: Exact::read(&cells[6..]),
+    })
+}
+
+/// `elliptic.csv`: whether the modulus is the complementary one, it, u, φ, and K, K′, q, sn, cn, dn, am, F(φ).
+pub fn elliptic() -> impl Iterator<Item = (bool, [f64; 3], [f64; 8])> {
+    rows(include_str!("../../tests/data/elliptic.csv")).map(|cells| {
+        let at = |i: usize| bits(cells[i]);
+        (cells[0] == "kc", core::array::from_fn(|i| at(1 + i)), core::array::from_fn(|i| at(4 + i)))
+    })
+}
+
 /// The cells of each line that isn't a comment.
 pub fn rows(text: &str) -> impl Iterator<Item = Vec<&str>> {
     text.lines().filter(|line| !line.starts_with('#')).map(|line| line.split(',').collect())

@@ -1,7 +1,7 @@
 //! A compiled plan, what it promises, and what a dense look at it finds.
 #![allow(dead_code, unreachable_pub, reason = "each test crate uses its own part of this module")]
 
-use pendula_stress::horizon::ANY_TIME;
+use pendula_stress::promised::ANY_TIME;
 
 use crate::truth::{State, Swing, distance, times};
 
@@ -120,7 +120,7 @@ macro_rules! findings {
             method: Motion::METHOD,
             terms: Motion::TERMS,
             horizon,
-            bound: f64::from($crate::findings!(@bound $output Motion)),
+            bound: f64::from(pendula_stress::bound!(Motion $output)),
         }
         .observe($density, |t, truth| {
             let t = t as $float;
@@ -130,8 +130,4 @@ macro_rules! findings {
             (at, $crate::promise::error_of(stringify!($output), computed, &truth(at), omega))
         }));)*
     }};
-    (@bound theta $motion:ident) => { $motion::MAX_ERROR };
-    (@bound velocity $motion:ident) => { $motion::MAX_VELOCITY_ERROR };
-    (@bound acceleration $motion:ident) => { $motion::MAX_ACCELERATION_ERROR };
-    (@bound position $motion:ident) => { $motion::MAX_POSITION_ERROR };
 }

@@ -1,6 +1,6 @@
 //! The plans whose every input is tried.
 
-use crate::horizon::ANY_TIME;
+use crate::promised::ANY_TIME;
 
 /// One output of one plan in single precision, and the same in double precision.
 pub struct Plan {

@@ -3,9 +3,9 @@
 use pendula::Pendulum;
 
 use crate::finding::Finding;
-use crate::horizon::{ANY_TIME, RUN_TIME};
 use crate::motion::{Motion, Regime, Start};
 use crate::pair::Pair;
+use crate::promised::{ANY_TIME, PROVEN, RUN_TIME, UNIT};
 use crate::report::Row;
 use crate::truth::Output;
 
@@ -64,20 +64,7 @@ fn over<P: Pair>(function: impl Fn(f64) -> P + Send + Sync + 'static) -> Evaluat
     })
 }
 
-/// What is proven at full precision, relative to the largest value; half may be observed.
-const FULL: f64 = 1.0 / (1_u64 << 49) as f64;
-
 macro_rules! plan {
-    (@output theta) => { Output::Theta };
-    (@output wrapped) => { Output::Wrapped };
-    (@output velocity) => { Output::Velocity };
-    (@output acceleration) => { Output::Acceleration };
-    (@output position) => { Output::Position };
-    (@bound theta) => { Plan::MAX_ERROR };
-    (@bound wrapped) => { Plan::MAX_WRAPPED_ERROR };
-    (@bound velocity) => { Plan::MAX_VELOCITY_ERROR };
-    (@bound acceleration) => { Plan::MAX_ACCELERATION_ERROR };
-    (@bound position) => { Plan::MAX_POSITION_ERROR };
     ($all:ident: $name:literal, [$theta0:tt $velocity0:tt $omega:tt] $(tol $tol:literal)? $(within $t_max:literal)?
         $(by $method:ident)?; $($output:ident)*) => {{
         pendula::pendulum! {
@@ -90,7 +77,7 @@ macro_rules! plan {
         let horizons: &[u32] = &[$($t_max)?];
         let scene = Scene::new($name, written, tolerances.first().copied(), horizons.first().copied());
         scene.is_planned_by(Plan::METHOD);
-        $($all.push(scene.class(plan!(@output $output), plan!(@bound $output), over(Plan::$output)));)*
+        $($all.push(scene.class(Output::named(stringify!($output)), $crate::bound!(Plan $output), over(Plan::$output)));)*
     }};
 }
 
@@ -130,7 +117,7 @@ impl Scene {
             Output::Acceleration | Output::Position => 1.0,
             Output::Wrapped => std::f64::consts::PI,
         };
-        let full = FULL * ceiling * room(output);
+        let full = PROVEN * ceiling * room(output);
         Class {
             name: self.name.clone(),
             start: self.start.clone(),
@@ -147,7 +134,7 @@ impl Scene {
     }
 }
 
-/// How much more than [`FULL`] is allowed: three times for a position, whose coordinates are products of two.
+/// How much more than [`PROVEN`] is allowed: three times for a position, whose coordinates are products of two.
 fn room(output: Output) -> f64 {
     if output == Output::Position { 3.0 } else { 1.0 }
 }
@@ -280,8 +267,8 @@ fn runtime(all: &mut Vec<Class>) {
                 output,
                 horizon: f64::INFINITY,
                 periods: RUN_TIME,
-                promise: FULL / 2.0 * unit,
-                observable: FULL / 2.0 * unit,
+                promise: UNIT * unit,
+                observable: UNIT * unit,
                 proven: None,
                 ceiling: largest,
                 terms: None,

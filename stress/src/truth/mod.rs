@@ -44,6 +44,15 @@ impl Output {
         }
     }
 
+    /// That which is written so.
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn named(name: &str) -> Self {
+        let all = [Self::Theta, Self::Wrapped, Self::Velocity, Self::Acceleration, Self::Position];
+        all.into_iter().find(|output| output.name() == name).expect("the name of an output")
+    }
+
     /// The unit in which errors are measured: a power of ω.
     pub fn unit(self, omega: f64) -> f64 {
         match self {
@@ -227,77 +236,54 @@ fn nodes(motion: &Motion, output: Output, phase: &Big, per_unit: u32) -> Vec<Nod
 #[cfg(test)]
 mod tests {
     use super::{Output, Truth};
-    use crate::big::Big;
     use crate::motion::{Motion, Start};
-    use crate::reference::bits;
+    use crate::reference::{Exact, Row, releases_and_launches};
 
     /// Reference data has θ and θ̇ as a number and a rest of four digits, 2⁻⁶⁶ of it or so.
     const TOLERANCE: f64 = 1e-19;
 
     /// Whether the reference is as far from its own nearest number by our reckoning as by its own.
-    fn check(row: &str, truth: &Truth, t: f64, cells: &[&str], slack: f64, error: impl Fn(&Truth, [f64; 2]) -> f64) {
-        let given = bits(cells[0]);
-        let rest: f64 = cells[1].parse().expect("a number");
-        let error = error(truth, [given, 0.0]);
-        let unit = given.abs().max(1.0);
-        assert!((error - rest.abs()).abs() < slack * unit, "{row}: {error:e} at {t:e}");
+    fn check(row: &Row, Exact { nearest, rest }: Exact, slack: f64, error: impl Fn(f64, [f64; 2]) -> f64) {
+        let error = error(row.t, [nearest, 0.0]);
+        let unit = nearest.abs().max(1.0);
+        assert!((error - rest.abs()).abs() < slack * unit, "{row:?}: {error:e}");
     }
 
-    /// Every `nth` row of the reference data within 2⁵³ periods: swings and rotations.
-    fn rows(nth: usize, keep: impl Fn(&str) -> bool, mut each: impl FnMut(&str, &Motion, f64, &[&str])) -> usize {
-        let text = include_str!("../../../tests/data/reference.csv");
-        let mut known: Option<(String, Motion)> = None;
-        let lines = text.lines().filter(|line| !line.starts_with('#') && keep(line)).step_by(nth);
-        let mut count = 0;
-        for line in lines {
-            let cells: Vec<&str> = line.split(',').collect();
-            let key = cells[..2].join(",");
-            if known.as_ref().is_none_or(|(old, _)| *old != key) {
-                let parameter = Big::from(bits(cells[1]));
-                let zero = Big::from(0.0);
-                let (theta0, velocity0) = if cells[0] == "rest" { (parameter, zero) } else { (zero, parameter) };
-                known = Some((key, Motion::new(Start { theta0, velocity0, omega: 1.0.into() })));
-            }
-            let Some((_, motion)) = &known else { continue };
-            let t = bits(cells[2]);
-            // Its extremes of t are beyond any promise.
-            if t.abs() <= 9e15 * motion.period().to_f64() {
-                each(line, motion, t, &cells[3..]);
-                count += 1;
-            }
-        }
-        count
+    /// The motion of a row, if that is within 2⁵³ periods: its extremes of t are beyond any promise.
+    fn promised(row: &Row) -> Option<Motion> {
+        let Row { theta0, velocity0, omega, t, .. } = *row;
+        let motion = Motion::new(Start { theta0: theta0.into(), velocity0: velocity0.into(), omega: omega.into() });
+        (t.abs() <= 9e15 * motion.period().to_f64()).then_some(motion)
     }
 
+    /// Some of all swings and rotations.
     #[test]
     fn multiple_precision_agrees_with_reference_data() {
-        let count = rows(
-            23,
-            |_| true,
-            |row, motion, t, cells| {
-                let truth = |output| Truth::without_tables(motion.clone(), output);
-                check(row, &truth(Output::Theta), t, &cells[..2], TOLERANCE, |truth, given| truth.direct(t, given));
-                check(row, &truth(Output::Velocity), t, &cells[2..], TOLERANCE, |truth, given| truth.direct(t, given));
-            },
-        );
+        let mut count = 0;
+        for row in releases_and_launches().step_by(23) {
+            let Some(motion) = promised(&row) else { continue };
+            let [theta, velocity] =
+                [Output::Theta, Output::Velocity].map(|output| Truth::without_tables(motion.clone(), output));
+            check(&row, row.theta, TOLERANCE, |t, given| theta.direct(t, given));
+            check(&row, row.velocity, TOLERANCE, |t, given| velocity.direct(t, given));
+            count += 1;
+        }
         assert!(count > 90, "{count}");
     }
 
-    /// The table's own error is up to 2⁻⁵⁸ = 3.5e-18.
+    /// Of 2.1 at the bottom, a rotation of which turns are counted. The table's own error is up to 2⁻⁵⁸ = 3.5e-18.
     #[test]
     fn tables_agree_with_reference_data() {
-        // 2.1 at the bottom: a rotation of which turns are counted.
         let mut tables: Option<[Truth; 2]> = None;
-        let count = rows(
-            1,
-            |line| line.starts_with("launch,4000cccccccccccd"),
-            |row, motion, t, cells| {
-                let new = || [Output::Theta, Output::Velocity].map(|output| Truth::new(motion.clone(), output));
-                let [theta, velocity] = tables.get_or_insert_with(new);
-                check(row, theta, t, &cells[..2], TOLERANCE + 4e-18, |truth, given| truth.error(t, given));
-                check(row, velocity, t, &cells[2..], TOLERANCE + 4e-18, |truth, given| truth.error(t, given));
-            },
-        );
+        let mut count = 0;
+        for row in releases_and_launches().filter(|row| row.velocity0 == 2.1) {
+            let Some(motion) = promised(&row) else { continue };
+            let new = || [Output::Theta, Output::Velocity].map(|output| Truth::new(motion.clone(), output));
+            let [theta, velocity] = tables.get_or_insert_with(new);
+            check(&row, row.theta, TOLERANCE + 4e-18, |t, given| theta.error(t, given));
+            check(&row, row.velocity, TOLERANCE + 4e-18, |t, given| velocity.error(t, given));
+            count += 1;
+        }
         assert!(count > 40, "{count}");
     }
 }
