@@ -2,7 +2,7 @@
 
 use super::{Checked, Checker, Reported};
 use crate::exact::Real;
-use crate::motion::{ALWAYS_OVERSHOOTS, Motion, Regime, Swing};
+use crate::motion::{ALWAYS_OVERSHOOTS, Motion, Regime};
 use crate::parse::{Float, Given, Method, Output};
 use crate::scene::Goal;
 use proc_macro2::{TokenStream, TokenTree};
@@ -55,8 +55,7 @@ impl Checker<'_> {
             return Err(self.refuse(&given.tokens, message));
         }
         match motion.map(|motion| &motion.regime) {
-            None => Ok(Some(n)),
-            Some(Regime::Swing(swing)) => self.useful_terms(given, swing).map(Some),
+            None | Some(Regime::Swing(_)) => Ok(Some(n)),
             Some(other) => {
                 let remedy = if self.request.mentions("method") {
                     "leave `n` and `method` out, or give `tol` instead of both"
@@ -70,25 +69,6 @@ impl Checker<'_> {
                 Err(self.refuse(&given.name, message))
             }
         }
-    }
-
-    fn useful_terms(&mut self, given: &Given<usize>, swing: &Swing) -> Checked<usize> {
-        let (float, n) = (self.request.float(), given.value);
-        let most = swing.most_useful_terms(float.unit());
-        if n <= most {
-            return Ok(n);
-        }
-        let remedy = match swing.smallest_working_terms(float.unit()) {
-            None => ", and with so few it may exceed 1: state the error as `tol` instead".to_owned(),
-            Some(least) if least < most => format!("; use an `n` from {least} to {most}"),
-            Some(_) => format!("; use `n = {most}`"),
-        };
-        let message = format!(
-            "`n = {n}` is beyond what `{}` can use at this amplitude: the terms after the first {most} are together less \
-             than half a unit in the last place of the sum{remedy}",
-            float.word()
-        );
-        Err(self.refuse(&given.tokens, message))
     }
 
     pub(super) fn method(&mut self, motion: Option<&Motion>) -> Checked<Option<Method>> {

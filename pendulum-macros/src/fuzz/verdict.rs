@@ -232,8 +232,12 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
             let kept = plan(&Scene { goal: Goal::Terms(*n), ..scene.clone() }).is_ok();
             if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
         }
+        Refusal::Useless { most, smallest: Some(least), .. } => {
+            let refuses = |n: &usize| plan(&Scene { goal: Goal::Terms(*n), ..scene.clone() }).is_err();
+            if [*least, *most].iter().any(refuses) { Err(format!("refuses its own offer: {message}")) } else { Ok(()) }
+        }
         Refusal::Broken { .. } => Err(message),
-        Refusal::Overshoot { .. } => Ok(()),
+        Refusal::Overshoot { .. } | Refusal::Useless { .. } => Ok(()),
     }
 }
 

@@ -12,6 +12,8 @@ pub(crate) enum Refusal {
     Unreachable { best: f64 },
     /// The argument of the paper's arcsine exceeds 1 by this; the smallest number of terms that works, if any does.
     Overshoot { terms: usize, overshoot: f64, smallest: Option<usize> },
+    /// More terms than this can't be used; the smallest number of them that works, if any does.
+    Useless { terms: usize, most: usize, smallest: Option<usize> },
     /// The planner saw its own promise broken.
     Broken { output: Output },
 }
@@ -31,6 +33,7 @@ impl Refusal {
             Self::Overshoot { terms, overshoot, smallest } => {
                 (&blame.goal, exceeds_one(terms, overshoot, smallest, scene))
             }
+            Self::Useless { terms, most, smallest } => (&blame.goal, useless(terms, most, smallest, scene)),
             Self::Broken { output } => {
                 let message = format!(
                     "the plan for `{}` misses its own error bound here: this is a bug of pendula; please report the invocation, \
@@ -155,19 +158,35 @@ fn unbounded(n: usize, scene: &Scene) -> String {
     }
 }
 
+fn useless(terms: usize, most: usize, smallest: Option<usize>, scene: &Scene) -> String {
+    let remedy = match smallest {
+        None => format!(", and {}: state the error as `tol` instead", none_works(scene)),
+        Some(least) if least < most => format!("; use an `n` from {least} to {most}"),
+        Some(_) => format!("; use `n = {most}`"),
+    };
+    format!(
+        "`n = {terms}` is beyond what `{}` can use at this amplitude: the terms after the first {most} are together less \
+         than half a unit in the last place of the sum{remedy}",
+        scene.float.word()
+    )
+}
+
+fn none_works(scene: &Scene) -> String {
+    if scene.outputs.contains(&Output::Velocity) {
+        "no number of terms was found that works for `velocity`".to_owned()
+    } else {
+        format!("no number of terms that `{}` can use works", scene.float.word())
+    }
+}
+
 /// What is less than this beyond 1 is found with moduli in two words, but by margins in one.
 const UNTOLD: f64 = 1e-15;
 
 fn exceeds_one(terms: usize, overshoot: f64, smallest: Option<usize>, scene: &Scene) -> String {
     let remedy = smallest.map_or_else(
         || {
-            let none = if scene.outputs.contains(&Output::Velocity) {
-                "no number of terms was found that works for `velocity`".to_owned()
-            } else {
-                format!("no number of terms that `{}` can use works", scene.float.word())
-            };
             let without_method = if scene.method.is_some() { ", and leave `method` out" } else { "" };
-            format!("{none}: state the error as `tol` instead{without_method}")
+            format!("{}: state the error as `tol` instead{without_method}", none_works(scene))
         },
         |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
     );

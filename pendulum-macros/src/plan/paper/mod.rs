@@ -119,11 +119,13 @@ impl<'a> Sum<'a> {
 
     /// n terms k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
     fn fourier(scene: &'a Scene, swing: &'a Swing, n: usize) -> Result<Self, Refusal> {
-        let analysis = swing.elliptic.fourier_analysis();
-        if let Some(overshoot) = analysis.overshoot(n) {
-            let smallest = swing.smallest_working_terms(scene.float.unit());
-            let smallest = smallest.and_then(|smallest| planned(scene, swing, smallest));
-            return Err(Refusal::Overshoot { terms: n, overshoot, smallest });
+        let smallest = || planned(scene, swing, swing.smallest_working_terms(scene.float.unit())?);
+        let most = swing.most_useful_terms(scene.float.unit());
+        if scene.goal == Goal::Terms(n) && n > most {
+            return Err(Refusal::Useless { terms: n, most, smallest: smallest() });
+        }
+        if let Some(overshoot) = swing.elliptic.fourier_analysis().overshoot(n) {
+            return Err(Refusal::Overshoot { terms: n, overshoot, smallest: smallest() });
         }
         let coefficients = swing.fourier_coefficients(n);
         let weights = swing.half_sine_weights(&coefficients);

@@ -380,6 +380,15 @@ fn refusals_are_explained() {
         ("theta0 = 2.8417893156955566, n = 2", "can't be told from one that exceeds 1"),
         ("theta0 = 0.731π, n = 1", "the smallest number of terms that works is `n = 2`"),
         ("theta0 = π - 1e-14, n = 3", "no number of terms that `f64` can use works"),
+        ("theta0 = 1, n = 40", "use an `n` from 1 to 10"),
+        ("theta0 = 1, n = 40, float = f32", "use an `n` from 1 to 5"),
+        ("theta0 = 3e-8, n = 10, float = f32", "; use `n = 1`"),
+        ("theta0 = π - 1e-6, n = 500", "use an `n` from 91 to 122"),
+        ("theta0 = π - 1e-6, n = 500, outputs = [theta, velocity]", "use an `n` from 92 to 122"),
+        (
+            "theta0 = π - 1e-7, n = 500, outputs = [velocity]",
+            "and no number of terms was found that works for `velocity`: state the error as `tol` instead",
+        ),
         ("theta0 = π - 1e-14, method = fourier, tol = 1e-9", "`fourier` can't come near the motion at this amplitude"),
     ] {
         let found = message(text, None);
