@@ -55,7 +55,7 @@ impl Aim {
         aim.at_full_precision();
         if let Goal::Tolerance(tol) = goal {
             aim.limit = size.within(tol);
-            aim.truncation = aim.limit.max(aim.truncation / 8.0);
+            aim.truncation = aim.limit.max(aim.floor() / 8.0);
         }
         aim
     }
@@ -70,17 +70,18 @@ impl Aim {
         Self { curves, power: 0, ..self.clone() }
     }
 
-    /// One unit of rounding of the largest value.
+    /// One unit of rounding of the largest value; of a position that hardly changes, of the change: the 1 beside it is exact.
     pub(super) fn floor(&self) -> f64 {
-        self.unit_of_rounding * self.size.largest
+        let changes = if self.output == Output::Position { self.size.slope } else { f64::INFINITY };
+        self.unit_of_rounding * self.size.largest.min(changes)
     }
 
     /// Sixteen units of rounding of the largest value, of which truncation takes one.
     pub(super) fn at_full_precision(&mut self) {
         // Of a position, whose coordinates are products, rounding takes more.
         let units = if self.output == Output::Position { 3.0 * FULL } else { FULL };
-        self.limit = units * self.floor();
-        self.truncation = self.floor();
+        self.truncation = self.unit_of_rounding * self.size.largest;
+        self.limit = units * self.truncation;
     }
 
     /// As [`Size::phase_error`] for a passage, which rounds w = phase·rate besides, by so much of itself.

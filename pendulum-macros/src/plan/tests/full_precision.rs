@@ -325,3 +325,21 @@ fn moments_at_the_top_are_wrapped() {
         }
     }
 }
+
+/// A position from which a swing hardly moves: beside its cosine, which is 1, only its sine is rounded, far below a unit
+/// of 1.
+#[test]
+fn positions_of_small_swings() {
+    let mut random = Random::new(28);
+    for (theta0, float, tol) in
+        [("1e-10", "f32", 2e-17), ("3e-5", "f32", 1e-9), ("1e-12", "f64", 6e-25), ("1e-30", "f64", 4e-27)]
+    {
+        let scene =
+            scene(&format!("struct A; theta0 = {theta0}, float = {float}, tol = {tol:e}, outputs = [position]"));
+        let plan = plan(&scene).unwrap();
+        let mut probe = Probe::new(&scene, &plan);
+        probe.everywhere(&mut random, 20);
+        let (bound, (t, error)) = (plan.parts[0].bound.total(), probe.worst);
+        assert!(error <= bound && bound <= tol, "{theta0} at {t:e}: {error:e} of {bound:e}");
+    }
+}

@@ -238,6 +238,9 @@ fn nothing_finer_than_what_is_offered() {
         ("theta0 = π - 1e-30, method = polynomial, outputs = [acceleration], float = f32", FULL),
         ("theta0 = 1e-300, omega = 1e-5, outputs = [velocity]", FULL),
         ("theta0 = 1e-200, omega = 1e-107, outputs = [velocity]", FULL),
+        ("theta0 = 1e-10, float = f32, outputs = [position]", "1e-20"),
+        ("theta0 = 1e-12, outputs = [position]", "1e-30"),
+        ("theta0 = 1e-30, outputs = [position]", "1e-40"),
     ] {
         let asked = if tol == FULL { text.to_owned() } else { format!("{text}, tol = {tol}") };
         let Refusal::Unreachable { best } = refused(&asked) else { panic!("another refusal") };
