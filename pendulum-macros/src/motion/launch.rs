@@ -46,7 +46,14 @@ impl State {
             _ => {}
         }
         let zero = context.integer(0);
-        let (sine, cosine) = if at_top { (context.integer(1), zero) } else { half_angle(&angle, &below_top) };
+        let (sine, cosine) = if at_top {
+            (context.integer(1), zero)
+        } else if velocity0.is_zero() {
+            // Nothing else is there to cancel with.
+            half_angle(&angle.clone().settled(), &below_top.settled())
+        } else {
+            half_angle(&angle, &below_top)
+        };
         let speed = (velocity0 / omega).abs().scale(-1);
         let rising = theta0.is_negative() == velocity0.is_negative() || theta0.is_zero();
         let (kinetic, needed) = (speed.square(), cosine.square());
