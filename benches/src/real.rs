@@ -4,6 +4,10 @@ use num_traits::Float;
 
 use crate::truth::Given;
 
+/// 1.5 · 2⁵², and 1.5 · 2²³ for `f32`: adding it rounds to the nearest integer, which the low bits of the sum are.
+pub const ROUNDER: f64 = 6_755_399_441_055_744.0;
+const ROUNDER_F32: f32 = 12_582_912.0;
+
 /// `f32` or `f64`.
 pub trait Real: Float + 'static {
     /// `"f32"` or `"f64"`.
@@ -43,8 +47,8 @@ impl Real for f64 {
 
     #[inline]
     fn nearest(self) -> (Self, usize) {
-        let shifted = self + 6_755_399_441_055_744.0;
-        (shifted - 6_755_399_441_055_744.0, shifted.to_bits() as usize)
+        let shifted = self + ROUNDER;
+        (shifted - ROUNDER, shifted.to_bits() as usize)
     }
 
     #[inline]
@@ -67,8 +71,8 @@ impl Real for f32 {
 
     #[inline]
     fn nearest(self) -> (Self, usize) {
-        let shifted = self + 12_582_912.0;
-        (shifted - 12_582_912.0, shifted.to_bits() as usize)
+        let shifted = self + ROUNDER_F32;
+        (shifted - ROUNDER_F32, shifted.to_bits() as usize)
     }
 
     #[inline]

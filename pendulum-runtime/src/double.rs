@@ -23,6 +23,9 @@ pub struct Double {
     pub lo: f64,
 }
 
+/// The largest number, but for some powers of ten, that [`two_prod`] can split.
+pub(crate) const LARGEST: f64 = 1e290;
+
 /// `a + b = s + e` exactly.
 #[inline(always)]
 #[must_use]

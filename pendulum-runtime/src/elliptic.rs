@@ -25,7 +25,7 @@
 use crate::agm::{agm_double, complete};
 use crate::angle::{nearest_period, reduce};
 use crate::carlson::carlson_rf;
-use crate::double::Double;
+use crate::double::{Double, LARGEST};
 use crate::double_trig::half_angle;
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced};
@@ -92,8 +92,8 @@ impl Jacobi {
     #[must_use]
     pub fn am(&self, u: f64) -> f64 {
         let phase = self.reduce(u);
-        if phase.turns.abs() > 1e290 {
-            // Two words would be split beyond 2⁹⁹⁵, and what is left of a turn is nothing beside so many.
+        if phase.turns.abs() > LARGEST {
+            // What is left of a turn is nothing beside so many.
             return (PI * phase.turns).clamp(f64::MIN, f64::MAX);
         }
         (Double::PI * phase.turns + Double::new(0.5 * self.rotation.angle(phase))).to_f64()

@@ -1,5 +1,6 @@
 //! What can be wrong with a request.
 
+use crate::double::LARGEST;
 use core::fmt;
 
 /// Why a motion, or something asked of it, does not exist. Values are given as `f64`, whatever the type of float.
@@ -71,7 +72,7 @@ impl fmt::Display for Error {
             Self::Velocity { value } => {
                 write!(
                     f,
-                    "velocity = {value:?} is beyond 1e290 omega; gravity is nothing to it, use theta + velocity * t"
+                    "velocity = {value:?} is beyond {LARGEST:e} omega; gravity is nothing to it, use theta + velocity * t"
                 )
             }
             Self::NeverReached { angle } => write!(

@@ -3,7 +3,7 @@
 use crate::agm::agm_double;
 use crate::angle::{Angle, reduce};
 use crate::carlson::elapsed;
-use crate::double::{Double, two_sum};
+use crate::double::{Double, LARGEST, two_sum};
 use crate::double_trig::{half_angle, half_angle_from_top};
 use crate::error::{Error, finite};
 use crate::kernel::four_atan;
@@ -12,9 +12,6 @@ use crate::phase::{Phase, binade};
 use crate::regime::Regime;
 use crate::rotation::Rotation;
 use crate::swing::Swing;
-
-/// |θ̇|/ω beyond which products would overflow.
-const LARGEST_SPEED: f64 = 1e290;
 
 /// Released at rest from `theta0`, |θ0| ≤ the last `f64` below π.
 pub(crate) fn at_rest(theta0: f64, omega: f64) -> Result<Motion, Error> {
@@ -34,7 +31,7 @@ pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion
     // Both are brought to ω's binade first, so that the division neither underflows nor overflows needlessly.
     let unit = binade(omega);
     let speed = 0.5 * (velocity.abs() / unit);
-    if speed > 0.5 * LARGEST_SPEED * (omega / unit) {
+    if speed > 0.5 * LARGEST * (omega / unit) {
         return Err(Error::Velocity { value: velocity });
     }
     let start = reduce(theta);

@@ -7,7 +7,7 @@
 )]
 
 use crate::agm::complete;
-use crate::double::{Double, two_prod, two_sum};
+use crate::double::{Double, LARGEST, two_prod, two_sum};
 use crate::error::{Error, finite};
 use crate::inverse;
 use crate::kernel::sin_turns;
@@ -102,7 +102,7 @@ impl Motion {
         if turns == 0.0 && self.base.hi == 0.0 {
             return angle;
         }
-        if turns.abs() > 1e290 {
+        if turns.abs() > LARGEST {
             return (turns * TAU).clamp(f64::MIN, f64::MAX);
         }
         let (p, e) = two_prod(turns, Double::TURN.hi);

@@ -11,7 +11,7 @@ use pendula::__private::support::{root, rootf};
 use pendula_benches::contestant::{Block, COUNT};
 use pendula_benches::machine;
 use pendula_benches::race::{Effort, Job, Spread, race};
-use pendula_benches::real::Real;
+use pendula_benches::real::{ROUNDER, Real};
 use pendula_stress::random::Random;
 
 /// Independent chains of operations, as evaluation by Estrin's scheme has them.
@@ -111,7 +111,7 @@ fn doubles(inputs: &Block<f64>) -> Vec<Kind<'_>> {
         }),
         kind("head", (1.0, 1.0), inputs, |v, y, _| f64::from_bits((v * y).to_bits() & 0xffff_ffff_fc00_0000)),
         kind("power of two", (1.0, 2.0), inputs, |v, y, i| {
-            let magic = y + 6_755_399_441_055_744.0 + constant(i);
+            let magic = y + ROUNDER + constant(i);
             v * f64::from_bits(magic.to_bits().wrapping_add(1023) << 52)
         }),
         kind("narrow and widen, half of it", (2.0, 1.0), inputs, |v, y, _| f64::from((v * y) as f32)),

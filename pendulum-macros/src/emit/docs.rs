@@ -87,8 +87,7 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     let (most, unit) = match scene.motion.regime {
         Regime::Swing(_) => (0.5, "half periods"),
         Regime::Rotation(_) => (0.5, "turns"),
-        Regime::Separatrix(_) if reduction.is_linear() => (1.0, "of itself"),
-        Regime::Separatrix(_) => (0.5, "rad of ωt"),
+        Regime::Separatrix(_) => (1.0, "of itself"),
     };
     let wrong = match reduction.error + (most + reduction.overshoot.max(0.0)) * reduction.relative_error {
         0.0 => String::new(),

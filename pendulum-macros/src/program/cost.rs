@@ -42,11 +42,14 @@ pub(crate) const ROW: f64 = 3.0;
 /// What keeping a number within an interval costs.
 pub(crate) const CLAMP: f64 = 2.0 * MINIMUM;
 
-/// What a minimum, a maximum or a comparison costs.
+/// What a minimum or a maximum costs.
 const MINIMUM: f64 = 1.3;
 
-/// What the sign of another number costs.
-pub(crate) const SIGN: f64 = 1.3;
+/// What a sign against that of another number costs.
+pub(crate) const AGAINST: f64 = 1.3;
+
+/// What the sign of another number costs, or one along it.
+const ALONG: f64 = 1.7;
 
 /// What a division costs beside a multiplication.
 pub(crate) const QUOTIENT: f64 = 2.5;
@@ -70,8 +73,8 @@ fn weight(op: Op) -> f64 {
         Op::Div(..) => QUOTIENT,
         Op::Root(_) => 36.0,
         Op::Min { .. } | Op::Max { .. } => MINIMUM,
-        Op::Against { .. } => SIGN,
-        Op::CopySign { .. } | Op::Along { .. } => 1.7,
+        Op::Against { .. } => AGAINST,
+        Op::CopySign { .. } | Op::Along { .. } => ALONG,
         Op::Select { .. } => 3.0,
         Op::Row { .. } => ROW,
         Op::Widen(_) | Op::Narrow(_) => 2.0,

@@ -12,7 +12,7 @@ use crate::plan::polynomial::{Approximation, Leeway, Numerator, Pole, Polynomial
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
 use crate::power::two_to;
-use crate::program::cost::{CLAMP, SIGN};
+use crate::program::cost::{AGAINST, CLAMP};
 use crate::series::Parity;
 use crate::supremum::norm;
 use std::rc::Rc;
@@ -107,7 +107,7 @@ impl Approximations {
     /// The cost of the kernels with so many terms each.
     fn cost(&self, terms: &[usize], approximations: &[Approximation], reduction: &Reduction, variant: Variant) -> f64 {
         let one = |(curve, (approximation, &terms)): (&Curve, (&Approximation, &usize))| {
-            let signs = if curve.alternates && reduction.origin == Origin::Lowest { SIGN } else { 0.0 };
+            let signs = if curve.alternates && reduction.origin == Origin::Lowest { AGAINST } else { 0.0 };
             let (odd, of_two) = (curve.parity() == Parity::Odd, self.aim.curves.len() > 1);
             let division = match (variant.poles, of_two, odd) {
                 (Poles::Absent, ..) => Division::None,
