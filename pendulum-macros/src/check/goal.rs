@@ -183,10 +183,10 @@ fn needed_by_fourier(regime: Option<&Regime>, float: Float) -> String {
         format!("`method = fourier` needs a number of terms, such as `n = {n}`, or an error, {tol}")
     };
     let Some(Regime::Swing(swing)) = regime else { return needed(USUAL_TERMS, "`tol`") };
-    match swing.smallest_working_terms(float.unit()) {
+    match swing.smallest_working_terms(float.rounding_unit()) {
         None => ALWAYS_OVERSHOOTS.to_owned(),
         Some(smallest) if smallest > USUAL_TERMS => needed(smallest, "`tol`"),
-        Some(_) => needed(USUAL_TERMS.min(swing.most_useful_terms(float.unit())), "such as `tol = 1e-3`"),
+        Some(_) => needed(USUAL_TERMS.min(swing.most_useful_terms(float.rounding_unit())), "such as `tol = 1e-3`"),
     }
 }
 

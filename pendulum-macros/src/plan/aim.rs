@@ -49,7 +49,7 @@ impl Aim {
     }
 
     pub(super) fn with(scene: &Scene, output: Output, size: Size) -> Self {
-        let (curves, unit_of_rounding) = (Vec::new(), scene.float.unit());
+        let (curves, unit_of_rounding) = (Vec::new(), scene.float.rounding_unit());
         let goal = scene.goal;
         let mut aim = Self { output, curves, power: 0, size, limit: 0.0, truncation: 0.0, goal, unit_of_rounding };
         aim.at_full_precision();

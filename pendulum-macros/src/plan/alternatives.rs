@@ -17,7 +17,7 @@ pub(super) fn reasons(scene: &Scene) -> Vec<String> {
     let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
     let aim = match scene.goal {
         Goal::Tolerance(tol) => tol,
-        _ => scene.float.unit() * swing.amplitude.to_f64(),
+        _ => scene.float.rounding_unit() * swing.amplitude.to_f64(),
     };
     let mut lost = Vec::new();
     if theta.terms().len() > 1 {

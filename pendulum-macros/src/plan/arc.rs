@@ -24,7 +24,7 @@ impl Arc {
 
     /// The greatest |t| of a scene's horizon. Rounded to the type of times it is still part of it.
     pub(super) fn reach(scene: &Scene) -> Option<f64> {
-        Some(scene.t_max.as_ref()?.to_f64() * (1.0 + 4.0 * scene.float.unit()))
+        Some(scene.t_max.as_ref()?.to_f64() * (1.0 + 4.0 * scene.float.rounding_unit()))
     }
 
     /// Of the times up to ±`reach`, if that is less than from one anchor to the next.

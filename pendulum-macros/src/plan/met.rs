@@ -43,7 +43,7 @@ impl Met {
     /// pieces, and in `f32` these a phase that is rounded once from `f64`, however short the horizon.
     pub(super) fn wrong(self, launch: &Real, scene: &Scene) -> f64 {
         let least = if let Goal::Terms(_) = scene.goal { 1.0 / 32.0 } else { 1e-30 };
-        16.0 * scene.float.unit() * if launch.is_zero() { self.farthest().max(least) } else { 1.0 }
+        16.0 * scene.float.rounding_unit() * if launch.is_zero() { self.farthest().max(least) } else { 1.0 }
     }
 
     /// How far polynomials have to reach, `None` if as far as ever.

@@ -16,7 +16,7 @@ pub(super) fn best(scene: &Scene, reached: f64) -> f64 {
     let reached = if best < full { [best, full] } else { [full, best] };
     let offers = reached.into_iter().flat_map(|error| OFFERS.map(|factor| error * factor)).map(three_digits);
     let decades = if is_quick(scene) { 1..10 } else { 1..1 };
-    let decades = decades.map(|decade| three_digits(tol.max(scene.float.unit()) * power(10f64, decade)));
+    let decades = decades.map(|decade| three_digits(tol.max(scene.float.rounding_unit()) * power(10f64, decade)));
     let offers: Vec<f64> = offers.chain(decades).filter(|offer| offer.is_finite()).collect();
     let mut asked = Asking { scene, refused: vec![tol] };
     if let Some(kept) = asked.first_kept(&offers, least) {

@@ -15,7 +15,7 @@ impl Float {
     }
 
     /// Half the distance from 1 to the next number.
-    pub(crate) const fn unit(self) -> f64 {
+    pub(crate) const fn rounding_unit(self) -> f64 {
         match self {
             Self::F64 => f64::EPSILON / 2.0,
             Self::F32 => f32::EPSILON as f64 / 2.0,

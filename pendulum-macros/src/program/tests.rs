@@ -93,7 +93,7 @@ fn integers_in_sums() {
 
 #[test]
 fn types() {
-    assert_eq!([Float::F64.unit(), Float::F32.unit()], [2f64.powi(-53), 2f64.powi(-24)]);
+    assert_eq!([Float::F64.rounding_unit(), Float::F32.rounding_unit()], [2f64.powi(-53), 2f64.powi(-24)]);
     assert_eq!([Float::F64.bits(), Float::F32.bits()], [53, 24]);
     assert_eq!([Float::F64.magic(), Float::F32.magic()], [1.5 * 2f64.powi(52), 1.5 * 2f64.powi(23)]);
     // Every operation is rounded to its type.

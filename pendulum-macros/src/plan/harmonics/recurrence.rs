@@ -68,7 +68,7 @@ impl Recurrence {
     /// often as weights follow.
     fn excess(&self) -> f64 {
         let most = 1.0 + self.cosine;
-        let each = 7.0 * self.float.unit() + self.rounding_of_x(most) + self.passed_on_to_x(most);
+        let each = 7.0 * self.float.rounding_unit() + self.rounding_of_x(most) + self.passed_on_to_x(most);
         each * 0.5 * (self.weights.len() * (self.weights.len() + 1)) as f64
     }
 
@@ -256,7 +256,7 @@ mod tests {
     /// Operation by operation, for two weights that cancel: u₂ = b, X = 4c² − 2, Xu₂, u₁ = a + Xu₂, u₁ − u₂, c(u₁ − u₂).
     #[test]
     fn errors_of_two_weights() {
-        let (a, b, unit, cosine) = (0.75, -0.125_f64, Float::F64.unit(), 1e-12);
+        let (a, b, unit, cosine) = (0.75, -0.125_f64, Float::F64.rounding_unit(), 1e-12);
         let weights = [a, b].map(Double::new);
         let recurrence = Recurrence::new(&weights, cosine, None, Float::F64);
         let ulps = |sizes: &[f64]| sizes.iter().map(|&size| half_ulp(size, Float::F64)).sum::<f64>();

@@ -98,7 +98,7 @@ fn errors_of_cosine_and_sine() {
     for (text, float) in [("tol = 1e-6", "f64"), ("tol = 1e-3", "f32")] {
         let (harmonics, reduction) =
             harmonics(&format!("theta0 = 2, method = series, {text}, float = {float}, outputs = [velocity]"));
-        let unit = reduction.float.unit();
+        let unit = reduction.float.rounding_unit();
         let [cosine, sine] = harmonics.errors(&reduction);
         assert!(
             (0.5 * unit..7.0 * unit).contains(&cosine) && (0.5 * unit..7.0 * unit).contains(&sine),

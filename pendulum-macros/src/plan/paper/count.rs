@@ -23,7 +23,7 @@ const OF_TRUNCATION: f64 = 0.98;
 fn negligible(scene: &Scene, curve: &Curve) -> f64 {
     match scene.goal {
         Goal::Tolerance(tol) => tol * curve.size.unit * OF_TRUNCATION,
-        _ => scene.float.unit() * curve.size.largest,
+        _ => scene.float.rounding_unit() * curve.size.largest,
     }
 }
 
@@ -70,7 +70,7 @@ fn first_serving(least: usize, most: usize, serves: impl Fn(usize) -> bool) -> u
 /// near to it to be bounded.
 pub(in crate::plan) fn planned(scene: &Scene, swing: &Swing, smallest: usize) -> Option<usize> {
     let ask = |n: usize| plan(&Scene { goal: Goal::Terms(n), ..scene.clone() }, swing, Method::Fourier);
-    (smallest..=swing.most_useful_terms(scene.float.unit())).take(3).find(|&n| ask(n).is_ok())
+    (smallest..=swing.most_useful_terms(scene.float.rounding_unit())).take(3).find(|&n| ask(n).is_ok())
 }
 
 /// The terms of Eq. 22 that are asked for, or the fewest that don't overshoot and come within the tolerance, by bisection:
@@ -79,9 +79,9 @@ pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
     let tol = match scene.goal {
         Goal::Terms(n) => return n,
         Goal::Tolerance(tol) => tol * OF_TRUNCATION,
-        Goal::Full => scene.float.unit() * swing.amplitude.to_f64(),
+        Goal::Full => scene.float.rounding_unit() * swing.amplitude.to_f64(),
     };
-    let Some(smallest) = swing.smallest_working_terms(scene.float.unit()) else { return 1 };
+    let Some(smallest) = swing.smallest_working_terms(scene.float.rounding_unit()) else { return 1 };
     let (analysis, most) = (swing.elliptic.fourier_analysis(), smallest.max(MOST_CHOSEN - 1));
     let least = least_at_turning(swing);
     let from = (smallest..most).find(|&n| least(n) < tol).unwrap_or(most);

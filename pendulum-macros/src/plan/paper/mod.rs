@@ -119,8 +119,8 @@ impl<'a> Sum<'a> {
 
     /// n terms k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
     fn fourier(scene: &'a Scene, swing: &'a Swing, n: usize) -> Result<Self, Refusal> {
-        let smallest = || planned(scene, swing, swing.smallest_working_terms(scene.float.unit())?);
-        let most = swing.most_useful_terms(scene.float.unit());
+        let smallest = || planned(scene, swing, swing.smallest_working_terms(scene.float.rounding_unit())?);
+        let most = swing.most_useful_terms(scene.float.rounding_unit());
         if scene.goal == Goal::Terms(n) && n > most {
             return Err(Refusal::Useless { terms: n, most, smallest: smallest() });
         }
@@ -242,7 +242,7 @@ impl Sum<'_> {
         let phase = wanted.phase_error(reduction);
         match self.scene.goal {
             Goal::Tolerance(_) => !reduction.is_rounded_late() || phase <= wanted.bias,
-            _ => phase <= wanted.left_to_phase(self.scene.float.unit()),
+            _ => phase <= wanted.left_to_phase(self.scene.float.rounding_unit()),
         }
     }
 
@@ -328,7 +328,7 @@ impl Sum<'_> {
         match self.scene.goal {
             Goal::Tolerance(tol) => curve.size.within(tol),
             Goal::Full if self.method == Method::Series => {
-                let half = 0.5 * FULL * self.scene.float.unit() * curve.size.largest;
+                let half = 0.5 * FULL * self.scene.float.rounding_unit() * curve.size.largest;
                 bias + (half - bias) / part
             }
             Goal::Full | Goal::Terms(_) => f64::INFINITY,

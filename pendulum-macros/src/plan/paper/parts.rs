@@ -127,7 +127,7 @@ impl Sum<'_> {
 
     /// A cosine or a sine of the phase, as good as rounding.
     fn wave(&self, curve: &Curve, reduction: &Reduction) -> Polynomial {
-        let precision = self.scene.float.unit() / 2.0;
+        let precision = self.scene.float.rounding_unit() / 2.0;
         let approximation = Approximation::entire(curve, precision / 16.0);
         let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
         approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0, largest_last: false })
@@ -149,7 +149,7 @@ impl Sum<'_> {
 
     /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
     fn folded(&self, reduction: &Reduction) -> Option<Polynomial> {
-        let (size, unit) = (self.size(), self.scene.float.unit());
+        let (size, unit) = (self.size(), self.scene.float.rounding_unit());
         let precision = size * unit / 2.0;
         let approximation = Approximation::new(&Curve::harmonics(&self.weights), None, precision / 16.0)?;
         let terms = approximation.terms_for(precision, reduction.overshoot).filter(|&terms| terms <= MOST_FOLDED)?;
@@ -165,7 +165,7 @@ impl Sum<'_> {
     /// For arguments up to the largest that occurs, from the lowest point, or a little beyond it, on.
     fn arcsine(&self, reduction: &Reduction) -> Arcsine {
         let steepest = Cosines::odd(&self.weights).magnitude(1);
-        Arcsine::new(steepest * reduction.overshoot, self.size(), reduction.float.unit() / 2.0)
+        Arcsine::new(steepest * reduction.overshoot, self.size(), reduction.float.rounding_unit() / 2.0)
     }
 
     /// Bounds the argument of the arcsine.

@@ -81,7 +81,7 @@ fn what_many_terms_reach() {
             let Err(Refusal::Unreachable { best }) = planned(&text) else { panic!("{text}") };
             let scene = scene(&text);
             let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-            assert!(best <= 20.0 * scene.float.unit() * swing.amplitude.to_f64(), "{text}: {best:e}");
+            assert!(best <= 20.0 * scene.float.rounding_unit() * swing.amplitude.to_f64(), "{text}: {best:e}");
         }
     }
 }

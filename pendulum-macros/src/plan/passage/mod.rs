@@ -120,7 +120,7 @@ impl Orbit {
 
     /// What the rounding of w adds, relative to w: the rate's, and the product's.
     pub(crate) fn rounding_of_exponent(&self) -> f64 {
-        (self.rate.lo / self.rate.hi).abs() + 1.001 * Float::F64.unit()
+        (self.rate.lo / self.rate.hi).abs() + 1.001 * Float::F64.rounding_unit()
     }
 
     /// What an output is a multiple of.
@@ -182,7 +182,8 @@ impl Passage {
         let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
         let truncation = left_out.sum::<f64>() + 5.0 * power(q, 6);
         // A truncation of a few units of rounding is asked for where full precision is.
-        let careful = images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.unit();
+        let careful =
+            images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.rounding_unit();
         Self { output, orbit, distances, half, images, careful, even, odd, arctangent, factor, truncation }
     }
 

@@ -165,5 +165,5 @@ pub(super) fn linear(b: &mut Builder, constant: f64, slope: f64, x: Id) -> Id {
 
 /// A number that was computed from the nome by a few operations.
 pub(super) fn near(b: &mut Builder, value: f64) -> Id {
-    b.loose(value, 8.0 * Float::F64.unit() * value.abs())
+    b.loose(value, 8.0 * Float::F64.rounding_unit() * value.abs())
 }

@@ -105,14 +105,14 @@ fn bounds_are_kept_and_tight() {
         ("velocity0 = 6.0000001", "f64"),
     ] {
         let trial = Trial::new(text, float);
-        let unit = trial.reduction.float.unit();
+        let unit = trial.reduction.float.rounding_unit();
         for output in OUTPUTS {
             // The last is asked for at full precision, where Q/P is formed with care.
             for limit in [1e-2, 1e-6, 1e-13, 4e-16] {
                 let (kernel, bound, seen) = trial.errors(output, limit);
                 let about = format!("{text} {output:?} {limit:e}: {seen:e} of {bound:e}");
                 // Not in the bound: the rounding of w, which counts with the phase, and that of the exact value.
-                let beside = 1.33 * trial.orbit.rounding_of_exponent() + Float::F64.unit();
+                let beside = 1.33 * trial.orbit.rounding_of_exponent() + Float::F64.rounding_unit();
                 assert!(seen <= bound + beside && bound <= 9.0 * seen, "{about}");
                 let left = 5.0 * trial.orbit.q().powi(6);
                 assert!(bound <= limit + left + unit * 110.0, "{about}");
@@ -185,7 +185,7 @@ fn constants_in_doubt() {
         let program = b.finish(vec![result]);
         assert_eq!(program.run(3.0), [constant + 1.5]);
         let mut rests = program.nodes.iter().filter_map(|node| match node.op {
-            Op::Constant { value, rest } => Some((value, rest / Float::F64.unit())),
+            Op::Constant { value, rest } => Some((value, rest / Float::F64.rounding_unit())),
             _ => None,
         });
         assert_eq!([rests.next(), rests.next()], [Some((constant, slack)), Some((0.5, 4.0))]);

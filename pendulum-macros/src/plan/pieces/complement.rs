@@ -41,7 +41,7 @@ impl Complement {
         // Half a piece beyond the lowest point y is as far beyond 0.
         let reach = sine.reduction.half() * sine.reduction.unit.hi;
         let beyond = Cosines::odd(weights).over(0.5, 0.5 + reach).largest(0);
-        let arcsine = Arcsine::of_complement(beyond, sine.reduction.float.unit() / 2.0);
+        let arcsine = Arcsine::of_complement(beyond, sine.reduction.float.rounding_unit() / 2.0);
         Self { sine, truncation, arcsine, direction, weights: weights.to_vec() }
     }
 

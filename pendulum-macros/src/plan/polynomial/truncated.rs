@@ -35,7 +35,7 @@ impl Truncated<'_> {
     pub(crate) fn polynomial(&self, form: Form, numerator: Numerator, limit: f64) -> Option<Polynomial> {
         let Form::Adapted { chunk } = form else { return Some(self.over_poles(form, numerator)) };
         let Self { approximation, terms, reduction, .. } = *self;
-        let unit = reduction.float.unit();
+        let unit = reduction.float.rounding_unit();
         let shortened = approximation.shortened(terms, reduction.overshoot);
         let shift = shortened.shifts(chunk)?.within(limit / (unit * approximation.weight(0.0)))?;
         let variable = self.variable(form, shift.by);

@@ -228,7 +228,7 @@ impl<'a> Clock<'a> {
         };
         let errors = match origin {
             Origin::Anchor => [drift + before + last * rounding(0.5), 0.0],
-            Origin::Lowest => [drift + before, last * self.float.unit() * WIDENED],
+            Origin::Lowest => [drift + before, last * self.float.rounding_unit() * WIDENED],
         };
         let overshoot = self.misplaced(rate, origin, errors[0] + errors[1]);
         Some(self.reduction(Scheme::CodyWaite { rate, words }, origin, errors, overshoot))
@@ -291,12 +291,12 @@ impl<'a> Clock<'a> {
         };
         let rate = self.rate.scale(-power).to_double();
         let launch = self.launch.hi.abs();
-        let furthest = (self.anchors() + launch) * (1.0 + 8.0 * self.float.unit());
+        let furthest = (self.anchors() + launch) * (1.0 + 8.0 * self.float.rounding_unit());
         let half = self.float.round(furthest).min(LINEAR_HALF);
         let (passed, times) = (-(self.launch / rate), libm::exp2(power as f64));
         let scheme = Scheme::Linear { rate: rate.hi, passed, times, half };
         let product = if is_power_of_two(rate.hi) { 0.0 } else { 1.0 };
-        let of_rate = (rate.lo / rate.hi).abs() / Float::F64.unit();
+        let of_rate = (rate.lo / rate.hi).abs() / Float::F64.rounding_unit();
         let roundings = match (product + of_rate, self.float) {
             (roundings, Float::F64) if launch == 0.0 => roundings,
             (roundings, Float::F64) => roundings + 2.0,
@@ -306,7 +306,11 @@ impl<'a> Clock<'a> {
         Reduction {
             launch: self.launch,
             error: (launch + 1.0) * two_to(-74),
-            relative_error: if roundings == 0.0 { 0.0 } else { (roundings + SECOND_ORDER) * self.float.unit() },
+            relative_error: if roundings == 0.0 {
+                0.0
+            } else {
+                (roundings + SECOND_ORDER) * self.float.rounding_unit()
+            },
             ..Reduction::exact(scheme, Origin::Lowest, self.float)
         }
     }
@@ -316,7 +320,7 @@ impl<'a> Clock<'a> {
     fn narrowed(&self, error: f64, overshoot: f64, origin: Origin) -> [f64; 2] {
         match origin {
             Origin::Anchor => [error + overshoot.clamp(NARROWING, 2.0 * NARROWING), 0.0],
-            Origin::Lowest => [error, self.float.unit() * WIDENED],
+            Origin::Lowest => [error, self.float.rounding_unit() * WIDENED],
         }
     }
 
@@ -329,7 +333,12 @@ impl<'a> Clock<'a> {
         // n is rounded from the leading parts: the last, below 2⁻²¹, may carry the remainder past half an anchor.
         let overshoot = two_to(-20);
         if origin == Origin::Lowest {
-            return self.reduction(scheme, origin, [drift, (3.0 + SECOND_ORDER) * Float::F64.unit()], overshoot);
+            return self.reduction(
+                scheme,
+                origin,
+                [drift, (3.0 + SECOND_ORDER) * Float::F64.rounding_unit()],
+                overshoot,
+            );
         }
         let [sums, seldom] = self.rounding_of_sums(count, doubled);
         let relative = self.starts_on_half() || count == 4 && !doubled;

@@ -321,7 +321,7 @@ impl Reduction {
             return 0.5 / self.pieces;
         }
         let half = (0.5 / self.pieces + self.overshoot) / self.unit.hi;
-        self.float.round(half * (1.0 + 4.0 * self.float.unit()))
+        self.float.round(half * (1.0 + 4.0 * self.float.rounding_unit()))
     }
 }
 

@@ -150,7 +150,10 @@ fn errors_are_those_promised() {
                     in_pieces += 1;
                 }
                 let widened = reduction.half() * reduction.unit.hi / (0.5 + reduction.overshoot);
-                assert!((1.0 - 1e-15..1.0 + 8.0 * float.unit()).contains(&widened), "{reduction:?}: {widened}");
+                assert!(
+                    (1.0 - 1e-15..1.0 + 8.0 * float.rounding_unit()).contains(&widened),
+                    "{reduction:?}: {widened}"
+                );
                 let key = (reduction.scheme.name(), reduction.origin == Origin::Lowest, float == Float::F32, launch);
                 let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
                 trial.run(&mut random, 40);
@@ -189,7 +192,7 @@ fn remainders_just_beyond_half_an_anchor() {
         let mut worst: f64 = 0.0;
         for _ in 0..2000 {
             let t = float.round(2f64.powf(24.0 + 2.0 * random.unit()));
-            let beyond = 3.0 * random.unit() * float.unit();
+            let beyond = 3.0 * random.unit() * float.rounding_unit();
             let phase = (t * (0.1 + 0.3 * random.unit())).floor() + 0.5;
             let passed = context.float(phase).unwrap() + context.float(beyond).unwrap();
             let rate = (passed - &launch) / context.float(t).unwrap();
@@ -351,7 +354,7 @@ fn the_separatrix() {
             // No farther than the horizon.
             let short = Clock { rate: &rate, launch: launch.to_double(), horizon: 3.0 / rate.to_f64(), float };
             let excess = short.linear().half() / (3.0 + launch.to_f64().abs()) - 1.0;
-            assert!(excess > 0.0 && excess < 20.0 * float.unit(), "{excess:e}");
+            assert!(excess > 0.0 && excess < 20.0 * float.rounding_unit(), "{excess:e}");
             // Beyond that nothing moves; no time is so late for a motion that is slow enough.
             let latest = reduction.half() / rate.to_f64();
             assert!(reduction.half() == 620.0 || reduction.half() < 620.0 && latest > 0.9 * float.largest());
@@ -383,7 +386,7 @@ fn what_the_separatrix_rounds() {
     ] {
         let [rate, launch] = [rate, launch].map(|number| context.decimal(number).unwrap());
         let clock = Clock { rate: &rate, launch: launch.to_double(), horizon: 9.0, float };
-        let roundings = clock.linear().relative_error / float.unit();
+        let roundings = clock.linear().relative_error / float.rounding_unit();
         assert!(expected.contains(&roundings), "{float:?} {}: {roundings}", rate.to_f64());
         let mut trial = Trial { reduction: clock.linear(), rate: rate.clone(), launch, horizon: 9.0, worst: 0.0 };
         trial.run(&mut Random::new(5), 60);

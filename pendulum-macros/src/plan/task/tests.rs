@@ -156,7 +156,7 @@ fn the_fastest() {
 /// At full precision 16 units of rounding of the largest value, 48 of a position; else what is asked for.
 #[test]
 fn limits() {
-    let unit = Float::F64.unit();
+    let unit = Float::F64.rounding_unit();
     let largest = [2.0, 2.0 * 1f64.sin() * 3.0, 9.0, 1.0];
     let (_, full) = task(&format!("theta0 = 2, omega = 3, {ALL}"));
     let (_, loose) = task(&format!("theta0 = 2, omega = 3, {ALL}, tol = 1e-6"));

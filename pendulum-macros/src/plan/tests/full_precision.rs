@@ -37,7 +37,7 @@ fn together(start: &str) {
         let plan = plan(&scene(&text)).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
         for part in plan.parts {
             let units = if part.output == Output::Position { 48.0 } else { 16.0 };
-            assert!(part.bound.total() <= units * float.unit() * part.largest, "{text}: {:?}", part.output);
+            assert!(part.bound.total() <= units * float.rounding_unit() * part.largest, "{text}: {:?}", part.output);
         }
     }
 }
@@ -60,7 +60,7 @@ fn run(scenes: u64, seed: u64, density: usize) -> Vec<[(f64, String); 2]> {
             let plan = plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
             let part = &plan.parts[0];
             let units = if *output == "position" { 48.0 } else { 16.0 };
-            let allowed = units * float.unit() * part.largest;
+            let allowed = units * float.rounding_unit() * part.largest;
             let mut probe = Probe::new(&scene, &plan);
             probe.everywhere(&mut random, density);
             assert!(probe.worst.1 <= part.bound.total(), "{text}: {:?}, {:?}", probe.worst, part.bound);
@@ -111,7 +111,10 @@ fn positions_in_pieces() {
             let error = largest_error(&text, &scene, &plan, &mut random, 8);
             let bound = part.bound.total();
             assert!(bound <= 12.0 * error, "{text}: {error:e} of {bound:e}");
-            assert!(bound <= 48.0 * float.unit() && error <= 24.0 * float.unit(), "{text}: {error:e} of {bound:e}");
+            assert!(
+                bound <= 48.0 * float.rounding_unit() && error <= 24.0 * float.rounding_unit(),
+                "{text}: {error:e} of {bound:e}"
+            );
         }
     }
 }
@@ -144,7 +147,7 @@ fn half_is_not_exceeded() {
         let plan = plan(&scene).unwrap();
         let mut probe = Probe::new(&scene, &plan);
         probe.at(scene.float.round(t));
-        let half = 8.0 * scene.float.unit() * plan.parts[0].largest;
+        let half = 8.0 * scene.float.rounding_unit() * plan.parts[0].largest;
         let worst = margin(&scene, &plan, &mut Random::new(1), 2000);
         assert!(probe.worst.1.max(worst) < half, "{text}: {:e} and {worst:e} of {half:e}", probe.worst.1);
     }
@@ -205,7 +208,7 @@ fn margins() {
         let scene = scene(&format!("struct Motion; {start}{horizon}, float = {float}, outputs = [{output}]"));
         let plan = plan(&scene).unwrap();
         let Part { bound, largest, share, description, .. } = &plan.parts[0];
-        let (proven, limit) = (bound.total(), 16.0 * scene.float.unit() * largest);
+        let (proven, limit) = (bound.total(), 16.0 * scene.float.rounding_unit() * largest);
         let mut seen = margin(&scene, &plan, &mut random, 30_000);
         if seen > 0.4 * limit {
             seen = seen.max(margin(&scene, &plan, &mut random, 1_000_000));

@@ -125,7 +125,7 @@ pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
         Float::F32 => f64::from(f32::from_bits(1)),
     };
     let binade = f64::from_bits(magnitude.to_bits() & (0x7ff << 52));
-    (binade * float.unit()).max(smallest)
+    (binade * float.rounding_unit()).max(smallest)
 }
 
 impl Program {
@@ -288,7 +288,7 @@ fn root(x: Known, float: Float) -> Known {
     }
     let exact = (x.low.max(0.0).sqrt(), x.high.max(0.0).sqrt());
     let inherited = if exact.0 > 0.0 { (x.error / exact.0).min(x.error.sqrt()) } else { x.error.sqrt() };
-    let local = ROOT_ERROR * float.unit() * exact.1;
+    let local = ROOT_ERROR * float.rounding_unit() * exact.1;
     let (low, high) = rounded(exact, float);
     Known::result((low * (1.0 - 1e-6), high * (1.0 + 1e-6)), inherited, local)
 }

@@ -49,7 +49,7 @@ fn the_series_at_full_precision() {
         let text = format!("theta0 = {theta0}, method = series, float = {float}");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
         let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let aim = scene.float.unit() * swing.amplitude.to_f64();
+        let aim = scene.float.rounding_unit() * swing.amplitude.to_f64();
         let (stated, nome) = (truncation(&plan), swing.elliptic.nome.to_f64());
         assert!(stated <= aim && stated >= 0.9 * nome * aim, "{text}: {stated:e} of {aim:e}");
     }
@@ -81,7 +81,7 @@ fn the_series_in_pieces() {
         assert_eq!((plan.method, &plan.terms.to_string()[..]), ("series", part.description.split(' ').next().unwrap()));
         let promise = match scene.goal {
             Goal::Tolerance(tol) => tol,
-            _ => FULL * scene.float.unit() * part.largest,
+            _ => FULL * scene.float.rounding_unit() * part.largest,
         };
         let error = largest_error(&text, &scene, &plan, &mut random, 6);
         let bound = part.bound.total();

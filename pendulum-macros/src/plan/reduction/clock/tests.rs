@@ -121,7 +121,7 @@ fn cody_waite(
 /// the other side. Half the time is 0.714…, or 1 but for a ten-millionth.
 #[test]
 fn roundings_of_differences() {
-    let u = Float::F64.unit();
+    let u = Float::F64.rounding_unit();
     for (rate, half, escapes) in [("0.7", u / 2.0, 0.0), ("0.49999995", u, u), ("0.50000005", u, u)] {
         for (count, launch, differences) in [(2, 0.0, 1.0), (3, 0.0, 2.0), (2, 0.5, 2.0), (3, 0.5, 3.0)] {
             let (from_anchor, rate) = cody_waite(rate, launch, 3.0, (count, Origin::Anchor), Float::F64);
@@ -235,7 +235,7 @@ fn products_stay_finite() {
 #[test]
 fn phases_of_narrow_times() {
     let rate = Context::for_digits(60).decimal("0.7").unwrap();
-    let (unit, horizon) = (Float::F32.unit(), 1e6);
+    let (unit, horizon) = (Float::F32.rounding_unit(), 1e6);
     let clock = Clock { rate: &rate, launch: Double::ZERO, horizon, float: Float::F32 };
     let wide = |way: &Reduction| matches!(way.scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. });
     for way in clock.reductions().into_iter().filter(wide) {
