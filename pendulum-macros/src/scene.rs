@@ -60,7 +60,7 @@ impl Scene {
 /// argument, a tolerance out of reach.
 #[derive(Clone, Debug)]
 pub(crate) struct Blame {
-    /// The value of `n` or `tol`, else that of the start.
+    /// The value of `n` or `tol`, else that of `method`, else that of the start.
     pub(crate) goal: TokenStream,
     /// The value of `theta0`, else that of `velocity0`.
     pub(crate) start: TokenStream,

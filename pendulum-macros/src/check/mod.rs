@@ -50,8 +50,9 @@ fn blame(request: &Request) -> Blame {
     let tokens = |given: &Option<Given<Number>>| given.as_ref().map(|given| given.tokens.clone());
     let start = tokens(&request.theta0).or_else(|| tokens(&request.velocity0)).unwrap_or_default();
     let terms = request.n.as_ref().map(|given| given.tokens.clone());
-    let goal = terms.or_else(|| tokens(&request.tol)).unwrap_or_else(|| start.clone());
-    let method = request.method.as_ref().map_or_else(|| goal.clone(), |given| given.tokens.clone());
+    let forced = request.method.as_ref().map(|given| given.tokens.clone());
+    let goal = terms.or_else(|| tokens(&request.tol)).or_else(|| forced.clone()).unwrap_or_else(|| start.clone());
+    let method = forced.unwrap_or_else(|| goal.clone());
     let rate = request.rate().map_or_else(|| start.clone(), |given| given.tokens.clone());
     Blame { goal, start, rate, method }
 }
