@@ -4,6 +4,7 @@ use crate::power::two_to;
 use crate::program::rounding::UNDERFLOW;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;
+use pendulum_runtime::double_trig::{cos_small, sin_small};
 use std::ops::{Add, Mul};
 
 /// The cosine of every multiple of π/(2m), from one table of a quarter wave.
@@ -171,43 +172,23 @@ pub(crate) fn polynomials(terms: usize, u: f64) -> Vec<f64> {
     all
 }
 
-/// cos πx for |x| ≤ 1.5, within 2⁻¹⁰⁰ (Taylor's series of cosine or sine on [0, π/4]).
+/// cos πx for |x| ≤ 1.5, within 2⁻¹⁰⁰: cosine or sine on [0, π/4].
 pub(crate) fn cos_pi(x: Double) -> Double {
     let x = x.abs();
     if x.hi > 0.5 {
         return -cos_pi(Double::ONE - x);
     }
     if x.hi > 0.25 {
-        return sine(Double::PI * (Double::new(0.5) - x));
+        return sin_small(Double::PI * (Double::new(0.5) - x));
     }
-    cosine(Double::PI * x)
+    cos_small(Double::PI * x)
 }
 
 /// sin πx for |x| ≤ 1.5, of small x within 2⁻¹⁰⁰ of itself.
 pub(crate) fn sin_pi(x: Double) -> Double {
     let magnitude = x.abs();
-    let value = if magnitude.hi > 0.25 { cos_pi(Double::new(0.5) - magnitude) } else { sine(Double::PI * magnitude) };
+    let value = if magnitude.hi > 0.25 { cos_pi(Double::new(0.5) - magnitude) } else { sin_small(Double::PI * magnitude) };
     if x.hi < 0.0 { -value } else { value }
-}
-
-fn cosine(x: Double) -> Double {
-    alternating(x, Double::ONE, 0)
-}
-
-fn sine(x: Double) -> Double {
-    alternating(x, x, 1)
-}
-
-/// Σ (−1)ʲ first·x²ʲ·k!/(k + 2j)!.
-fn alternating(x: Double, first: Double, k: u32) -> Double {
-    let square = x * x;
-    let (mut term, mut sum, mut n) = (first, first, f64::from(k));
-    while term.hi.abs() > 1e-34 * sum.hi.abs() {
-        term = -(term * square) / ((n + 1.0) * (n + 2.0));
-        sum = sum + term;
-        n += 2.0;
-    }
-    sum
 }
 
 /// Coefficients in powers of τ of Σ aⱼ Tⱼ(τ), by Clenshaw's recurrence on polynomials.

@@ -48,12 +48,14 @@ fn series(y: Double, head: &[Double; 8], tail: &[f64; 5]) -> Double {
 }
 
 /// sin x for |x| ≤ 0.8, relative error below 2⁻¹⁰². Taylor to x²⁷/27!, whose successor is below 2⁻¹⁰⁷ there.
-pub(crate) fn sin_small(x: Double) -> Double {
+#[must_use]
+pub fn sin_small(x: Double) -> Double {
     x + x * series(x * x, &SINE_HEAD, &SINE_TAIL)
 }
 
 /// cos x for |x| ≤ 0.8, relative error below 2⁻¹⁰². Taylor to x²⁶/26!, whose successor is below 2⁻¹⁰⁷ there.
-pub(crate) fn cos_small(x: Double) -> Double {
+#[must_use]
+pub fn cos_small(x: Double) -> Double {
     Double::ONE + series(x * x, &COSINE_HEAD, &COSINE_TAIL)
 }
 

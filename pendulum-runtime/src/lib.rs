@@ -21,7 +21,8 @@ mod angle;
 mod carlson;
 #[doc(hidden)]
 pub mod double;
-mod double_trig;
+#[doc(hidden)]
+pub mod double_trig;
 pub mod elliptic;
 mod error;
 mod fourier;

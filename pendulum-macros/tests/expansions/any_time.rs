@@ -69,7 +69,7 @@ impl Forever {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 60;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 1.880215027088963e-15;
+    pub const MAX_ERROR: f64 = 1.880215122256234e-15;
     /// θ(t), rad; NaN if t is not finite. 60 operations.
     #[inline(always)]
     #[must_use]

@@ -72,7 +72,7 @@ impl Clock {
     /// Operations of one call of the first function.
     pub const OPERATIONS: usize = 28;
     /// Proven bound of |θ(t) − exact| over the horizon, rad.
-    pub const MAX_ERROR: f64 = 6.219383123320768e-10;
+    pub const MAX_ERROR: f64 = 6.219383123320769e-10;
     /// Proven bound of the velocity's error over the horizon, in rad·ω.
     pub const MAX_VELOCITY_ERROR: f64 = 4.3075098582185365e-10;
     /// θ(t), rad; NaN if t is not finite. 28 operations.
