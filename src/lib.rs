@@ -30,6 +30,7 @@
 //! |---|---|
 //! | an amplitude (or a state) known when you write the program | [`pendulum!`] |
 //! | an amplitude (or a state) known when the program runs | [`Pendulum::new`], [`Pendulum::from_state`] |
+//! | a push, and need the motion after it | `let (theta, velocity) = Clock::state(t)`, then `Pendulum::from_state(theta, velocity + push, Clock::OMEGA)`, of which t = 0 is the push |
 //! | an angle, and need the time at which it is passed | [`Pendulum::time_at`]; of an item's motion, that of `Pendulum::from_state(Clock::THETA0, Clock::VELOCITY0, Clock::OMEGA)` |
 //! | the paper's approximation with N terms | `pendulum!(theta0 = …, n = 4)`, [`Pendulum::fourier`] |
 //! | an elliptic integral or function near k = 1 | [`elliptic`] |
@@ -117,7 +118,7 @@ struct Readme;
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing | from 1 to what `float` can use | |
 /// | `tol` | largest error allowed, rounding included: rad for θ, wrapped or not, rad·ω for θ̇, rad·ω² for θ̈, lengths for the position; not with `n` | > 0, within reach of `float` | full precision, below |
-/// | `t_max` | the promise holds for \|t\| ≤ `t_max`, the horizon; a shorter one is a cheaper reduction of the phase, and less than a quarter of a period (half of a rotation's) none at all | > 0, up to 2⁵³ periods | 2⁵³ periods; on the separatrix any time |
+/// | `t_max` | the promise holds for \|t\| ≤ `t_max`, the horizon; a shorter one is a cheaper reduction of the phase, and less than a quarter of a period (half of a rotation's, 4/ω on the separatrix) none at all | > 0, up to 2⁵³ periods | 2⁵³ periods; on the separatrix any time |
 /// | `method` | how θ is approximated, below | any for a swing, `polynomial` for a rotation, none for the separatrix | the cheapest; `fourier` with `n` |
 /// | `float` | type of t and of the results | `f64`, `f32` | `f64` |
 /// | `outputs` | list of `theta`, `velocity`, `acceleration`, `position`, `wrapped` | not empty, no repetition | `[theta]` |
@@ -176,6 +177,8 @@ struct Readme;
 ///   `t_max`.
 /// * A bound is that of the t passed. A clock rounded to `f32` is itself wrong, after an hour of seconds by up to 1.2·10⁻⁴
 ///   s: keep time in `f64`, and pass what is left of it after whole periods.
+/// * With `float = f32` these are computed in `f64` nevertheless: the phase, without `t_max` or for a fine `tol`; the
+///   turns of a rotation; times on the separatrix; the passage. A swing with a `t_max` and a coarse `tol` has none.
 /// * Of θ̇ the bound alone is promised: where `METHOD` is `"passage"` it is not exactly 0 at the release.
 ///
 /// ```

@@ -187,7 +187,8 @@ pub(crate) fn cos_pi(x: Double) -> Double {
 /// sin πx for |x| ≤ 1.5, of small x within 2⁻¹⁰⁰ of itself.
 pub(crate) fn sin_pi(x: Double) -> Double {
     let magnitude = x.abs();
-    let value = if magnitude.hi > 0.25 { cos_pi(Double::new(0.5) - magnitude) } else { sin_small(Double::PI * magnitude) };
+    let value =
+        if magnitude.hi > 0.25 { cos_pi(Double::new(0.5) - magnitude) } else { sin_small(Double::PI * magnitude) };
     if x.hi < 0.0 { -value } else { value }
 }
 

@@ -15,8 +15,8 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 86400.0:
 ///
 /// * phase s, in half periods from the nearest turning point: one product with the rate, wrong by at most 4.0e-12 half periods
-/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; error ≤ 6.220e-10 rad, proven: 5.8e-10 of truncation, 4.7e-11 of phase, 3.9e-14 of evaluation; 28 operations
-/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; error ≤ 4.308e-10 rad·ω, proven: 4.1e-10 of truncation, 2.4e-11 of phase, 3.7e-15 of evaluation; 24 operations
+/// * theta: polynomial of 9 terms in s² over one of 3, coefficients adapted in blocks of 4; error ≤ 6.220e-10 rad, proven: 5.751e-10 of truncation, 4.685e-11 of phase, 3.815e-14 of evaluation; 28 operations
+/// * velocity: polynomial of 7 terms in s² over one of 3, coefficients adapted; error ≤ 4.308e-10 rad·ω, proven: 4.069e-10 of truncation, 2.389e-11 of phase, 3.619e-15 of evaluation; 24 operations
 ///
 /// Not chosen:
 ///

@@ -12,8 +12,8 @@
 /// Planned for an error of at most `tol`, over |t| ≤ 1000.0:
 ///
 /// * phase s, in half periods from the nearest turning point: one product with the rate, wrong by at most 8.2e-6 half periods
-/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.4e-5 of truncation, 5.8e-5 of phase, 3.6e-7 of evaluation; 16 operations
-/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.8e-5 of truncation, 5.8e-5 of phase, 2.6e-6 of evaluation; 29 operations
+/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 9.140e-5 rad, proven: 3.349e-5 of truncation, 5.756e-5 of phase, 3.534e-7 of evaluation; 16 operations
+/// * position: sin(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, cos(θ/2) by a polynomial of 4 terms in s² over one of 3, coefficients adapted, squared; error ≤ 7.718e-5 lengths, proven: 1.709e-5 of truncation, 5.756e-5 of phase, 2.531e-6 of evaluation; 29 operations
 ///
 /// Not chosen:
 ///

@@ -12,8 +12,8 @@
 /// Planned for an error of at most `tol`, over 2⁵³ periods:
 ///
 /// * phase s, in half periods from the nearest turning point: exact products with the rate in 2 words, wrong by at most 5.3e-8 half periods
-/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 4.688e-7 rad, proven: 3.0e-7 of truncation, 1.8e-7 of phase, 5.3e-16 of evaluation; 27 operations
-/// * acceleration: polynomial of 7 terms in s² (shifted), coefficients adapted; error ≤ 6.429e-7 rad·ω², proven: 4.8e-7 of truncation, 1.8e-7 of phase, 6.7e-16 of evaluation; 31 operations
+/// * theta: polynomial of 3 terms in s² over one of 3; error ≤ 4.688e-7 rad, proven: 2.963e-7 of truncation, 1.725e-7 of phase, 5.209e-16 of evaluation; 27 operations
+/// * acceleration: polynomial of 7 terms in s² (shifted), coefficients adapted; error ≤ 6.429e-7 rad·ω², proven: 4.704e-7 of truncation, 1.725e-7 of phase, 6.609e-16 of evaluation; 31 operations
 ///
 /// Not chosen:
 ///
