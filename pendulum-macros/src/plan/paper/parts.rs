@@ -13,7 +13,9 @@ use crate::plan::kernel::{Core, Kernel};
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
 use crate::plan::reduction::Reduction;
 use crate::plan::{Bound, Part};
+use crate::program::rounding::INFLATION;
 use pendulum_runtime::double::Double;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// An output, and what doesn't depend on the reduction.
 pub(super) struct Wanted {
@@ -70,9 +72,22 @@ impl Sum<'_> {
                 Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
             };
             let whole = if output == Output::Theta { Whole::new(self, theta.size, bias) } else { None };
-            Wanted { output, curve, bias, whole }
+            Wanted { output, curve: self.as_steep(curve, output), bias, whole }
         };
         self.scene.outputs.iter().map(one).collect()
+    }
+
+    /// A curve at least as steep, and as much conditioned by the phase, as what stands for it where both are compared at one
+    /// time ([`Departure`](super::linearised::Departure)), not at one phase: A cos πs of small angles and its derivatives,
+    /// with sup |πz cos πz| = 0.5611 and sup |πz sin πz| = π/2.
+    fn as_steep(&self, mut curve: Curve, output: Output) -> Curve {
+        if self.method == Method::SmallAngle {
+            let largest = self.weights[0].hi.abs() * curve.size.unit * INFLATION;
+            let conditioning = if output == Output::Velocity { FRAC_PI_2 } else { 0.5611 };
+            curve.size.slope = curve.size.slope.max(PI * largest);
+            curve.size.conditioning = curve.size.conditioning.max(conditioning * largest);
+        }
+        curve
     }
 
     /// An output by the recurrence or, where it is kept and ranks before that, one function for the whole of θ̂.

@@ -128,6 +128,36 @@ fn small_angles_at_any_time() {
     }
 }
 
+/// The phase's error counts as on the steeper of the two curves, θ and A sin ωt about the lowest point: where both are
+/// compared at one time it is ours that it moves along.
+#[test]
+fn phases_of_small_angles() {
+    for theta0 in [0.5, 2.0, 3.0] {
+        let scene = scene(&format!(
+            "struct A; theta0 = {theta0}, omega = 3, method = small_angle, t_max = 1e-3, \
+             outputs = [theta, velocity, acceleration]"
+        ));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let sum = Sum::new(&scene, swing, Method::SmallAngle, 1).unwrap();
+        for wanted in sum.wanted() {
+            // A sin x, A cos x, A sin x again; x from the lowest point.
+            let derivative = |x: f64| if wanted.output == Output::Velocity { -x.sin() } else { x.cos() };
+            let unit = match wanted.output {
+                Output::Velocity => 3.0,
+                Output::Acceleration => 9.0,
+                _ => 1.0,
+            };
+            let size = wanted.curve.size;
+            for i in 0..=100 {
+                let x = std::f64::consts::FRAC_PI_2 * f64::from(i) / 100.0;
+                let slope = (theta0 * unit * derivative(x)).abs();
+                assert!(std::f64::consts::PI * slope <= size.slope, "{theta0} {:?} at {x}", wanted.output);
+                assert!(x * slope <= size.conditioning, "{theta0} {:?} at {x}", wanted.output);
+            }
+        }
+    }
+}
+
 /// Its velocity comes to be twice as large as either is, when the phases have drifted half a period apart; before that
 /// it is off by the sine of half the drift.
 #[test]
