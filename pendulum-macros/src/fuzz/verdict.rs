@@ -228,13 +228,9 @@ fn refusal_is_clean(refusal: &Refusal, scene: &Scene) -> Result<(), String> {
         Refusal::Overshoot { smallest: Some(_), .. } if !matches!(scene.goal, Goal::Terms(_)) => {
             Err(format!("unasked-for n: {message}"))
         }
-        Refusal::Overshoot { smallest: Some(n), .. } => {
-            let kept = plan(&Scene { goal: Goal::Terms(*n), ..scene.clone() }).is_ok();
-            if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
-        }
+        Refusal::Overshoot { smallest: Some(n), .. } => goal_is_kept(Goal::Terms(*n), &message, scene),
         Refusal::Useless { most, smallest: Some(least), .. } => {
-            let refuses = |n: &usize| plan(&Scene { goal: Goal::Terms(*n), ..scene.clone() }).is_err();
-            if [*least, *most].iter().any(refuses) { Err(format!("refuses its own offer: {message}")) } else { Ok(()) }
+            [*least, *most].into_iter().try_for_each(|n| goal_is_kept(Goal::Terms(n), &message, scene))
         }
         Refusal::Broken { .. } => Err(message),
         Refusal::Overshoot { .. } | Refusal::Useless { .. } => Ok(()),
@@ -246,7 +242,12 @@ fn offer_is_kept(message: &str, scene: &Scene) -> Result<(), String> {
     let offer =
         message.split("here: ").nth(1).and_then(|rest| rest.split(';').next()?.rsplit(' ').next()?.parse().ok());
     let Some(offer) = offer else { return Err(format!("offers nothing: {message}")) };
-    let kept = plan(&Scene { goal: Goal::Tolerance(offer), ..scene.clone() }).is_ok();
+    goal_is_kept(Goal::Tolerance(offer), message, scene)
+}
+
+/// What a message offers can be had.
+fn goal_is_kept(goal: Goal, message: &str, scene: &Scene) -> Result<(), String> {
+    let kept = plan(&Scene { goal, ..scene.clone() }).is_ok();
     if kept { Ok(()) } else { Err(format!("refuses its own offer: {message}")) }
 }
 

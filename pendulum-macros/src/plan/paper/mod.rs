@@ -119,10 +119,13 @@ impl<'a> Sum<'a> {
 
     /// n terms k b₂ₙ₋₁ with alternating signs: `k sn_N(u + K)` (Eq. 22).
     fn fourier(scene: &'a Scene, swing: &'a Swing, n: usize) -> Result<Self, Refusal> {
-        let smallest = || planned(scene, swing, swing.smallest_working_terms(scene.float.rounding_unit())?);
-        let most = swing.most_useful_terms(scene.float.rounding_unit());
-        if scene.goal == Goal::Terms(n) && n > most {
-            return Err(Refusal::Useless { terms: n, most, smallest: smallest() });
+        let unit = scene.float.rounding_unit();
+        let smallest = || planned(scene, swing, swing.smallest_working_terms(unit)?);
+        if scene.goal == Goal::Terms(n) {
+            let most = swing.most_useful_terms(unit);
+            if n > most {
+                return Err(Refusal::Useless { terms: n, most, smallest: smallest() });
+            }
         }
         if let Some(overshoot) = swing.elliptic.fourier_analysis().overshoot(n) {
             return Err(Refusal::Overshoot { terms: n, overshoot, smallest: smallest() });

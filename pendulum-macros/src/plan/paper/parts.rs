@@ -20,7 +20,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// An output, and what doesn't depend on the reduction.
 pub(super) struct Wanted {
     pub(super) output: Output,
-    /// The exact one.
+    /// The exact one, at least as steep as what stands for it.
     pub(super) curve: Curve,
     /// sup |approximate output − exact output|.
     pub(super) bias: f64,
