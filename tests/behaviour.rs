@@ -1,7 +1,5 @@
 //! What holds to the bit, and at the edges of the input.
 
-mod truth;
-
 use core::f64::consts::PI;
 use pendula::{Pendulum, pendulum};
 use pendula_stress::random::Random;

@@ -1,7 +1,5 @@
 //! Over the top, and just not: what a user who pushes hard sees of the generated motion.
 
-mod truth;
-
 use core::f64::consts::PI;
 use pendula::{Pendulum, pendulum};
 use pendula_stress::promised::UNIT;

@@ -18,7 +18,9 @@ fn formatted(invocation: &str) -> String {
 }
 
 fn compare(name: &str, invocation: &str) {
-    compare_with(&format!("expansions/{name}.rs"), &formatted(invocation));
+    let expansion = formatted(invocation);
+    assert_eq!(expansion.contains("compile_error!"), name == "mistake", "{name}: {expansion}");
+    compare_with(&format!("expansions/{name}.rs"), &expansion);
 }
 
 fn compare_with(file: &str, expansion: &str) {
@@ -57,7 +59,7 @@ snapshots! {
     separatrix: "pub struct Over;
                  velocity0 = 2, tol = 1e-3, float = f32"
     arc: "struct Instant;
-          theta0 = 1, tol = 1e-9, t_max = 1, outputs = [state]"
+          theta0 = 1, tol = 1e-9, t_max = 1, outputs = [theta, velocity]"
     mistake: "pub struct Wrong;
               theta0 = 4, n = 0"
 }
