@@ -121,13 +121,16 @@ fn energies_of_the_fastest() {
 fn complements() {
     let of = |theta: f64, velocity: f64| {
         let p = Pendulum::<f64>::from_state(theta, velocity, 2.0).unwrap();
-        (p, p.complementary_modulus(), p.complementary_quarter_period())
+        (p, p.complementary_modulus(), p.complementary_integral())
     };
     for (theta, velocity) in [(0.5, 0.0), (3.0, 0.0), (1.0, 2.0), (0.3, 5.0), (-2.0, 9.0)] {
         let (p, complementary, quarter) = of(theta, velocity);
         assert!((p.modulus().hypot(complementary) - 1.0).abs() <= f64::EPSILON, "{theta} {velocity}");
-        let nome = (-PI * quarter / p.quarter_period()).exp();
+        let nome = (-PI * quarter / p.complete_integral()).exp();
         assert!((p.nome() / nome - 1.0).abs() <= 1e-14, "{theta} {velocity}");
+        // T = 4K/ω of a swing, 2κK/ω of a rotation.
+        let half = if p.regime() == Regime::Swing { 2.0 } else { p.modulus() };
+        assert!((p.period() / (half * p.complete_integral()) - 1.0).abs() <= 1e-15, "{theta} {velocity}");
     }
     let (p, complementary, _) = of(PI - 1e-9, 0.0);
     let below = (PI - (PI - 1e-9)) + 1.224_646_799_147_353_2e-16;

@@ -75,7 +75,7 @@ proptest! {
         let speed = 2.0 * (theta0 / 2.0).sin();
         prop_assert!(p.theta(quarter).abs() <= UNIT * theta0 + speed * quarter * f64::EPSILON);
         prop_assert!((p.velocity(quarter) + speed).abs() <= UNIT * speed);
-        prop_assert!((p.period() / 4.0 - p.quarter_period()).abs() <= f64::EPSILON * quarter);
+        prop_assert!((p.period() / 4.0 - p.complete_integral()).abs() <= f64::EPSILON * quarter);
     }
 
     #[test]

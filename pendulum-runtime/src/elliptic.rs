@@ -76,7 +76,7 @@ impl Jacobi {
         }
     }
 
-    /// (sn u, cn u, dn u), the first two in [−1, 1], the last in [k′, 1].
+    /// (sn u, cn u, dn u), the first two in [−1, 1], the last in [k′, 1]. NaN for NaN and ±∞.
     #[must_use]
     pub fn sn_cn_dn(&self, u: f64) -> (f64, f64, f64) {
         let phase = self.reduce(u);
@@ -88,7 +88,8 @@ impl Jacobi {
         (sn, cn, if dn < self.kc.hi { self.kc.hi } else { dn }) // keeps NaN
     }
 
-    /// The amplitude am u, continuous in u: the angle whose sine is sn u.
+    /// The amplitude am u, rad, continuous in u: the angle whose sine is sn u, within the finite numbers. NaN for NaN and
+    /// ±∞.
     #[must_use]
     pub fn am(&self, u: f64) -> f64 {
         let phase = self.reduce(u);
@@ -117,7 +118,8 @@ impl Jacobi {
         nome_of(self.k, self.kc)
     }
 
-    /// F(φ, k) = ∫₀^φ dψ/√(1 − k² sin² ψ), odd and increasing in φ; inverse to [`am`](Self::am).
+    /// F(φ, k) = ∫₀^φ dψ/√(1 − k² sin² ψ), φ in rad, odd and increasing in φ; inverse to [`am`](Self::am). NaN for NaN and
+    /// ±∞; ±∞ from |φ| = π/2 on for k = 1.
     #[must_use]
     pub fn incomplete(&self, phi: f64) -> f64 {
         if !phi.is_finite() {
@@ -175,35 +177,35 @@ macro_rules! functions {
             Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.nome())
         }
 
-        /// sn(u; k), odd, of period 4K (tanh u for k = 1).
+        /// sn(u; k), odd, of period 4K (tanh u for k = 1). NaN unless u is finite.
         #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
         #[must_use]
         pub fn sn(u: f64, $modulus: f64) -> f64 {
             Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.sn_cn_dn(u).0)
         }
 
-        /// cn(u; k), even, of period 4K (sech u for k = 1).
+        /// cn(u; k), even, of period 4K (sech u for k = 1). NaN unless u is finite.
         #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
         #[must_use]
         pub fn cn(u: f64, $modulus: f64) -> f64 {
             Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.sn_cn_dn(u).1)
         }
 
-        /// dn(u; k), even, of period 2K, between k′ and 1 (sech u for k = 1).
+        /// dn(u; k), even, of period 2K, between k′ and 1 (sech u for k = 1). NaN unless u is finite.
         #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
         #[must_use]
         pub fn dn(u: f64, $modulus: f64) -> f64 {
             Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.sn_cn_dn(u).2)
         }
 
-        /// The amplitude am(u; k), odd and increasing, with am(u + 2K) = am(u) + π.
+        /// The amplitude am(u; k), rad, odd and increasing, with am(u + 2K) = am(u) + π. NaN unless u is finite.
         #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
         #[must_use]
         pub fn am(u: f64, $modulus: f64) -> f64 {
             Jacobi::$constructor($modulus).map_or(f64::NAN, |j| j.am(u))
         }
 
-        /// F(φ, k), the incomplete integral of the first kind, for any finite φ in rad (∞ from φ = π/2 on for k = 1).
+        /// F(φ, k), the incomplete integral of the first kind, for any finite φ in rad, else NaN (±∞ from |φ| = π/2 on for k = 1).
         #[doc = concat!("`", $name, "` in [0, 1], else NaN.")]
         #[must_use]
         pub fn incomplete(phi: f64, $modulus: f64) -> f64 {

@@ -1,9 +1,11 @@
 //! The paper's approximation: N terms of the Fourier series of sn (Eq. 22).
 
+use crate::double::Double;
 use crate::error::Error;
 use crate::fourier_analysis::FourierAnalysis;
 use crate::kernel::sin_turns;
-use crate::motion::{Motion, Shape};
+use crate::motion::{Motion, Shape, with_turns};
+use crate::phase::Phase;
 use crate::scalar::Scalar;
 use crate::swing::SwingPhase;
 use core::marker::PhantomData;
@@ -27,7 +29,11 @@ const NOTHING: f64 = 6.223_015_277_861_142e-61;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fourier<const N: usize, F: Scalar = f64> {
-    motion: Motion,
+    phase: Phase,
+    /// Whole turns of the initial angle, 2πn.
+    base: Double,
+    /// The phase begins at the positive (+1) or the negative (−1) turning point.
+    direction: f64,
     /// b₂ₙ₋₁.
     coefficients: [f64; N],
     /// k b₂ₙ₋₁, or nothing of what changes no bit of the sum.
@@ -41,7 +47,7 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
         if N == 0 {
             return Err(Error::NoTerms);
         }
-        let Shape::Swing(..) = motion.shape else {
+        let Shape::Swing(_, phase) = motion.shape else {
             return Err(Error::NotASwing);
         };
         let analysis = FourierAnalysis::new(motion.k, motion.moduli.kc);
@@ -50,8 +56,10 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
         }
         let exact: [_; N] = core::array::from_fn(|i| analysis.coefficient(i + 1));
         Ok(Self {
-            motion: *motion,
-            coefficients: exact.map(crate::double::Double::to_f64),
+            phase,
+            base: motion.base,
+            direction: motion.direction,
+            coefficients: exact.map(Double::to_f64),
             amplitudes: exact.map(|b| if b.hi < NOTHING * exact[0].hi { 0.0 } else { (b * motion.k).to_f64() }),
             max_error: analysis.supremum(N),
             scalar: PhantomData,
@@ -70,17 +78,14 @@ impl<const N: usize, F: Scalar> Fourier<N, F> {
     #[must_use]
     #[inline]
     pub fn theta(&self, t: F) -> F {
-        let Shape::Swing(_, phase) = &self.motion.shape else {
-            return F::narrow(f64::NAN); // `new` lets nothing else in
-        };
-        let sine = sin_turns(SwingPhase::new(phase.reduce(t.widen())).crossing());
+        let sine = sin_turns(SwingPhase::new(self.phase.reduce(t.widen())).crossing());
         let twice_cosine = 2.0 - 4.0 * (sine * sine); // 2 cos 2w
         let (mut here, mut next) = (0.0, 0.0);
         for &amplitude in self.amplitudes.iter().rev() {
             (here, next) = (amplitude + (twice_cosine * here - next), here);
         }
         let argument = (sine * (here + next)).clamp(-1.0, 1.0); // rounding alone can exceed 1 here
-        F::narrow(self.motion.with_turns(0.0, self.motion.direction * (2.0 * libm::asin(argument))))
+        F::narrow(with_turns(self.base, 0.0, self.direction * (2.0 * libm::asin(argument))))
     }
 
     /// sup |θ̂ − θ| over all t, rad, of the formula (Eq. 22) itself: the true supremum over a period, wherever it is

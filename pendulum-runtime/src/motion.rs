@@ -89,26 +89,11 @@ impl Motion {
     #[inline(always)]
     pub(crate) fn angle(&self, point: &Point<'_>) -> f64 {
         match point {
-            Point::Swing(swing, phase) => self.with_turns(0.0, self.direction * swing.angle(*phase)),
+            Point::Swing(swing, phase) => with_turns(self.base, 0.0, self.direction * swing.angle(*phase)),
             Point::Rotation(rotation, phase) => {
-                self.with_turns(self.direction * phase.turns, self.direction * rotation.angle(*phase))
+                with_turns(self.base, self.direction * phase.turns, self.direction * rotation.angle(*phase))
             }
         }
-    }
-
-    /// base + 2π · turns + angle, within the finite numbers.
-    #[inline]
-    pub(crate) fn with_turns(&self, turns: f64, angle: f64) -> f64 {
-        if turns == 0.0 && self.base.hi == 0.0 {
-            return angle;
-        }
-        if turns.abs() > LARGEST {
-            return (turns * TAU).clamp(f64::MIN, f64::MAX);
-        }
-        let (p, e) = two_prod(turns, Double::TURN.hi);
-        let (sum, f) = two_sum(p, self.base.hi);
-        let (sum, g) = two_sum(sum, angle);
-        sum + (g + (f + (e + (turns * Double::TURN.lo + self.base.lo))))
     }
 
     /// θ less whole turns, in [−π, π).
@@ -158,12 +143,12 @@ impl Motion {
     }
 
     /// K.
-    pub(crate) fn quarter_period(&self) -> f64 {
+    pub(crate) fn complete_integral(&self) -> f64 {
         complete(self.moduli.kc)
     }
 
     /// K′.
-    pub(crate) fn complementary_quarter_period(&self) -> f64 {
+    pub(crate) fn complementary_integral(&self) -> f64 {
         complete(self.moduli.k)
     }
 
@@ -185,7 +170,7 @@ impl Motion {
         let (sine, cosine) = sine_cosine(Phase::new(Double::INVERSE_TURN, self.omega, Double::ZERO).reduce(t));
         let cosine_part = (Double::new(self.theta) - self.base).to_f64() * cosine;
         let angle = if self.velocity == 0.0 { cosine_part } else { cosine_part + self.velocity / self.omega * sine };
-        self.with_turns(0.0, angle)
+        with_turns(self.base, 0.0, angle)
     }
 
     /// Eq. 17: the exact period and amplitude, but a cosine; NaN unless the motion is a swing (or rest).
@@ -193,7 +178,7 @@ impl Motion {
         match &self.shape {
             Shape::Swing(_, phase) => {
                 let cosine = sine_cosine(phase.reduce(t)).1;
-                self.with_turns(0.0, self.direction * (self.amplitude * cosine))
+                with_turns(self.base, 0.0, self.direction * (self.amplitude * cosine))
             }
             Shape::Rotation(..) | Shape::Separatrix(..) => f64::NAN,
         }
@@ -209,8 +194,23 @@ impl Motion {
     }
 }
 
+/// base + 2π · turns + angle, within the finite numbers.
+#[inline]
+pub(crate) fn with_turns(base: Double, turns: f64, angle: f64) -> f64 {
+    if turns == 0.0 && base.hi == 0.0 {
+        return angle;
+    }
+    if turns.abs() > LARGEST {
+        return (turns * TAU).clamp(f64::MIN, f64::MAX);
+    }
+    let (p, e) = two_prod(turns, Double::TURN.hi);
+    let (sum, f) = two_sum(p, base.hi);
+    let (sum, g) = two_sum(sum, angle);
+    sum + (g + (f + (e + (turns * Double::TURN.lo + base.lo))))
+}
+
 /// (sin 2πs, cos 2πs).
-pub(crate) fn sine_cosine(phase: Reduced) -> (f64, f64) {
+fn sine_cosine(phase: Reduced) -> (f64, f64) {
     let (to_half, to_quarter) = phase.folded();
     let sine = sin_turns(to_half);
     (if phase.high < 0.0 { -sine } else { sine }, sin_turns(to_quarter))

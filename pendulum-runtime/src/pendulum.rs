@@ -212,14 +212,14 @@ impl<F: Scalar> Pendulum<F> {
     /// K, the complete elliptic integral of the modulus: the quarter period of a swing in units of 1/ω
     /// (T = 4K/ω); ∞ on the separatrix. One turn of a rotation takes 2κK/ω.
     #[must_use]
-    pub fn quarter_period(&self) -> F {
-        F::narrow_or_infinite(self.motion.quarter_period())
+    pub fn complete_integral(&self) -> F {
+        F::narrow_or_infinite(self.motion.complete_integral())
     }
 
     /// K′, the complete elliptic integral of the complementary modulus; ∞ at rest.
     #[must_use]
-    pub fn complementary_quarter_period(&self) -> F {
-        F::narrow_or_infinite(self.motion.complementary_quarter_period())
+    pub fn complementary_integral(&self) -> F {
+        F::narrow_or_infinite(self.motion.complementary_integral())
     }
 
     /// What the pendulum does for all time.
