@@ -221,10 +221,18 @@ impl Form {
     pub(crate) fn scheme(self) -> String {
         match self {
             Self::Powers { largest_last: false, .. } => ", by powers".to_owned(),
-            Self::Powers { .. } | Self::Normalised => ", the largest terms added last".to_owned(),
-            Self::Adapted { chunk } => format!(", adapted in blocks of {chunk}"),
+            Self::Powers { .. } | Self::Normalised => LARGEST_LAST.to_owned(),
+            Self::Adapted { chunk } => adapted_in_blocks(chunk),
         }
     }
+}
+
+/// For the reader.
+pub(crate) const LARGEST_LAST: &str = ", the largest terms added last";
+
+/// For the reader: in blocks of so many terms.
+pub(crate) fn adapted_in_blocks(chunk: usize) -> String {
+    format!(", coefficients adapted in blocks of {chunk}")
 }
 
 /// Processors look only so far ahead for something else to do: beyond `HIDDEN` cycles of a polynomial's dependent

@@ -17,7 +17,7 @@
 ///
 /// Not chosen:
 ///
-/// * a polynomial in s², adapted in blocks of 4 for `theta`: it costs 1 addition more
+/// * a polynomial in s², coefficients adapted in blocks of 4 for `theta`: it costs 1 addition more
 /// * a polynomial in s², by powers for `velocity`: it costs 1 addition more
 /// * pieces, phase by one product with the rate: it costs as much as 74 additions, this plan as 30
 /// * `harmonic`: it is wrong by about 9e-3 rad

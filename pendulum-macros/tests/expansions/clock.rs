@@ -21,7 +21,7 @@
 /// Not chosen:
 ///
 /// * a polynomial in s² over poles, by powers for `theta`: it costs 1 addition more
-/// * a polynomial in s² over poles, adapted in blocks of 4 for `velocity`: it costs 1 addition more
+/// * a polynomial in s² over poles, coefficients adapted in blocks of 4 for `velocity`: it costs 1 addition more
 /// * pieces, phase by one product with the rate: it costs as much as 83 additions, this plan as 48
 /// * `harmonic`: it is wrong by about 3e-1 rad
 /// * `series`: it takes 12 harmonics at least, of three operations each, and a cosine

@@ -18,7 +18,7 @@
 /// Not chosen:
 ///
 /// * a polynomial in s² over poles, by powers for `theta`: it costs no less
-/// * a polynomial in s², adapted in blocks of 4 for `acceleration`: it costs 1 addition more
+/// * a polynomial in s², coefficients adapted in blocks of 4 for `acceleration`: it costs 1 addition more
 /// * pieces, phase by exact products with the rate in 2 words: it costs as much as 85 additions, this plan as 40
 /// * `harmonic`: it is wrong by about 9e-3 rad
 /// * `series`: it takes 3 harmonics at least, of three operations each, and a cosine

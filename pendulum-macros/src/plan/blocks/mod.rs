@@ -17,6 +17,7 @@ mod shifts;
 pub(crate) use shifts::Shifts;
 
 use super::estrin::estrin;
+use super::form::{LARGEST_LAST, adapted_in_blocks};
 use crate::power::power;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
@@ -127,14 +128,14 @@ impl Blocks {
 
     /// For the reader: how it is evaluated.
     pub(crate) fn describe(&self) -> String {
-        let last = if self.lead.is_empty() { "" } else { ", the largest added last" };
+        let last = if self.lead.is_empty() { "" } else { LARGEST_LAST };
         let whole = |block: &Block| block.factors.is_empty();
         let adapted = match self.rest.len() {
             _ if self.rest.iter().all(whole) => String::new(),
             // The first block is the largest.
             2.. if whole(&self.rest[0]) => ", the small coefficients adapted".to_owned(),
             1 => ", coefficients adapted".to_owned(),
-            _ => format!(", coefficients adapted in blocks of {}", self.chunk),
+            _ => adapted_in_blocks(self.chunk),
         };
         format!("{last}{adapted}")
     }

@@ -18,7 +18,7 @@ use super::variables::clamp;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Node, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{norm, worst};
+use crate::supremum::worst;
 use pendulum_runtime::double::Double;
 
 /// The polynomials of all pieces from one anchor to the next.
@@ -121,7 +121,7 @@ fn rounding_of_row(program: &Program, row: &[Double], (name, known): (&str, Know
     };
     let numbers = program.nodes.iter().enumerate().filter_map(number);
     let given: Vec<(Id, Known)> = numbers.chain(program.named(name).map(|id| (id, known))).collect();
-    norm(program.rounding(&given).iter().map(|known| known.error))
+    program.norm_of_rounding(&given)
 }
 
 #[cfg(test)]

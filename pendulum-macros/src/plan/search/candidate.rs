@@ -3,7 +3,7 @@
 use super::Prospect;
 use super::choice::{Choice, Limits};
 use crate::decimals::at_least;
-use crate::parse::Float;
+use crate::parse::{Float, Output};
 use crate::plan::Part;
 use crate::plan::curve::Curve;
 use crate::plan::form::Variant;
@@ -12,6 +12,7 @@ use crate::plan::part::Approximations;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
+use std::fmt;
 use std::iter;
 use std::rc::Rc;
 
@@ -30,10 +31,25 @@ struct Tried {
     reached: Option<f64>,
 }
 
+/// A variant of an output that isn't taken, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Rejected {
+    pub(super) output: Output,
+    pub(super) variant: Variant,
+    pub(super) parity: Parity,
+    pub(super) why: String,
+}
+
+impl fmt::Display for Rejected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} for `{}`: {}", self.variant.describe(self.parity), self.output.word(), self.why)
+    }
+}
+
 /// A part and what it costs, or what was reached, and why others lost.
 pub(super) struct Found {
     pub(super) part: Result<(Part, f64), f64>,
-    pub(super) rejected: Vec<String>,
+    pub(super) rejected: Vec<Rejected>,
 }
 
 /// The outputs of a candidate, what they cost more than was estimated, and why other forms of them lost.
@@ -41,7 +57,7 @@ pub(super) struct Found {
 pub(super) struct Outputs {
     pub(super) parts: Vec<Part>,
     pub(super) more: f64,
-    pub(super) rejected: Vec<String>,
+    pub(super) rejected: Vec<Rejected>,
 }
 
 impl Outputs {
@@ -235,10 +251,12 @@ impl Candidate<'_> {
             (_, Some(least)) if one.cost < least => Some("keeps it with less room".to_owned()),
             (_, least) => least.map(|least| more(one.cost - least)),
         };
-        let (word, parity) = (all.aim.output.word(), all.aim.curves.first().map_or(Parity::Even, Curve::parity));
-        let line = |one: &Tried| Some(format!("{} for `{word}`: it {}", one.variant.describe(parity), why(one)?));
+        let (output, parity) = (all.aim.output, all.aim.curves.first().map_or(Parity::Even, Curve::parity));
         let lost = tried.iter().enumerate().filter(|&(index, _)| chosen != Some(index));
-        let rejected = lost.filter_map(|(_, one)| line(one)).collect();
+        let rejected = lost.filter_map(|(_, one)| {
+            Some(Rejected { output, variant: one.variant, parity, why: format!("it {}", why(one)?) })
+        });
+        let rejected = rejected.collect();
         Found { part, rejected }
     }
 }

@@ -13,7 +13,7 @@ use super::{Part, Plan, Refusal, alternatives, verify};
 use crate::decimals::at_least;
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
-use candidate::{Candidate, Demand, Failure, Outputs};
+use candidate::{Candidate, Demand, Failure, Outputs, Rejected};
 use choice::{Choice, Limits};
 use prospect::Prospect;
 
@@ -47,18 +47,19 @@ fn tasks(scene: &Scene) -> Vec<Task> {
 fn cheapest(scene: &Scene, prospects: &[Prospect]) -> Result<Plan, Refusal> {
     let candidates = candidates(scene, prospects);
     let (candidates, chosen) = by_resorts(scene, candidates).map_err(|best| Refusal::Unreachable { best })?;
-    let Chosen { candidate: index, parts, mut rejected } = chosen;
+    let Chosen { candidate: index, parts, rejected: mut variants, coarser } = chosen;
     let candidate = &candidates[index];
-    let plan = joined(candidate.reduction, candidate.together(scene, parts, &mut rejected));
+    let plan = joined(candidate.reduction, candidate.together(scene, parts, &mut variants));
     if let Some(output) = verify::broken(scene, &candidate.prospect.task, &plan) {
         return Err(Refusal::Broken { output });
     }
     let next = candidates[index..].iter().find(|next| next.way != candidate.way);
-    rejected.extend(next.map(|next| {
+    let dearer = next.map(|next| {
         let costs = format!("it costs as much as {:.0} additions, this plan as {:.0}", next.cost, candidate.cost);
         format!("{}: {costs}", next.describe())
-    }));
-    rejected.extend(alternatives::reasons(scene));
+    });
+    let variants = variants.iter().map(Rejected::to_string);
+    let rejected = variants.chain(coarser).chain(dearer).chain(alternatives::reasons(scene)).collect();
     Ok(Plan { rejected, ..plan })
 }
 
@@ -83,8 +84,10 @@ fn by_resorts<'a>(scene: &Scene, mut all: Vec<Candidate<'a>>) -> Result<(Vec<Can
 struct Chosen {
     candidate: usize,
     parts: Vec<Part>,
-    /// Why others lost.
-    rejected: Vec<String>,
+    /// Why other variants of its outputs lost.
+    rejected: Vec<Rejected>,
+    /// Other candidates, which can't promise as much.
+    coarser: Vec<String>,
 }
 
 /// The choice, at full precision of those with room for its promise if there are any; or the least that any can promise.
@@ -123,14 +126,14 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
         }
     }
     let closest = || lost.iter().map(|lost| lost.reached).fold(f64::INFINITY, f64::min);
-    let (candidate, Outputs { parts, mut rejected, .. }) = choice.made().ok_or_else(closest)?;
+    let (candidate, Outputs { parts, rejected, .. }) = choice.made().ok_or_else(closest)?;
     let error = worst(parts.iter().map(Part::error));
     let worse = lost.iter().filter(|lost| lost.reached > error);
     let line = |lost: &Lost| {
         format!("{}: it can promise no better than {}", lost.candidate.describe(), at_least(lost.reached, 1))
     };
-    rejected.extend(worse.map(line));
-    Ok(Chosen { candidate, parts, rejected })
+    let coarser = worse.map(line).collect();
+    Ok(Chosen { candidate, parts, rejected, coarser })
 }
 
 /// A candidate that was asked to take no more than a part of its limits and couldn't.

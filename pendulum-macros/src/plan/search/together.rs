@@ -1,6 +1,6 @@
 //! θ and its velocity in one function, `state`.
 
-use super::candidate::{Candidate, more};
+use super::candidate::{Candidate, Rejected, more};
 use super::choice::Limits;
 use super::prospect::Prospect;
 use crate::parse::Output;
@@ -18,7 +18,7 @@ const ALONE: f64 = 0.75;
 impl Candidate<'_> {
     /// The parts, of which the velocity may be another of its variants: one that costs little more by itself and less
     /// beside θ, with which it may share its variable and the powers of that.
-    pub(super) fn together(&self, scene: &Scene, mut parts: Vec<Part>, rejected: &mut Vec<String>) -> Vec<Part> {
+    pub(super) fn together(&self, scene: &Scene, mut parts: Vec<Part>, rejected: &mut Vec<Rejected>) -> Vec<Part> {
         let place = |output| parts.iter().position(|part| part.output == output);
         let (Some(theta), Some(velocity)) = (place(Output::Theta), place(Output::Velocity)) else { return parts };
         let Some(found) = parts[velocity].kernel.polynomial() else { return parts };
@@ -28,10 +28,10 @@ impl Candidate<'_> {
         let others = self.others(scene, velocity, first).filter_map(|(other, part)| Some((cost(&part)?, other, part)));
         let cheaper = others.filter(|(cost, ..)| *cost < before).min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((less, other, part)) = cheaper else { return parts };
-        let [name, of_other] =
-            [first, other].map(|variant| format!("{} for `{}`: ", variant.describe(parity), Output::Velocity.word()));
-        rejected.retain(|line| !line.starts_with(&of_other));
-        rejected.push(format!("{name}beside `{}` it {}", Output::Theta.word(), more(before - less)));
+        let output = Output::Velocity;
+        rejected.retain(|one| (one.output, one.variant) != (output, other));
+        let why = format!("beside `{}` it {}", Output::Theta.word(), more(before - less));
+        rejected.push(Rejected { output, variant: first, parity, why });
         parts[velocity] = part;
         parts
     }
