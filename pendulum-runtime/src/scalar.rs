@@ -2,11 +2,26 @@
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use sealed::Sealed;
 
+/// What only this crate calls.
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
+    pub trait Sealed: Copy {
+        /// One unit in the last place of 1.
+        const ULP: f64;
+        /// Exactly.
+        fn widen(self) -> f64;
+        /// What `function` of the motion is at this time.
+        fn evaluate<M, T>(self, motion: &M, function: impl FnOnce(&M, f64) -> T) -> T;
+        /// To nearest; finite stays finite.
+        fn narrow(x: f64) -> Self;
+        /// To nearest, infinity included.
+        fn narrow_or_infinite(x: f64) -> Self;
+        /// Upward.
+        fn narrow_up(x: f64) -> Self;
+        /// To nearest, but never beyond the last number below π in magnitude.
+        fn narrow_angle(x: f64) -> Self;
+    }
 }
 
 /// `f32` or `f64`: the type of t and of the results. `f32` computes in `f64` and rounds once.
@@ -26,7 +41,7 @@ mod sealed {
 /// # Ok::<(), pendulum_runtime::Error>(())
 /// ```
 pub trait Scalar:
-    sealed::Sealed
+    Sealed
     + Copy
     + Debug
     + Default
@@ -43,30 +58,12 @@ pub trait Scalar:
     + Into<f64>
     + 'static
 {
-    /// One unit in the last place of 1.
-    #[doc(hidden)]
-    const ULP: f64;
-    /// Exactly.
-    #[doc(hidden)]
-    fn widen(self) -> f64;
-    /// What `function` of the motion is at this time.
-    #[doc(hidden)]
-    fn evaluate<M, T>(self, motion: &M, function: impl FnOnce(&M, f64) -> T) -> T;
-    /// To nearest; finite stays finite.
-    #[doc(hidden)]
-    fn narrow(x: f64) -> Self;
-    /// To nearest, infinity included.
-    #[doc(hidden)]
-    fn narrow_or_infinite(x: f64) -> Self;
-    /// Upward.
-    #[doc(hidden)]
-    fn narrow_up(x: f64) -> Self;
-    /// To nearest, but never beyond the last number below π in magnitude.
-    #[doc(hidden)]
-    fn narrow_angle(x: f64) -> Self;
 }
 
-impl Scalar for f64 {
+impl Scalar for f64 {}
+impl Scalar for f32 {}
+
+impl Sealed for f64 {
     const ULP: f64 = f64::EPSILON;
 
     #[inline]
@@ -103,7 +100,7 @@ fn apart<M, T>(motion: &M, x: f64, function: impl FnOnce(&M, f64) -> T) -> T {
     function(motion, x)
 }
 
-impl Scalar for f32 {
+impl Sealed for f32 {
     const ULP: f64 = f32::EPSILON as f64;
 
     #[inline]

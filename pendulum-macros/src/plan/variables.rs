@@ -13,8 +13,8 @@ pub(crate) struct Variables {
     pub(crate) distance: Id,
     /// The magnitude of the phase from the lowest point, if reduced from there.
     pub(crate) magnitude: Id,
-    /// p = s².
-    pub(crate) square: Id,
+    /// p = s²; over an arc without symmetry s + ½ in anchors, in units of the phase.
+    pub(crate) p: Id,
     /// What s and p are before they are limited, if it is known.
     pub(crate) unlimited: Option<Unlimited>,
     /// Anchors per unit of the phase.
@@ -79,18 +79,18 @@ impl Variables {
     }
 
     /// What every origin begins with: signs, one kernel, and no side.
-    pub(crate) fn of_one_kernel([distance, square]: [Id; 2], unit: Double, source: Source, phase: Phase) -> Self {
+    pub(crate) fn of_one_kernel([distance, p]: [Id; 2], unit: Double, source: Source, phase: Phase) -> Self {
         let Phase { magic, count, .. } = phase;
         let (magnitude, unlimited, side, alone, signs) = (distance, None, None, true, true);
-        Self { distance, magnitude, square, unlimited, unit, source, side, magic, count, alone, signs }
+        Self { distance, magnitude, p, unlimited, unit, source, side, magic, count, alone, signs }
     }
 
     fn from_anchor(b: &mut Builder, phase: Phase, reduction: &Reduction, odd: bool) -> Self {
         let half = reduction.half();
         let square = b.mul(phase.remainder, phase.remainder);
         let unlimited = Unlimited { distance: phase.remainder, square, half, leaps: reduction.leaps() };
-        let square = at_most(b, square, half * half);
-        b.name(square, "p");
+        let p = at_most(b, square, half * half);
+        b.name(p, "p");
         // Not what is squared: an operation more, and the square waits for one less.
         let distance = if odd {
             let clamped = clamp(b, phase.remainder, half);
@@ -98,7 +98,7 @@ impl Variables {
         } else {
             phase.remainder
         };
-        let variables = Self::of_one_kernel([distance, square], reduction.unit, Source::Square, phase);
+        let variables = Self::of_one_kernel([distance, p], reduction.unit, Source::Square, phase);
         Self { unlimited: Some(unlimited), ..variables }
     }
 
@@ -108,8 +108,8 @@ impl Variables {
         b.name(distance, "clamped");
         let half = Double::new(0.5) / reduction.unit;
         let half_id = b.rounded(half);
-        let square = b.add(distance, half_id);
-        Self::of_one_kernel([distance, square], reduction.unit, Source::Linear { half }, phase)
+        let p = b.add(distance, half_id);
+        Self::of_one_kernel([distance, p], reduction.unit, Source::Linear { half }, phase)
     }
 
     /// With s = ½ − |z|: p = ¼ − |z|(1 − |z|), in which |z| small beside 1 loses nothing.
@@ -125,10 +125,10 @@ impl Variables {
         let product = b.mul(magnitude, other);
         b.name(product, "below");
         let distance = b.sub(half_id, magnitude);
-        let square = b.sub(quarter_id, product);
-        b.name(square, "p");
+        let p = b.sub(quarter_id, product);
+        b.name(p, "p");
         let source = Source::Below { below: product, quarter };
-        let variables = Self::of_one_kernel([distance, square], reduction.unit, source, phase);
+        let variables = Self::of_one_kernel([distance, p], reduction.unit, source, phase);
         Self { magnitude, side: Some(phase.remainder), ..variables }
     }
 
@@ -139,7 +139,7 @@ impl Variables {
 
     /// The same of a phase without limits.
     pub(crate) fn without(self, Unlimited { distance, square, .. }: Unlimited) -> Self {
-        Self { distance, magnitude: distance, square, ..self }
+        Self { distance, magnitude: distance, p: square, ..self }
     }
 
     /// 8p − 1, of a phase in anchors.
@@ -149,7 +149,7 @@ impl Variables {
         match self.source {
             Source::Square => {
                 let eighth = b.rounded(eighth);
-                let scaled = b.mul(self.square, eighth);
+                let scaled = b.mul(self.p, eighth);
                 b.sub(scaled, one)
             }
             Source::Below { below, .. } => {
@@ -171,7 +171,7 @@ impl Variables {
         match self.source {
             Source::Quotient { divisor, map } => self.less_quotient(b, divisor, map, 1.0, shift),
             Source::Linear { half } => b.offset(self.distance, half + shift),
-            Source::Square => b.offset(self.square, shift),
+            Source::Square => b.offset(self.p, shift),
             Source::Below { below, quarter } => {
                 let top = quarter + shift;
                 let top = b.rounded(top);
@@ -184,7 +184,7 @@ impl Variables {
     pub(crate) fn mapped(&self, b: &mut Builder, map: Moebius) -> Self {
         let place = Double::new(map.place) / (self.unit * self.unit);
         let place = b.rounded(place);
-        let divisor = b.add(self.square, place);
+        let divisor = b.add(self.p, place);
         b.name(divisor, "d");
         Self { source: Source::Quotient { divisor, map }, ..*self }
     }

@@ -8,7 +8,7 @@
 //! others make up for it (`nearest.rs`): the supremum of what is left out is bounded in `tail.rs`. M is chosen so that
 //! the former is negligible; the latter, explicitly known, is the truncation error.
 
-use super::interval::square;
+use super::interval;
 use super::leeway::Leeway;
 use super::nearest::Corrections;
 use super::pole::Pole;
@@ -136,7 +136,7 @@ impl Approximation {
     fn with_points(curve: &Curve, pole: Option<Pole>, negligible: f64, interpolation: &Interpolation) -> Self {
         let Interpolation { points, rho, error } = *interpolation;
         let sample = |u: Double| {
-            let s = if curve.parity() == Parity::Neither { u * 0.5 } else { square(u).sqrt() };
+            let s = if curve.parity() == Parity::Neither { u * 0.5 } else { interval::p_in_two_words(u).sqrt() };
             let value = pole.map_or(Double::ONE, |pole| pole.at(u)) * curve.at(s);
             if curve.parity() == Parity::Odd { value / s } else { value }
         };

@@ -1,10 +1,10 @@
-//! The interval p ∈ [0, ¼] of a phase's square, mapped to u = 8p − 1 = cos φ.
+//! The interval [0, ¼] of the variable p, mapped to u = 8p − 1 = cos φ.
 
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
 /// p where 8p − 1 = u.
-pub(in crate::plan) fn square(u: Double) -> Double {
+pub(in crate::plan) fn p_in_two_words(u: Double) -> Double {
     (u + Double::ONE) * 0.125
 }
 

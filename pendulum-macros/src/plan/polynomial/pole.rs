@@ -1,6 +1,6 @@
 //! Nearest singularities, divided out.
 
-use super::interval::square;
+use super::interval;
 use crate::parse::Float;
 use crate::plan::variables::Variables;
 use crate::program::{Builder, Id};
@@ -137,7 +137,7 @@ impl Pole {
 
     /// At 8p − 1 = u.
     pub(super) fn at(self, u: Double) -> Double {
-        let p = square(u);
+        let p = interval::p_in_two_words(u);
         self.pairs().iter().fold(Double::ONE, |product, pair| product * pair.at(p))
     }
 

@@ -1,12 +1,12 @@
 //! The reductions that a motion can choose from, and how wrong each is.
 
-use super::words::{exponent, split_down, split_near};
+use super::words::{split_down, split_near};
 use super::{LINEAR_HALF, Origin, ROUNDED, Reduction, Scheme, is_half};
 use crate::exact::Real;
 use crate::motion::Swing;
 use crate::parse::Float;
-use crate::power::two_to;
-use crate::program::rounding::{half_ulp, is_power_of_two};
+use crate::power::{exponent, is_power_of_two, two_to};
+use crate::program::rounding::half_ulp;
 use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 

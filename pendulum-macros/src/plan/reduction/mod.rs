@@ -16,11 +16,10 @@ mod words;
 pub(crate) use clock::Clock;
 
 use crate::parse::Float;
-use crate::power::two_to;
+use crate::power::{exponent, two_to};
 use crate::program::{Builder, Id, Program};
 use pendulum_runtime::double::Double;
 use std::ops::Range;
-use words::exponent;
 
 /// The part of itself that a number is wrong by after a few roundings in `f32`, at most: a rate in one word by 2⁻²⁴, a
 /// phase, its square and a map's image by 4 units each.

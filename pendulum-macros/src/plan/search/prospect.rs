@@ -112,5 +112,5 @@ fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
     let phase = reduction.lower(&mut b, t);
     let variables = Variables::lower(&mut b, phase, reduction, odd);
     let distance = (odd && !reduction.leaps()).then_some(variables.distance);
-    b.finish([variables.square, variables.magic].into_iter().chain(distance).collect())
+    b.finish([variables.p, variables.magic].into_iter().chain(distance).collect())
 }

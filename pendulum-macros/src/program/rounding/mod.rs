@@ -15,7 +15,7 @@ mod adjoint;
 
 use super::{Id, Op, Program};
 use crate::parse::Float;
-use crate::power::power;
+use crate::power::{binade, is_power_of_two, power};
 use crate::supremum::norm;
 use pendulum_runtime::double::{two_prod, two_sum};
 use pendulum_runtime::support::{LEAST_UNDER_ROOT, ROOT_ERROR};
@@ -124,8 +124,7 @@ pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
         Float::F64 => f64::from_bits(1),
         Float::F32 => f64::from(f32::from_bits(1)),
     };
-    let binade = f64::from_bits(magnitude.to_bits() & (0x7ff << 52));
-    (binade * float.rounding_unit()).max(smallest)
+    (binade(magnitude) * float.rounding_unit()).max(smallest)
 }
 
 impl Program {
@@ -291,10 +290,6 @@ fn root(x: Known, float: Float) -> Known {
     let local = ROOT_ERROR * float.rounding_unit() * exact.1;
     let (low, high) = rounded(exact, float);
     Known::result((low * (1.0 - 1e-6), high * (1.0 + 1e-6)), inherited, local)
-}
-
-pub(crate) fn is_power_of_two(x: f64) -> bool {
-    x.to_bits() & ((1 << 52) - 1) == 0 && x.is_normal()
 }
 
 #[cfg(test)]

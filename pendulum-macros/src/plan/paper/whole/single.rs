@@ -18,7 +18,7 @@ use crate::plan::cosines::Cosines;
 use crate::plan::form::{Division, Form};
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::moebius::Moebius;
-use crate::plan::polynomial::interval::square;
+use crate::plan::polynomial::interval;
 use crate::plan::polynomial::{Approximation, Growth, Numerator};
 use crate::plan::reduction::Reduction;
 use crate::series::Wave;
@@ -98,7 +98,7 @@ struct Distance {
 impl Chart<'_> {
     /// The phase at u.
     fn phase(self, u: Double) -> Double {
-        let image = square(u);
+        let image = interval::p_in_two_words(u);
         self.map.map_or(image, |map| map.inverse(image)).sqrt()
     }
 
