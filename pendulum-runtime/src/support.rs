@@ -22,9 +22,15 @@ pub const fn root(x: f64) -> f64 {
 /// add 10⁻⁴, and in single precision the series leaves 3e²/8, 0.003.
 pub const ROOT_ERROR: f64 = 3.5;
 
-/// From here to 0 [`root`] is within 2⁻⁵⁰⁰ of 0, and [`rootf`] within 2⁻⁵⁰: less than any rounding at hand. Farther below
-/// neither is a number.
+/// From here to the least normal number [`root`] is within [`NEXT_TO_ZERO`] of 0, and [`rootf`] within
+/// [`NEXT_TO_ZERO_SINGLE`]. Farther below neither is a number.
 pub const LEAST_UNDER_ROOT: f64 = -0.2;
+
+/// 2⁻⁵⁰⁰.
+pub const NEXT_TO_ZERO: f64 = f64::from_bits((1023 - 500) << 52);
+
+/// 2⁻⁵⁰.
+pub const NEXT_TO_ZERO_SINGLE: f64 = 1.0 / (1_u64 << 50) as f64;
 
 const fn nearer(x: f64, r: f64) -> f64 {
     let e = 1.0 - x * r * r;
@@ -65,13 +71,17 @@ mod tests {
         assert!(root(f64::NAN).is_nan() && rootf(f32::NAN).is_nan());
     }
 
-    /// Where rounding takes what is under a root to 0 or below.
+    /// Where rounding takes what is under a root to 0 or below, or next to it.
     #[test]
     fn next_to_nothing_under_the_root() {
-        for x in [-0.0, -f64::MIN_POSITIVE, -1e-200, -1e-17, -1e-3, -0.1, LEAST_UNDER_ROOT] {
-            assert!(root(x).abs() < 2f64.powi(-500), "{x:e}: {:e}", root(x));
-            assert!(rootf(x as f32).abs() < 2f32.powi(-50), "{x:e}: {:e}", rootf(x as f32));
+        let below = [-0.0, -f64::MIN_POSITIVE, -1e-200, -1e-17, -1e-3, -0.1, LEAST_UNDER_ROOT];
+        let subnormal = (0..1074).map(|power| 2f64.powi(-1074) * 2f64.powi(power)).filter(|x| !x.is_normal());
+        for x in below.into_iter().chain(subnormal) {
+            assert!(root(x).abs() < NEXT_TO_ZERO, "{x:e}: {:e}", root(x));
         }
-        assert!(root(0.0).abs() < 2f64.powi(-500) && rootf(0.0).abs() < 2f32.powi(-50));
+        let subnormal = (0..149).map(|power| f32::from_bits(1) * 2f32.powi(power)).filter(|x| !x.is_normal());
+        for x in below.map(|x| x as f32).into_iter().chain(subnormal) {
+            assert!(f64::from(rootf(x).abs()) < NEXT_TO_ZERO_SINGLE, "{x:e}: {:e}", rootf(x));
+        }
     }
 }

@@ -22,6 +22,14 @@ impl Float {
         }
     }
 
+    /// The least normal number.
+    pub(crate) const fn least_normal(self) -> f64 {
+        match self {
+            Self::F64 => f64::MIN_POSITIVE,
+            Self::F32 => f32::MIN_POSITIVE as f64,
+        }
+    }
+
     /// The largest finite number.
     pub(crate) const fn largest(self) -> f64 {
         match self {

@@ -4,7 +4,7 @@
 //! derivatives taken somewhere between the computed and the exact values (mean value theorem). Intervals that hold both
 //! make the bound rigorous.
 
-use super::{INFLATION, Known, products};
+use super::{INFLATION, Known, LOST, products};
 use crate::program::{Id, Op, Program};
 
 /// An interval of derivatives.
@@ -33,9 +33,10 @@ impl Slope {
         Self::outward(low, high)
     }
 
-    /// Ends farther apart by what they are rounded by: slopes may cancel.
+    /// Ends farther apart by what they are rounded by: slopes may cancel, or underflow.
     fn outward(low: f64, high: f64) -> Self {
-        Self { low: low - f64::EPSILON * low.abs(), high: high + f64::EPSILON * high.abs() }
+        let rounded_by = |end: f64| f64::EPSILON * end.abs() + LOST;
+        Self { low: low - rounded_by(low), high: high + rounded_by(high) }
     }
 }
 
@@ -63,7 +64,7 @@ impl Program {
             }
             let local = known[id].local;
             if local > 0.0 {
-                error += steepest * local;
+                error += steepest * local + LOST;
             }
             if !is_given[id] && !pass_back(id, self.nodes[id].op, slope, known, slopes) {
                 return f64::INFINITY;

@@ -16,9 +16,9 @@ mod adjoint;
 use super::{Id, Op, Program};
 use crate::parse::Float;
 use crate::power::{binade, is_power_of_two, power};
-use crate::supremum::norm;
+use crate::supremum::{larger, norm};
 use pendulum_runtime::double::{two_prod, two_sum};
-use pendulum_runtime::support::{LEAST_UNDER_ROOT, ROOT_ERROR};
+use pendulum_runtime::support::{LEAST_UNDER_ROOT, NEXT_TO_ZERO, NEXT_TO_ZERO_SINGLE, ROOT_ERROR};
 
 /// Where a value lies and how wrong it can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,8 +165,10 @@ fn sound(known: Known) -> Known {
     if (low + error + local).is_nan() || (high + error + local).is_nan() { Known::nothing() } else { known }
 }
 
+/// The bounds with what they are rounded by themselves, underflow included.
 fn inflate(known: Known) -> Known {
-    Known { error: known.error * INFLATION, local: known.local * INFLATION, ..known }
+    let inflated = |bound: f64| if bound > 0.0 { bound * INFLATION + LOST } else { bound };
+    Known { error: inflated(known.error), local: inflated(known.local), ..known }
 }
 
 fn step(op: Op, float: Float, known: &[Known]) -> Known {
@@ -232,7 +234,9 @@ fn product(a: Known, b: Known, float: Float) -> Known {
         // Nothing but what may underflow.
         _ => half_ulp(0.0, float),
     };
-    Known::result((low, high), a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error, local)
+    let lost = if a.error > 0.0 || b.error > 0.0 { LOST } else { 0.0 };
+    let inherited = a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error + lost;
+    Known::result((low, high), inherited, local)
 }
 
 /// The rounding of an operation on two numbers, if they are that, by one that tells it.
@@ -243,7 +247,8 @@ fn of_numbers(a: Known, b: Known, operation: fn(f64, f64) -> (f64, f64), float: 
 
 /// Whether a result in two words is no larger than `most`.
 fn is_within((result, rest): (f64, f64), most: f64) -> bool {
-    let is_below = rest == 0.0 || (rest < 0.0) != (result < 0.0);
+    // What overflows in two words has no rest, which then is no number: nothing is known of it.
+    let is_below = if result < 0.0 { rest >= 0.0 } else { rest <= 0.0 };
     result.abs() < most || (result.abs() == most && is_below)
 }
 
@@ -276,20 +281,27 @@ fn quotient(a: Known, b: Known, float: Float) -> Known {
     let magnitude = exact.0.abs().max(exact.1.abs());
     let range = rounded(exact, float);
     let local = half_ulp(range.0.abs().max(range.1.abs()), float);
-    Known::result(range, (a.error + magnitude * b.error) / least, local)
+    let lost = if b.error > 0.0 { LOST } else { 0.0 };
+    Known::result(range, (a.error + (magnitude * b.error + lost)) / least, local)
 }
 
-/// |√a − √b| is at most both |a − b|/√a and √|a − b|. Just below 0 what is computed is next to 0; farther below it is no
-/// number.
+/// |√a − √b| is at most both |a − b|/√a and √|a − b|. Just below 0 and of numbers below all normal ones what is computed is
+/// next to 0; farther below it is no number.
 fn root(x: Known, float: Float) -> Known {
-    if x.low < LEAST_UNDER_ROOT {
+    let least_normal = float.least_normal();
+    if x.low < LEAST_UNDER_ROOT || x.high < least_normal {
         return Known::nothing();
     }
+    let next_to_zero = match float {
+        _ if x.low >= least_normal => 0.0,
+        Float::F64 => NEXT_TO_ZERO,
+        Float::F32 => NEXT_TO_ZERO_SINGLE,
+    };
     let exact = (x.low.max(0.0).sqrt(), x.high.max(0.0).sqrt());
     let inherited = if exact.0 > 0.0 { (x.error / exact.0).min(x.error.sqrt()) } else { x.error.sqrt() };
-    let local = ROOT_ERROR * float.rounding_unit() * exact.1;
+    let local = larger(ROOT_ERROR * float.rounding_unit() * exact.1, next_to_zero);
     let (low, high) = rounded(exact, float);
-    Known::result((low * (1.0 - 1e-6), high * (1.0 + 1e-6)), inherited, local)
+    Known::result((low * (1.0 - 1e-6) - next_to_zero, high * (1.0 + 1e-6)), inherited, local)
 }
 
 #[cfg(test)]

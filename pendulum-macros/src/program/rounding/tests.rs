@@ -194,7 +194,7 @@ fn roots() {
         assert!((root.local / local(3.0) - 1.0).abs() < 1e-9, "{low}: {:e}", root.local);
         assert!(root.high > 3.0 && within.contains(&(root.high / (3.0 * (1.0 + 1e-6)))), "{low}: {}", root.high);
         let least = low.max(0.0).sqrt();
-        assert!(root.low <= least && root.low >= least * (1.0 - 2e-6), "{low}: {}", root.low);
+        assert!(root.low <= least && root.low >= least * (1.0 - 2e-6) - NEXT_TO_ZERO, "{low}: {}", root.low);
         assert!(least == 0.0 || root.low < least, "{low}: {}", root.low);
     }
     // What is computed of less than that is no number.
@@ -292,4 +292,50 @@ fn underflow_of_coefficients() {
     assert_eq!(lost_to_underflow(3, 10.0), 111.0 * UNDERFLOW);
     assert_eq!(lost_to_underflow(2, 1e-100), UNDERFLOW);
     assert!([1e-100, 1e100].into_iter().all(|reach| lost_to_underflow(3, reach).is_infinite()));
+}
+
+/// Next to the largest numbers a product in two words has no second word: then nothing tells that it is rounded from below.
+#[test]
+fn products_rounded_to_a_power_of_two_from_beyond() {
+    for power in [0, 900, 1000] {
+        let big = 2f64.powi(power);
+        let (a, b) = (Known::between(0.0, big * (1.0 + 2.0 * U)), Known::between(-(1.0 - U), 0.0));
+        let found = after(Op::Mul(0, 1), Float::F64, &[a, b]);
+        assert!(found.error >= big * (U - 2.0 * U * U), "2^{power}: {:e}", found.error);
+    }
+}
+
+/// Of numbers below all normal ones a root is next to 0, whatever it is.
+#[test]
+fn roots_next_to_zero() {
+    for (low, high) in [(1e-44, 1e-40), (0.0, 1e-40), (1e-44, 1.0)] {
+        let found = after(Op::Root(0), Float::F32, &[Known::between(low, high)]);
+        let result = f64::from(pendulum_runtime::support::rootf(1e-44));
+        assert!(found.low <= result && result <= found.high, "{low:e} to {high:e}: {found:?}");
+        assert!(found.error >= (result - 1e-44_f64.sqrt()).abs(), "{low:e} to {high:e}: {found:?}");
+    }
+}
+
+/// Sums of subnormal products, of which each is rounded by half of the smallest number, and a quarter of them by less.
+#[test]
+fn roundings_that_underflow() {
+    for terms in [2, 8, 20, 40] {
+        let mut b = Builder::new(Float::F64);
+        let x = b.input();
+        let factors: Vec<f64> = (0..terms).map(|i| 0.3 + 0.001 * f64::from(i)).collect();
+        let constants: Vec<Id> = factors.iter().map(|&factor| b.constant(factor)).collect();
+        let products: Vec<Id> = constants.into_iter().map(|c| b.mul(x, c)).collect();
+        let sum = products.into_iter().reduce(|sum, product| b.add(sum, product)).unwrap();
+        let quarter = b.constant(0.25);
+        let result = b.mul(sum, quarter);
+        let program = b.finish(vec![result]);
+        let (low, high) = (800_u64, 1600);
+        let bound = program.rounding(&[(0, Known::between(f64::from_bits(low), f64::from_bits(high)))])[0].error;
+        let quanta = |x: f64| x.to_bits() as f64;
+        for bits in low..=high {
+            let exact = factors.iter().sum::<f64>() * 0.25 * bits as f64;
+            let error = (quanta(program.run(f64::from_bits(bits))[0]) - exact).abs();
+            assert!(error <= quanta(bound), "{terms} terms, {bits}: {error} quanta, not {}", quanta(bound));
+        }
+    }
 }
