@@ -22,6 +22,7 @@ pub(super) use all_in_pieces::AllInPieces;
 use draft::Draft;
 #[cfg(test)]
 pub(super) use draft::Drafts;
+pub(super) use passage::SLOWNESS;
 use pendulum_runtime::double::Double;
 pub(super) use polynomials::Approximations;
 use std::f64::consts::PI;

@@ -1,7 +1,7 @@
 //! The kernel of motions that come near the top: swings, rotations and the separatrix between them.
 //!
 //! There most of a period is spent near the top, and the rest is the same passage through the lowest point for all of
-//! them, θ = 2 gd w with w = (π/K′)·(u − u of the lowest point). With E = e^(−|w|), G = q′/E, the image of the next
+//! them, θ = 2 gd w with w = (π/2K′)·(u − u of the lowest point). With E = e^(−|w|), G = q′/E, the image of the next
 //! passage, and σ = 1 for a swing, −1 for a rotation, 0 on the separatrix (q′ = 0),
 //!
 //! π − |θ| = 4 arctan A, A = Q/P, Q = (E + σG)(1 + σq′³M − q′⁴), P = 1 + σq′M, M = E² + G²,
@@ -20,6 +20,7 @@
 //! E = 2^(−j)·2^(−f) with j the integer nearest to |w|/ln 2: 2^(±f) = 1 + (f²·C(f²) ± f·S(f²)), by polynomials, serve E
 //! and G.
 
+mod estimate;
 mod functions;
 mod outputs;
 mod quotient;
@@ -91,6 +92,34 @@ enum Images {
     Correction,
 }
 
+impl Images {
+    /// Those that matter to an output that is to be right within `limit`, and what leaving out the others changes.
+    ///
+    /// With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at most
+    /// √q′, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by q′F·2E(1 −
+    /// E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. No level has the last q′⁶
+    /// of P (with M ≤ 1 + q′², E⁴ + G⁴ is), which changes θ by twice as much, and the velocity by as much where it is and
+    /// again at E = 1: less than 5q′⁶ with the q′⁹ of its numerator and the q′¹⁰ of Q.
+    fn that_matter(output: Output, q: f64, limit: f64) -> (Self, f64) {
+        let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 1.1 + 25.0 * q] } else { [4.01, 2.3] };
+        let levels = [
+            (Self::Sum, by_sum * q.sqrt()),
+            (Self::Denominator, by_ratio * q),
+            (Self::Correction, by_ratio * power(q, 3)),
+        ];
+        let matters = |&&(_, change): &&(Self, f64)| change > limit / 8.0;
+        let images = levels.iter().rev().find(matters).map_or(Self::Nothing, |level| level.0);
+        let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
+        (images, left_out.sum::<f64>() + 5.0 * power(q, 6))
+    }
+
+    /// Whether Q/P is to be formed with as little rounding as can be: a truncation of a few units of rounding is asked for
+    /// where full precision is.
+    fn ask_for_care(self, output: Output, limit: f64) -> bool {
+        self >= Self::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.rounding_unit()
+    }
+}
+
 /// E below 2 to minus this is nothing beside the roundings of 1.
 const NEGLIGIBLE_BINADE: i32 = 24;
 
@@ -154,19 +183,7 @@ impl Passage {
         let fraction = limit / 128.0;
         let even = Fit::new(&domain, fraction, |v| series(v, 2));
         let odd = Fit::new(&domain, fraction, |v| series(v, 1));
-        // With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at
-        // most √q′, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by
-        // q′F·2E(1 − E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. No level
-        // has the last q′⁶ of P (with M ≤ 1 + q′², E⁴ + G⁴ is), which changes θ by twice as much, and the velocity by as
-        // much where it is and again at E = 1: less than 5q′⁶ with the q′⁹ of its numerator and the q′¹⁰ of Q.
-        let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 1.1 + 25.0 * q] } else { [4.01, 2.3] };
-        let levels = [
-            (Images::Sum, by_sum * q.sqrt()),
-            (Images::Denominator, by_ratio * q),
-            (Images::Correction, by_ratio * power(q, 3)),
-        ];
-        let matters = |&&(_, change): &&(Images, f64)| change > limit / 8.0;
-        let images = levels.iter().rev().find(matters).map_or(Images::Nothing, |level| level.0);
+        let (images, truncation) = Images::that_matter(output, q, limit);
         // At the lowest point A = (1 + q′)/(1 + q′M) in a swing, of which the divisor may not matter, and 1 + q′³ in a
         // rotation, of which the correction may not. On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of
         // whose inverse the arctangent is a mean.
@@ -179,11 +196,7 @@ impl Passage {
         let arctangent = output
             .is_angle()
             .then(|| Fit::new(&Domain::reaching(largest * 1.000_1, -0.9, 20.0), limit / 16.0, arctangent_ratio));
-        let left_out = levels.iter().filter(|level| level.0 > images).map(|level| level.1);
-        let truncation = left_out.sum::<f64>() + 5.0 * power(q, 6);
-        // A truncation of a few units of rounding is asked for where full precision is.
-        let careful =
-            images >= Images::Denominator && output != Output::Velocity && limit < 8.0 * Float::F64.rounding_unit();
+        let careful = images.ask_for_care(output, limit);
         Self { output, orbit, distances, half, images, careful, even, odd, arctangent, factor, truncation }
     }
 

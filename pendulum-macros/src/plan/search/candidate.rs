@@ -2,13 +2,15 @@
 
 use super::Prospect;
 use super::choice::{Choice, Limits};
+use super::prospect::skeleton;
 use crate::decimals::at_least;
-use crate::parse::{Float, Output};
+use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::curve::Curve;
 use crate::plan::form::Variant;
+use crate::plan::kernel;
 use crate::plan::observed::observed;
-use crate::plan::part::Approximations;
+use crate::plan::part::{Approximations, SLOWNESS};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
@@ -108,15 +110,6 @@ pub(super) enum Way {
     Pieces(usize),
 }
 
-/// How much longer operations of a passage take than those of polynomials: measured in loops over arrays, without and
-/// with AVX2.
-pub(super) fn slowness_of_passage(float: Float) -> f64 {
-    match float {
-        Float::F64 => 1.45,
-        Float::F32 => 2.1,
-    }
-}
-
 impl Candidate<'_> {
     /// After how many others it is looked at: many pieces, of which the table is large, only where fewer don't serve; and
     /// who asks for a polynomial gets one for each of many pieces only where one alone doesn't.
@@ -190,7 +183,9 @@ impl Candidate<'_> {
         let mut rejected = Vec::new();
         let passage = || {
             let part = all.aim.passage_part(task, &all.drafts, self.reduction, most)?;
-            Ok((part, slowness_of_passage(scene.float) * all.aim.passage_estimate()))
+            let operations = kernel::function(self.reduction, &[&part.kernel]).cost();
+            let cost = SLOWNESS * (operations - skeleton(self.reduction, [&all.aim]).cost());
+            Ok((part, cost))
         };
         let mut polynomials = || {
             let asked = Asked { output, reduction: self.reduction.clone(), most };
@@ -206,13 +201,13 @@ impl Candidate<'_> {
             _ if mixed => polynomials().or_else(|reached| passage().map_err(|other| other.min(reached))),
             _ => polynomials(),
         }?;
-        Ok(Outputs { parts: vec![part], more: cost - self.estimate(scene, all), rejected })
+        Ok(Outputs { parts: vec![part], more: cost - self.estimate(all), rejected })
     }
 
     /// What an output was estimated to cost.
-    fn estimate(&self, scene: &Scene, all: &Approximations) -> f64 {
+    fn estimate(&self, all: &Approximations) -> f64 {
         match self.way {
-            Way::Passage => slowness_of_passage(scene.float) * all.aim.passage_estimate(),
+            Way::Passage => SLOWNESS * all.aim.passage_estimate(&self.prospect.task, self.reduction),
             _ => all.variants(self.reduction).first().map_or(0.0, |&(_, cost)| cost),
         }
     }

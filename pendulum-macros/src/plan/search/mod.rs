@@ -165,7 +165,7 @@ pub(super) fn every(scene: &Scene) -> Vec<Plan> {
 
 /// Every combination that might serve, cheapest first.
 fn candidates<'a>(scene: &Scene, prospects: &'a [Prospect]) -> Vec<Candidate<'a>> {
-    let mut candidates: Vec<Candidate> = prospects.iter().flat_map(|prospect| prospect.candidates(scene)).collect();
+    let mut candidates: Vec<Candidate> = prospects.iter().flat_map(Prospect::candidates).collect();
     candidates.sort_by(|a, b| a.is_late(scene).cmp(&b.is_late(scene)).then(a.cost.total_cmp(&b.cost)));
     candidates
 }

@@ -1,11 +1,11 @@
 //! A task, the whole motion or an arc of it, and all ways of doing it.
 
-use super::candidate::{Asked, Candidate, Found, Way, slowness_of_passage};
+use super::candidate::{Asked, Candidate, Found, Way};
 use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::form::Variant;
 use crate::plan::memo::Memo;
-use crate::plan::part::{AllInPieces, Approximations};
+use crate::plan::part::{AllInPieces, Approximations, SLOWNESS};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
 use crate::plan::variables::Variables;
@@ -37,7 +37,7 @@ impl Prospect {
     }
 
     /// Every combination that might serve.
-    pub(super) fn candidates(&self, scene: &Scene) -> Vec<Candidate<'_>> {
+    pub(super) fn candidates(&self) -> Vec<Candidate<'_>> {
         let Self { task, approximations, reductions, pieces, .. } = self;
         let aims = &task.aims;
         let candidate = |reduction, way, kernels: f64| {
@@ -49,10 +49,10 @@ impl Prospect {
             let kernels = approximations.iter().map(cheapest).sum::<Option<f64>>()?;
             Some(candidate(reduction, Way::Polynomials, kernels))
         });
-        // Its operations wait for one another: each takes longer than those of polynomials do.
         let by_passage = |reduction| {
-            let passage = candidate(reduction, Way::Passage, aims.iter().map(Aim::passage_estimate).sum());
-            Candidate { cost: slowness_of_passage(scene.float) * passage.cost, ..passage }
+            let kernels = aims.iter().map(|aim| aim.passage_estimate(task, reduction)).sum();
+            let passage = candidate(reduction, Way::Passage, kernels);
+            Candidate { cost: SLOWNESS * passage.cost, ..passage }
         };
         let passages = reductions.iter().filter(|reduction| task.passage_by(reduction).is_some()).map(by_passage);
         let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
@@ -104,8 +104,8 @@ impl Prospect {
 }
 
 /// The reduction and the variables that all kernels have, without any kernel.
-fn skeleton(reduction: &Reduction, aims: &[Aim]) -> Program {
-    let odd = aims.iter().flat_map(|aim| &aim.curves).any(|curve| curve.parity() == Parity::Odd);
+pub(super) fn skeleton<'a>(reduction: &Reduction, aims: impl IntoIterator<Item = &'a Aim>) -> Program {
+    let odd = aims.into_iter().flat_map(|aim| &aim.curves).any(|curve| curve.parity() == Parity::Odd);
     let mut b = Builder::new(reduction.float);
     let t = b.input();
     let reduction = &reduction.with_signs(odd);

@@ -4,6 +4,7 @@ use super::candidate::Way;
 use super::choice::{COMFORTABLE, DEARER, TOLERABLE};
 use super::*;
 use crate::plan::observed::observed;
+use crate::plan::part::SLOWNESS;
 use crate::plan::reduction::Origin;
 use crate::plan::tests::scene;
 use crate::plan::{Bound, kernel};
@@ -40,6 +41,11 @@ fn estimated_costs() {
         "theta0 = π - 1e-4, tol = 1e-2",
         "velocity0 = 2.1, outputs = [velocity]",
         "velocity0 = 2.001, tol = 1e-5, outputs = [position]",
+        "theta0 = π - 1e-6, tol = 1e-4, outputs = [velocity]",
+        "theta0 = π - 1e-12, tol = 1e-12, outputs = [acceleration]",
+        "theta0 = π - 1e-20, tol = 1e-8, t_max = 1e3",
+        "velocity0 = 2, tol = 1e-4, float = f32, outputs = [velocity]",
+        "velocity0 = 2",
     ] {
         let (scene, prospects) = prospects(text);
         let mut before = 0.0;
@@ -55,7 +61,7 @@ fn estimated_costs() {
             let expected = match candidate.way {
                 Way::Polynomials => 0.9..1.15,
                 Way::Pieces(_) => 0.97..1.3,
-                Way::Passage => continue,
+                Way::Passage => 0.9 * SLOWNESS..1.15 * SLOWNESS,
             };
             assert!(expected.contains(&ratio), "{text}: {ratio} times the cost, {}", candidate.describe());
             looked_at += 1;
