@@ -17,7 +17,7 @@ impl Checker<'_> {
             Regime::Swing(swing) => {
                 self.representable_result(&swing.period, "the period")?;
                 self.has_words(&swing.period)?;
-                self.swings_visibly(swing)
+                self.swings_visibly(motion, swing)
             }
             Regime::Rotation(rotation) => {
                 self.representable_result(&rotation.period, "the time of one turn")?;
@@ -46,17 +46,22 @@ impl Checker<'_> {
     }
 
     /// Refuses amplitudes whose products with coefficients would be subnormal.
-    fn swings_visibly(&mut self, swing: &Swing) -> Checked<()> {
+    fn swings_visibly(&mut self, motion: &Motion, swing: &Swing) -> Checked<()> {
         let least = match self.request.float() {
             Float::F64 => SMALLEST_AMPLITUDE,
             Float::F32 => SMALLEST_AMPLITUDE_F32,
         };
         let (request, wider) = (self.request, self.wider());
-        match request.theta0.as_ref().or(request.velocity0.as_ref()) {
+        let (given, formula) = match (motion.theta0.is_zero(), motion.velocity0.is_zero()) {
+            (true, _) => (&request.velocity0, "(velocity0/ω)·sin ωt"),
+            (false, true) => (&request.theta0, "θ0·cos ωt"),
+            (false, false) => (&request.theta0, "θ0·cos ωt + (velocity0/ω)·sin ωt"),
+        };
+        match given {
             Some(given) if swing.amplitude.to_f64() < least => {
                 let message = format!(
                     "`{given}` makes an amplitude below {least:e}, where `{}` loses digits: {wider}choose a larger one; \
-                     so small a motion is θ0·cos ωt to the last digit",
+                     so small a motion is {formula} to the last digit",
                     self.request.float().word()
                 );
                 Err(self.refuse(&given.tokens, message))

@@ -96,6 +96,9 @@ fn errors_of_all_sizes_have_bounds() {
     planned("struct A; theta0 = π - 1e-18, omega = 1e-152, t_max = 2.1e3, outputs = [acceleration, wrapped, position]");
     planned("struct A; theta0 = 6π/14, omega = 1e80, tol = 0.3, outputs = [position, velocity, acceleration, theta]");
     refused("theta0 = 1e-301", "below 1e-300");
+    refused("theta0 = 0, velocity0 = 1e-301", "`velocity0 = 1e-301` makes an amplitude below 1e-300");
+    refused("theta0 = 0, velocity0 = 1e-301", "so small a motion is (velocity0/ω)·sin ωt");
+    refused("theta0 = 1e-302, velocity0 = 1e-301", "θ0·cos ωt + (velocity0/ω)·sin ωt");
     refused("velocity0 = 1e-36, float = f32", "below 1e-35");
 }
 

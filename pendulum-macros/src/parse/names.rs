@@ -14,8 +14,12 @@ const SYNONYMS: [(&str, &[&str]); 9] = [
         &[
             "v",
             "v0",
+            "v_0",
             "vel",
+            "vel0",
+            "vel_0",
             "speed",
+            "speed0",
             "initial_velocity",
             "theta_dot",
             "thetadot",
