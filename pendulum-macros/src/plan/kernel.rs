@@ -100,6 +100,16 @@ impl Core {
         matches!(self, Self::Pieces(_) | Self::Halves(_) | Self::Complement(_))
     }
 
+    /// How many rows the table has whose row its phase tells, if there is one: in one function all have as many.
+    pub(crate) fn rows(&self) -> Option<usize> {
+        match self {
+            Self::Pieces(pieces) => Some(pieces.count()),
+            Self::Halves(halves) => Some(halves.sine.count()),
+            Self::Complement(complement) => Some(complement.count()),
+            _ => None,
+        }
+    }
+
     /// The method, in a word.
     pub(crate) fn word(&self) -> &'static str {
         match self {

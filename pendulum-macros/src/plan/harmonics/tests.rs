@@ -41,7 +41,7 @@ fn intervals_of_sums() {
     for text in [
         "theta0 = 2, method = series, tol = 1e-6",
         "theta0 = 2, method = series, tol = 1e-6, outputs = [velocity]",
-        "theta0 = 2, n = 3, outputs = [velocity]",
+        "theta0 = 0.73π, n = 1, outputs = [velocity]",
         "theta0 = 2, method = series, tol = 1e-6, t_max = 100",
     ] {
         let (harmonics, anchored) = harmonics(text);

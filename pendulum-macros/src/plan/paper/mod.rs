@@ -284,7 +284,7 @@ impl Sum<'_> {
             if wanted.iter().any(lost) || hopeless.iter().any(alike) {
                 continue;
             }
-            let parts: Vec<Part> = wanted.iter().map(|wanted| self.part(wanted, reduction)).collect();
+            let parts = self.parts(wanted, reduction);
             let each = || parts.iter().zip(wanted);
             // A kernel for the whole of θ̂ is made as good as what the phase leaves: with a finer phase it may be better.
             let is_lost = |(part, wanted): (&Part, &Wanted)| {

@@ -24,7 +24,7 @@ pub(super) struct Wanted {
     pub(super) curve: Curve,
     /// sup |approximate output − exact output|.
     pub(super) bias: f64,
-    /// θ̂ where it is twice an arcsine.
+    /// θ̂, or its derivative, where it is twice an arcsine.
     whole: Option<Whole>,
 }
 
@@ -58,6 +58,17 @@ impl Wanted {
     }
 }
 
+/// The same with as many pieces for θ̂ as for its derivative, if there are both.
+fn sharing_a_table(wanted: Vec<Wanted>) -> Vec<Wanted> {
+    let wholes = || wanted.iter().filter_map(|wanted| wanted.whole.as_ref());
+    if wholes().count() < 2 {
+        return wanted;
+    }
+    let most = wholes().filter_map(Whole::count).max().unwrap_or(0);
+    let sharing = |wanted: Wanted| Wanted { whole: wanted.whole.map(|whole| whole.of_at_least(most)), ..wanted };
+    wanted.into_iter().map(sharing).collect()
+}
+
 impl Sum<'_> {
     pub(super) fn wanted(&self) -> Vec<Wanted> {
         let curves = SwingCurves::new(self.swing, &self.scene.motion.omega);
@@ -71,10 +82,11 @@ impl Sum<'_> {
                 Output::Position => (theta.clone().into_position(), approximate.at_most()),
                 Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
             };
-            let whole = if output == Output::Theta { Whole::new(self, theta.size, bias) } else { None };
+            let whole = Whole::new(self, output, curve.size, bias);
             Wanted { output, curve: self.as_steep(curve, output), bias, whole }
         };
-        self.scene.outputs.iter().map(one).collect()
+        let wanted: Vec<Wanted> = self.scene.outputs.iter().map(one).collect();
+        sharing_a_table(wanted)
     }
 
     /// A curve at least as steep, and as much conditioned by the phase, as what stands for it where both are compared at one
@@ -90,12 +102,25 @@ impl Sum<'_> {
         curve
     }
 
-    /// An output by the recurrence or, where it is kept and ranks before that, one function for the whole of θ̂.
-    pub(super) fn part(&self, wanted: &Wanted, reduction: &Reduction) -> Part {
+    /// The outputs, of which those in pieces have as many.
+    pub(super) fn parts(&self, wanted: &[Wanted], reduction: &Reduction) -> Vec<Part> {
+        let mut parts: Vec<Part> = Vec::new();
+        for wanted in wanted {
+            let rows = parts.iter().find_map(|part| part.kernel.core.rows());
+            parts.push(self.part(wanted, reduction, rows));
+        }
+        parts
+    }
+
+    /// An output by the recurrence or, where it is kept and ranks before that, one function for the whole of θ̂; if in pieces,
+    /// in as many as there are `rows`.
+    fn part(&self, wanted: &Wanted, reduction: &Reduction, rows: Option<usize>) -> Part {
         let Wanted { output, curve, bias, whole } = wanted;
         let summed = Kernel::from(Core::Harmonics(Box::new(self.harmonics(*output, reduction))));
         let cost = cost(reduction, &summed);
-        let mut candidate = whole.as_ref().and_then(|whole| whole.cheapest(reduction));
+        let candidate = whole.as_ref().and_then(|whole| whole.cheapest(reduction));
+        let as_many = |own: Option<usize>| own.is_none() || rows.is_none() || own == rows;
+        let mut candidate = candidate.filter(|candidate| as_many(candidate.kernel.core.rows()));
         // What the recurrence is rounded by takes long to know, and is at best within what is allowed.
         if let Some(better) = candidate.take_if(|candidate| candidate.rank() < rank(0.0, cost)) {
             return self.whole(wanted, better);
@@ -109,11 +134,12 @@ impl Sum<'_> {
         Part { share, ..wanted.part(summed, description, bound) }
     }
 
-    /// θ̂ by that kernel.
+    /// θ̂ or its derivative by that kernel.
     fn whole(&self, wanted: &Wanted, Rated { kernel, bound, share, .. }: Rated) -> Part {
         let (harmonics, word) = (harmonics(self.weights.len()), kernel.core.describe());
         let one = if let Core::Polynomial(_) = kernel.core { "one " } else { "" };
-        let description = format!("{harmonics}, twice the arcsine of their sum as {one}{word}");
+        let slope = if wanted.output == Output::Velocity { "the slope of " } else { "" };
+        let description = format!("{harmonics}, {slope}twice the arcsine of their sum as {one}{word}");
         let bound = Bound { truncation: wanted.bias + bound.truncation, ..bound };
         Part { share, ..wanted.part(kernel, description, bound) }
     }

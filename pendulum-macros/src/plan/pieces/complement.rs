@@ -45,6 +45,10 @@ impl Complement {
         Self { sine, truncation, arcsine, direction, weights: weights.to_vec() }
     }
 
+    pub(crate) fn count(&self) -> usize {
+        self.sine.count()
+    }
+
     pub(crate) fn terms(&self) -> usize {
         self.sine.terms()
     }

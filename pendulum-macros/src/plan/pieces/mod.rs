@@ -55,6 +55,10 @@ impl Pieces {
         self.rows.iter_mut().flatten().for_each(|c| *c = -*c);
     }
 
+    pub(crate) fn count(&self) -> usize {
+        self.rows.len()
+    }
+
     pub(crate) fn terms(&self) -> usize {
         self.rows[0].len()
     }

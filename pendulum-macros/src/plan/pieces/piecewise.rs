@@ -60,9 +60,9 @@ impl Piecewise {
         Self { met: phases, ..self }
     }
 
-    /// A curve like θ, even about a turning point and alternating, of which the series and their error are known.
-    pub(crate) fn known(series: Vec<Vec<Double>>, error: f64) -> Self {
-        Self { series, error, parity: Parity::Even, alternates: true, met: None }
+    /// A curve that alternates, like θ and θ̇, of which the series and their error are known.
+    pub(crate) fn known(series: Vec<Vec<Double>>, error: f64, parity: Parity) -> Self {
+        Self { series, error, parity, alternates: true, met: None }
     }
 
     /// About how many terms leave `limit`, by the distance of the nearest singularities.

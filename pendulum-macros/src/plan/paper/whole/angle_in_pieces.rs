@@ -17,7 +17,7 @@ use crate::plan::cosines::Cosines;
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::pieces::{Piecewise, half, phase};
 use crate::plan::reduction::Reduction;
-use crate::series::Wave;
+use crate::series::{Parity, Wave};
 use crate::supremum::larger;
 use pendulum_runtime::double::Double;
 
@@ -30,31 +30,55 @@ const POINTS: usize = 16;
 /// More points than this for a residual take too long.
 const MOST_POINTS: usize = 40;
 
-/// θ̂ for these weights, the pieces' series wrong by much less than `limit`; `None` if it bends too much.
-pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Piecewise> {
+/// θ̂ for these weights in so many pieces at least, their series wrong by much less than `limit`; `None` if it bends too
+/// much.
+pub(super) fn approximation(weights: &[Double], limit: f64, least: usize) -> Option<Piecewise> {
     let size = Cosines::odd(weights).magnitude(0);
     let sum = Wave::harmonics(weights);
-    // A sum that may reach 1 isn't worth the interpolation.
-    of_residual(&sum, 0.0)?;
+    let negligible = limit.min(size) * NEGLIGIBLE;
+    first_that_serves(&sum, size, least, |pieces| in_pieces(&sum, pieces, negligible))
+}
+
+/// With the first number of pieces from the least on that serves, if a sum of that size is worth the interpolation.
+pub(super) fn first_that_serves(
+    sum: &Wave,
+    size: f64,
+    least: usize,
+    in_pieces: impl Fn(usize) -> Option<Piecewise>,
+) -> Option<Piecewise> {
+    // One that may reach 1 isn't.
+    of_residual(sum, 0.0)?;
     // Second words of small coefficients underflow.
-    COUNTS
-        .into_iter()
-        .filter(|_| size > 1e-150)
-        .find_map(|pieces| in_pieces(&sum, pieces, limit.min(size) * NEGLIGIBLE))
+    COUNTS.into_iter().filter(|&pieces| pieces >= least && size > 1e-150).find_map(in_pieces)
 }
 
 fn in_pieces(sum: &Wave, pieces: usize, negligible: f64) -> Option<Piecewise> {
-    let table = CosineTable::new(POINTS);
-    let (mut series, mut residual) = (Vec::new(), 0.0_f64);
+    let residual = |piece: &Piece<'_>, own: &[Double]| {
+        let interpolation = piece.interpolation(own, negligible * OF_RESIDUAL, 2, MOST_POINTS)?;
+        Some(piece.residual(own, interpolation))
+    };
+    let (series, residual) = interpolants(sum, pieces, POINTS, residual)?;
+    let error = of_residual(sum, residual)?;
+    (error <= negligible).then(|| Piecewise::known(series, error, Parity::Even))
+}
+
+/// θ̂ through so many points in each of so many pieces, and the largest of what is known of the residuals.
+pub(super) fn interpolants(
+    sum: &Wave,
+    pieces: usize,
+    points: usize,
+    of_residual: impl Fn(&Piece<'_>, &[Double]) -> Option<f64>,
+) -> Option<(Vec<Vec<Double>>, f64)> {
+    let table = CosineTable::new(points);
+    let (mut series, mut largest) = (Vec::new(), 0.0_f64);
     for index in 0..=pieces / 2 {
         let piece = Piece { sum, pieces, index };
         let values: Option<Vec<Double>> = table.points().map(|u| twice_arcsine(sum.at(piece.phase(u)))).collect();
         let own = table.coefficients(&values?);
-        residual = larger(residual, piece.residual(&own, negligible)?);
+        largest = larger(largest, of_residual(&piece, &own)?);
         series.push(own);
     }
-    let error = of_residual(sum, residual)?;
-    (error <= negligible).then(|| Piecewise::known(series, error))
+    Some((series, largest))
 }
 
 /// The kernel with a table that keeps within the allowance.
@@ -73,7 +97,7 @@ pub(super) fn kernel(
 }
 
 /// One of so many pieces, and the sum y, of which θ̂ is twice the arcsine.
-struct Piece<'a> {
+pub(super) struct Piece<'a> {
     sum: &'a Wave,
     pieces: usize,
     index: usize,
@@ -84,12 +108,22 @@ impl Piece<'_> {
         phase(self.pieces, self.index, u)
     }
 
-    /// Bounds |y − sin(Q/2)| for the interpolant Q.
-    fn residual(&self, series: &[Double], negligible: f64) -> Option<f64> {
+    /// One of the residual of the interpolant Q, wrong by at most `limit`.
+    pub(super) fn interpolation(
+        &self,
+        series: &[Double],
+        limit: f64,
+        least: usize,
+        most: usize,
+    ) -> Option<Interpolation> {
         let ellipse = |rho: f64| (self.bound(series, rho), rho);
         let ellipses = [3.0, 5.0, 8.0, 12.0, 20.0, 32.0].into_iter().map(ellipse);
-        let interpolation = Interpolation::fewest(ellipses, negligible * OF_RESIDUAL, 2, MOST_POINTS)?;
-        Some(largest_residual(self.sum, series, |u| self.phase(u), interpolation))
+        Interpolation::fewest(ellipses, limit, least, most)
+    }
+
+    /// Bounds |y − sin(Q/2)| by it.
+    pub(super) fn residual(&self, series: &[Double], interpolation: Interpolation) -> f64 {
+        largest_residual(self.sum, series, |u| self.phase(u), interpolation)
     }
 
     /// The same on the ellipse with parameter ρ.
@@ -121,7 +155,7 @@ mod tests {
     fn pieces_and_terms() {
         let time = Reduction::time(1.0, false, Float::F64).unwrap();
         let found = |theta0: &str, terms: usize| {
-            let piecewise = approximation(&weights(theta0, terms), 1e-16)?;
+            let piecewise = approximation(&weights(theta0, terms), 1e-16, 0)?;
             Some((piecewise.pieces(), piecewise.terms_for(2e-16, &time)?))
         };
         assert_eq!(found("1", 1), Some((32, 9)));
@@ -140,14 +174,16 @@ mod tests {
             let piece = Piece { sum: &sum, pieces: 32, index };
             let angle = |u: Double| twice_arcsine(sum.at(piece.phase(u))).unwrap();
             let mut series = table.coefficients(&table.points().map(angle).collect::<Vec<_>>());
-            let exact = piece.residual(&series, 1e-20).unwrap();
+            let residual =
+                |series: &[Double]| piece.residual(series, piece.interpolation(series, 1e-24, 2, MOST_POINTS).unwrap());
+            let exact = residual(&series);
             assert!(exact < 1e-19, "{index}: {exact:e}");
             let epsilon = 1e-9;
             series[2] = series[2] + Double::new(epsilon);
             // T₂ is largest at the ends, cos(θ̂/2) where θ̂ is smaller.
             let ends = [-1.0, 1.0].map(|u| libm::cos(0.5 * angle(Double::new(u)).hi));
             let expected = 0.5 * epsilon * ends[0].max(ends[1]);
-            let times = piece.residual(&series, 1e-20).unwrap() / expected;
+            let times = residual(&series) / expected;
             assert!((1.0..4.0).contains(&times), "{index}: {times}");
         }
     }

@@ -4,10 +4,11 @@
 mod angle_in_pieces;
 mod residual;
 mod single;
+mod slope_in_pieces;
 mod sum_in_pieces;
 
 use super::{Sum, rank};
-use crate::parse::Method;
+use crate::parse::{Method, Output};
 use crate::plan::Bound;
 use crate::plan::curve::Size;
 use crate::plan::kernel::{self, Kernel};
@@ -17,15 +18,21 @@ use crate::plan::reduction::Reduction;
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
 use pendulum_runtime::double::Double;
+use slope_in_pieces::MOST_HARMONICS;
 use std::cell::OnceCell;
 use sum_in_pieces::SumInPieces;
 
-/// θ̂ as one function of the phase, and how far off it may be. Approximations are made when they are wanted first.
+/// θ̂ or its derivative as one function of the phase, and how far off it may be. Approximations are made when they are wanted
+/// first.
 pub(super) struct Whole {
+    /// Anchors per unit of time, of the derivative, which is in pieces only.
+    rate: Option<Double>,
     /// For one polynomial; `None` where that takes too many terms.
     single: OnceCell<Option<Approximation>>,
     /// For one in each piece; `None` where that takes too many pieces.
     pieces: OnceCell<Option<Piecewise>>,
+    /// The fewest pieces that are tried.
+    least: usize,
     /// For where neither serves.
     sum_in_pieces: OnceCell<Option<SumInPieces>>,
     weights: Vec<Double>,
@@ -63,22 +70,47 @@ struct Allowance {
 const SHARES: [f64; 2] = [4.0, 16.0];
 
 impl Whole {
-    /// `None` where there is no arcsine. It may be off by what a tolerance leaves beside the sum's own `bias`, or by 8
-    /// units in the last place of θ0.
-    pub(super) fn new(sum: &Sum, size: Size, bias: f64) -> Option<Self> {
-        if sum.method != Method::Fourier {
-            return None;
-        }
-        let units = |units: f64| 2.0 * units * half_ulp(sum.swing.amplitude.to_f64(), sum.scene.float);
+    /// `None` where there is no arcsine, of other outputs, and of derivatives of long sums. It may be off by what a tolerance leaves beside the sum's own
+    /// `bias`, or by 8 units in the last place of θ0; the derivative by 16 of its largest value.
+    pub(super) fn new(sum: &Sum, output: Output, size: Size, bias: f64) -> Option<Self> {
+        let (rate, largest, most) = match output {
+            _ if sum.method != Method::Fourier => return None,
+            Output::Theta => (None, sum.swing.amplitude.to_f64(), 8.0),
+            Output::Velocity if sum.weights.len() <= MOST_HARMONICS => (Some(sum.rate.to_double()), size.largest, 16.0),
+            _ => return None,
+        };
+        let units = |units: f64| 2.0 * units * half_ulp(largest, sum.scene.float);
         let allowed = match sum.scene.goal {
-            Goal::Tolerance(tol) => tol - bias,
-            _ => units(8.0),
+            Goal::Tolerance(tol) => size.within(tol) - bias,
+            _ => units(most),
         };
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
         let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
         let (limit, weights, direction) = (truncation.min(allowed / 8.0), sum.weights.clone(), sum.direction());
         let (single, pieces, sum_in_pieces) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Some(Self { single, pieces, sum_in_pieces, weights, size, direction, limit, allowed, truncation })
+        Some(Self {
+            rate,
+            single,
+            pieces,
+            least: 0,
+            sum_in_pieces,
+            weights,
+            size,
+            direction,
+            limit,
+            allowed,
+            truncation,
+        })
+    }
+
+    /// How many polynomials can stand for the arcsine.
+    pub(super) fn count(&self) -> Option<usize> {
+        self.piecewise().map(Piecewise::pieces)
+    }
+
+    /// In so many pieces at least.
+    pub(super) fn of_at_least(self, least: usize) -> Self {
+        if self.count() >= Some(least) { self } else { Self { least, pieces: OnceCell::new(), ..self } }
     }
 
     /// Whether one polynomial or many can stand for the arcsine, or for the sum.
@@ -98,15 +130,21 @@ impl Whole {
     }
 
     fn one_polynomial(&self) -> Option<&Approximation> {
-        self.single.get_or_init(|| single::approximation(&self.weights, self.limit)).as_ref()
+        let approximation = || self.rate.is_none().then(|| single::approximation(&self.weights, self.limit))?;
+        self.single.get_or_init(approximation).as_ref()
     }
 
     fn piecewise(&self) -> Option<&Piecewise> {
-        self.pieces.get_or_init(|| angle_in_pieces::approximation(&self.weights, self.limit)).as_ref()
+        let approximation = || match self.rate {
+            None => angle_in_pieces::approximation(&self.weights, self.limit, self.least),
+            Some(rate) => slope_in_pieces::approximation(&self.weights, rate, self.limit, self.least),
+        };
+        self.pieces.get_or_init(approximation).as_ref()
     }
 
     fn sum_in_pieces(&self) -> Option<&SumInPieces> {
-        self.sum_in_pieces.get_or_init(|| SumInPieces::new(&self.weights, self.limit)).as_ref()
+        let approximation = || self.rate.is_none().then(|| SumInPieces::new(&self.weights, self.limit))?;
+        self.sum_in_pieces.get_or_init(approximation).as_ref()
     }
 
     /// What the phase may take of what is allowed, without a tolerance: the rest is enough for pieces.

@@ -3,11 +3,17 @@
 //!
 //! Q/2, which is arcsin y at the points of the interpolation, stays between −π/2 and π/2 from one of them to the next if
 //! |y| and |y − R| = |sin(Q/2)| are below 1 there. Where they are at most Y, |θ̂ − Q| ≤ 2|R|/√(1 − Y²).
+//!
+//! Their derivatives are 2y′/√(1 − y²) and 2(y′ − R′)/√(1 − (y − R)²), so that |θ̂′ − Q′| ≤ 2(|R′| + |y′R|·Y/(1 − Y²))/√(1 −
+//! Y²). R′ follows from R: its Chebyshev coefficients are at most 2 sup |R| each, and from the n-th on, n being the points of
+//! R's interpolation, as small as the bound of R on the ellipse makes them. Σj²·2 sup |R| up to there is less than ⅔n³ sup
+//! |R|, and what follows, for ρ ≥ 3 and n ≥ 16, less than n² times the interpolation's error, which sup |R| includes: less
+//! than n³ sup |R| together.
 
 use crate::chebyshev::{CosineTable, Interpolation, cos_pi, lebesgue, rounding_of_value, sin_pi, value};
 use crate::plan::cosines::Cosines;
 use crate::plan::paper::bias::supremum;
-use crate::power::two_to;
+use crate::power::{power, two_to};
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::series::Wave;
 use pendulum_runtime::double::Double;
@@ -53,6 +59,24 @@ pub(super) fn of_residual(sum: &Wave, residual: f64) -> Option<f64> {
     slope.is_finite().then_some(slope * residual)
 }
 
+/// The fewest points with which a residual's derivative is bounded.
+pub(super) const LEAST_POINTS_OF_SLOPE: usize = 16;
+
+/// What residuals make of the angle's derivative by u, of phases c + `half`·u, given that their own are at most `slope`: they
+/// themselves are n³ times less. `None` if the sum may reach 1.
+pub(super) fn of_residual_slope(sum: &Wave, half: f64, slope: f64) -> Option<f64> {
+    let y = Cosines::of(sum.terms());
+    let residual = slope / power(LEAST_POINTS_OF_SLOPE as f64, 3);
+    let bound = |low: f64, high: f64| {
+        let local = y.over(low, high);
+        let most = local.largest(0) + residual;
+        let room = (1.0 - most) * (1.0 + most);
+        2.0 * (slope + half * local.largest(1) * residual * most / room) / room.sqrt()
+    };
+    let error = supremum([0.0, 0.5], bound) * INFLATION_OF_SUMS;
+    error.is_finite().then_some(error)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -80,5 +104,26 @@ mod tests {
             assert_eq!(of_residual(&sum(largest), 1.0 - largest), None);
         }
         assert_eq!(of_residual(&sum(1.0), 0.0), None);
+    }
+
+    /// Of Y cos πs, with a residual whose slope is all there is, and one that moves the angle along the arcsine's.
+    #[test]
+    fn what_slopes_of_residuals_make() {
+        for largest in [0.01, 0.9, 0.999] {
+            let sum = Wave::harmonics(&[Double::new(largest)]);
+            let steepest = 2.0 / (1.0 - largest * largest).sqrt();
+            let found = of_residual_slope(&sum, 1e-9, 1e-9).unwrap() / (steepest * 1e-9);
+            assert!((1.0..1.04).contains(&found), "{largest}: {found}");
+            // 2|y′R|·Y/(1 − Y²)^(3/2), where y′ is at most πY sin πs.
+            let moved = |s: f64| {
+                let (sine, y) = (libm::sin(PI * s), largest * libm::cos(PI * s));
+                2.0 * PI * largest * sine * y / (1.0 - y * y).powf(1.5)
+            };
+            let most = (0..=100_000).map(|i| moved(f64::from(i) / 200_000.0)).fold(0.0, f64::max);
+            let residual = 1e-12 / 4096.0;
+            let found = (of_residual_slope(&sum, 1e9, 1e-12).unwrap() - steepest * 1e-12) / (most * 1e9 * residual);
+            assert!((0.9..1.2).contains(&found), "{largest}: {found}");
+        }
+        assert_eq!(of_residual_slope(&Wave::harmonics(&[Double::new(1.0)]), 0.01, 1e-20), None);
     }
 }
