@@ -34,15 +34,15 @@ impl Builder {
         self.push(Op::Constant { value: self.float.round(value.hi), rest: self.float.rest(value) })
     }
 
+    /// The same of a number in one word.
+    pub(crate) fn constant(&mut self, value: f64) -> Id {
+        self.rounded(Double::new(value))
+    }
+
     /// A number that stands for something within `slack` of it.
     pub(crate) fn loose(&mut self, value: f64, slack: f64) -> Id {
         let rounded = self.float.round(value);
         self.push(Op::Constant { value: rounded, rest: (value - rounded).abs() + slack })
-    }
-
-    /// The same of a number in one word.
-    pub(crate) fn constant(&mut self, value: f64) -> Id {
-        self.rounded(Double::new(value))
     }
 
     /// x + offset, if there is any.

@@ -126,7 +126,9 @@ impl Sum<'_> {
             return self.whole(wanted, better);
         }
         let (phase, evaluation) = (curve.size.phase_error(reduction), summed.rounding(reduction, f64::INFINITY));
-        let share = whole.as_ref().map_or(0.0, |whole| whole.share(Bound { truncation: 0.0, phase, evaluation }));
+        // Only of θ̂ itself something is promised.
+        let promised = whole.as_ref().filter(|_| *output == Output::Theta);
+        let share = promised.map_or(0.0, |whole| whole.share(Bound { truncation: 0.0, phase, evaluation }));
         if let Some(better) = candidate.filter(|candidate| candidate.rank() < rank(share, cost)) {
             return self.whole(wanted, better);
         }
