@@ -25,6 +25,8 @@ mod series;
 #[cfg(test)]
 mod snapshots;
 mod supremum;
+#[cfg(test)]
+mod testing;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use report::Report;

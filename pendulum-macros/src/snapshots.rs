@@ -108,7 +108,7 @@ const SCENES: [&str; 37] = [
 
 /// The plan of a scene, but for its constants.
 fn outline(text: &str) -> String {
-    let scene = crate::plan::tests::scene(&format!("struct Motion; {text}"));
+    let scene = crate::testing::scene(&format!("struct Motion; {text}"));
     let plan = crate::plan::plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
     let (operations, reduction) = (plan.operations(), plan.reduction.describe());
     let mut lines = vec![format!("{text}\n  {}: {operations} operations, phase by {reduction}", plan.method)];

@@ -1,16 +1,12 @@
 use super::*;
 use crate::motion::Regime;
-use crate::parse::{Float, Method, parse};
+use crate::parse::{Float, Method};
 use crate::scene::Goal;
+use crate::testing;
 
 fn checked(text: &str) -> Result<Scene, Vec<String>> {
-    let mut report = Report::default();
-    let request = parse(text.parse().unwrap(), &mut report);
-    let scene = request.and_then(|request| check(request, &mut report));
-    match report.finish() {
-        Ok(()) => Ok(scene.unwrap()),
-        Err(error) => Err(error.into_iter().map(|error| error.to_string()).collect()),
-    }
+    let (scene, errors) = testing::checked(text.parse().unwrap());
+    if errors.is_empty() { Ok(scene.unwrap()) } else { Err(errors.iter().map(syn::Error::to_string).collect()) }
 }
 
 fn scene(text: &str) -> Scene {

@@ -124,7 +124,7 @@ fn nearest(x: &Real, float: Float) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// The stub of a refused item has all that the item might have had.
     #[test]

@@ -153,7 +153,7 @@ pub(super) fn function(function: &Function) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// In the unit of the tolerance, as the whole is: that of a velocity is ω.
     #[test]

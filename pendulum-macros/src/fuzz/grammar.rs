@@ -1,7 +1,7 @@
 //! Invocations as users write them: every regime, horizon, tolerance, output and method.
 
-use super::random::Random;
 use crate::parse::{Float, Keyword, Method, Output};
+use crate::testing::Random;
 
 /// A header (empty for an expression) and parameters.
 pub(crate) struct Invocation {

@@ -12,10 +12,9 @@
 mod findings;
 pub(crate) mod grammar;
 mod mutation;
-pub(crate) mod random;
 mod verdict;
 
-use random::Random;
+use crate::testing::Random;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 use verdict::{Verdict, judge};

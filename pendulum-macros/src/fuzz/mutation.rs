@@ -1,7 +1,7 @@
 //! Near misses: an invocation's text, cut into tokens, with something wrong with it.
 
 use super::grammar::{decimal, digits, invocation, power_of_ten};
-use super::random::Random;
+use crate::testing::Random;
 
 /// What may stand where it shouldn't.
 const WORDS: &[&str] = &[

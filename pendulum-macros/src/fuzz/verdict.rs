@@ -1,11 +1,11 @@
 //! What has to hold of every expansion.
 
+use crate::expand;
 use crate::motion::Regime;
 use crate::parse::{Float, Output};
 use crate::plan::{Plan, Refusal, is_wrapped, of_paper, plan};
-use crate::report::Report;
 use crate::scene::{Goal, Scene};
-use crate::{check, expand, parse};
+use crate::testing::checked;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -38,7 +38,7 @@ pub(crate) fn judge(text: &str) -> Result<(Verdict, Duration), String> {
     }
     let refused = mentions(&expansion, "compile_error");
     let functions = functions(expansion).map_err(|error| format!("doesn't parse: {error}"))?;
-    let (scene, errors) = scene(tokens);
+    let (scene, errors) = checked(tokens);
     errors_are_placed(&errors, text)?;
     match (refused, scene.map(|scene| (plan(&scene), scene))) {
         (true, None | Some((Ok(_), _))) if !errors.is_empty() => Ok((Verdict::Refused, time)),
@@ -98,17 +98,9 @@ fn processor_time() -> Option<Duration> {
     statistics.split(' ').next()?.parse().ok().map(Duration::from_nanos)
 }
 
-/// The stages before planning, and the mistakes they found.
-fn scene(tokens: TokenStream) -> (Option<Scene>, Vec<syn::Error>) {
-    let mut report = Report::default();
-    let scene = parse::parse(tokens, &mut report).and_then(|request| check::check(request, &mut report));
-    let errors = report.finish().err().map(|error| error.into_iter().collect());
-    (scene, errors.unwrap_or_default())
-}
-
 /// Every mistake of an invocation, the planner's refusal included.
 pub(crate) fn mistakes(tokens: TokenStream) -> Vec<String> {
-    let (scene, errors) = scene(tokens);
+    let (scene, errors) = checked(tokens);
     let refusal = scene.and_then(|scene| plan(&scene).err().map(|refusal| refusal.explain(&scene)));
     errors.into_iter().chain(refusal).map(|error| error.to_string()).collect()
 }

@@ -1,9 +1,9 @@
 use super::*;
 use crate::check::check;
 use crate::exact::Context;
-use crate::fuzz::random::Random;
 use crate::parse::parse;
 use crate::report::Report;
+use crate::testing::Random;
 use std::time::{Duration, Instant};
 
 /// Solved as the macro does, its working precision chosen by the checks.

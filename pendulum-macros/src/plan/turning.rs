@@ -239,8 +239,8 @@ pub(crate) fn is_wrapped(angle: f64) -> bool {
 mod tests {
     use super::*;
     use crate::motion::Regime;
-    use crate::plan::tests::scene;
     use crate::plan::{Plan, plan};
+    use crate::testing::scene;
     use std::f64::consts::PI;
 
     fn rotation(text: &str) -> (Turning, Plan) {

@@ -59,7 +59,7 @@ impl Wave {
 mod tests {
     use super::*;
     use crate::motion::Regime;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// By Clenshaw's recurrence, of few terms and of more than there are pieces.
     #[test]

@@ -1,12 +1,12 @@
 //! Largest values, slopes and conditioning of curves are what bounds of the phase's error stand on: here against samples.
 
 use super::*;
-use crate::fuzz::random::Random;
 use crate::motion::Regime;
 use crate::plan::task::Task;
-use crate::plan::tests::scene;
 use crate::power::two_to;
 use crate::program::rounding::LOST;
+use crate::testing::Random;
+use crate::testing::scene;
 
 /// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the
 /// cosine's period off the anchor.

@@ -241,11 +241,11 @@ fn steepest(middle: f64, half: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fuzz::random::Random;
     use crate::plan::cosines::Cosines;
     use crate::plan::harmonics::clenshaw;
     use crate::program::Builder;
     use crate::supremum::worst;
+    use crate::testing::Random;
 
     fn error(recurrence: &Recurrence, low: f64, high: f64) -> f64 {
         let weights: Vec<Double> = recurrence.weights.iter().map(|&w| Double::new(w)).collect();

@@ -1,11 +1,11 @@
 //! What is known of sums of harmonics, against the sums; and the recurrence, evaluated.
 
 use super::*;
-use crate::fuzz::random::Random;
 use crate::parse::Float;
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::plan;
-use crate::plan::tests::scene;
+use crate::testing::Random;
+use crate::testing::scene;
 use std::f64::consts::PI;
 
 /// Clenshaw's recurrence of cosines and sines, with each number of weights.

@@ -1,15 +1,15 @@
 //! The methods of the paper: as many terms as a tolerance needs, and errors that are known in closed form.
 
 use super::*;
-use crate::fuzz::random::Random;
 use crate::motion::Regime;
 use crate::parse::Float;
 use crate::plan::Bound;
 use crate::plan::kernel::Core;
 use crate::plan::plan;
 use crate::plan::tests::probe::{assert_tight, evenly, largest_error};
-use crate::plan::tests::scene;
 use crate::plan::tests::truth::{State, distance};
+use crate::testing::Random;
+use crate::testing::scene;
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 pub(super) fn planned(text: &str) -> Result<Plan, Refusal> {

@@ -8,10 +8,10 @@ use crate::plan::kernel::{Core, Kernel, function};
 use crate::plan::part::Drafts;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
-use crate::plan::tests::scene;
 use crate::program::Op;
 use crate::scene::Scene;
 use crate::supremum::norm;
+use crate::testing::scene;
 
 const OUTPUTS: [Output; 4] = [Output::Theta, Output::Velocity, Output::Acceleration, Output::Position];
 

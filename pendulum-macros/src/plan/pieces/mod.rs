@@ -132,9 +132,9 @@ fn rounding_of_row(program: &Program, row: &[Double], (name, known): (&str, Know
 mod tests {
     use super::*;
     use crate::exact::Context;
-    use crate::fuzz::random::Random;
     use crate::parse::Float;
     use crate::plan::reduction::Clock;
+    use crate::testing::Random;
     use std::f64::consts::PI;
 
     /// cos πs of s = t/2 in 8 pieces from anchor to anchor, by Taylor's series.

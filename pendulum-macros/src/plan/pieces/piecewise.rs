@@ -153,9 +153,9 @@ mod tests {
     use crate::parse::Float;
     use crate::plan::curve::{Curves, RotationCurves, SwingCurves};
     use crate::plan::reduction::Clock;
-    use crate::plan::tests::scene;
     use crate::program::Builder;
     use crate::program::rounding::UNDERFLOW;
+    use crate::testing::scene;
 
     /// To the nearest of so many pieces of an anchor, which takes that time.
     fn to_pieces(pieces: usize, time: f64, horizon: f64) -> Reduction {

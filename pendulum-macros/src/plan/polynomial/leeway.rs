@@ -51,7 +51,7 @@ impl Leeway {
 mod tests {
     use super::*;
     use crate::plan::task::Task;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
     use pendulum_runtime::double::Double;
 
     /// What an error of the phase changes anywhere is within what is left of its largest effect, and hardly below.

@@ -4,7 +4,7 @@ use super::*;
 use crate::exact::Context;
 use crate::motion::{Elliptic, Regime};
 use crate::plan::curve::{Curve, Curves, RotationCurves, SwingCurves};
-use crate::plan::tests::scene;
+use crate::testing::scene;
 use pendulum_runtime::double::Double;
 
 type Complex = (f64, f64);

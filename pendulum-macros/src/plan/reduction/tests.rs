@@ -3,8 +3,8 @@
 
 use super::*;
 use crate::exact::{Context, Real};
-use crate::fuzz::random::Random;
 use crate::program::Program;
+use crate::testing::Random;
 use std::collections::BTreeMap;
 
 /// A reduction as a program of the time: the remainder, the sum whose parity counts, and the number of origins passed.

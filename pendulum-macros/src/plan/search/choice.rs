@@ -118,7 +118,7 @@ impl<T> Choice<T> {
 mod tests {
     use super::*;
     use crate::plan::search::{Prospect, tasks};
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// Of ways that are estimated to cost so much, cost so much, and take so much of their limit, in this order.
     #[test]

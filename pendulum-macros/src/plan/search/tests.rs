@@ -6,8 +6,8 @@ use super::*;
 use crate::plan::observed::observed;
 use crate::plan::part::SLOWNESS;
 use crate::plan::reduction::Origin;
-use crate::plan::tests::scene;
 use crate::plan::{Bound, kernel};
+use crate::testing::scene;
 
 /// The parts of 2⁻⁴⁹ and 2⁻²⁰ that are comfortable and tolerable.
 fn limits(scene: &Scene) -> [f64; 2] {

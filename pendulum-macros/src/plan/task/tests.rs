@@ -5,8 +5,8 @@ use super::*;
 use crate::parse::Float;
 use crate::plan::curve::Curve;
 use crate::plan::reduction::Origin;
-use crate::plan::tests::scene;
 use crate::plan::tests::truth::State;
+use crate::testing::scene;
 use pendulum_runtime::double::Double;
 
 const ALL: &str = "outputs = [theta, velocity, acceleration, position]";

@@ -8,20 +8,9 @@ mod tight;
 pub(super) mod truth;
 
 use super::*;
-use crate::check::check;
-use crate::fuzz::random::Random;
-use crate::parse::parse;
 use crate::program::Op;
-use crate::report::Report;
+use crate::testing::{Random, scene};
 use probe::{assert_tight, evenly};
-
-pub(crate) fn scene(text: &str) -> Scene {
-    let mut report = Report::default();
-    let request = parse(text.parse().unwrap(), &mut report);
-    let scene = request.and_then(|request| check(request, &mut report));
-    report.finish().unwrap();
-    scene.unwrap()
-}
 
 fn planned(text: &str) -> Plan {
     plan(&scene(&format!("struct Motion; {text}"))).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"))

@@ -1,10 +1,10 @@
 //! Where an interpreted plan is tried against the exact motion in multiple precision, for tests.
 
-use super::scene;
 use super::truth::{State, distance};
-use crate::fuzz::random::Random;
 use crate::plan::turning::is_wrapped;
 use crate::plan::*;
+use crate::testing::Random;
+use crate::testing::scene;
 use std::slice;
 
 /// Where a plan is tried.

@@ -6,13 +6,13 @@
 //! ```
 
 use super::probe::{Probe, largest_error};
-use super::scene;
-use crate::fuzz::random::Random;
 use crate::fuzz::setting;
 use crate::parse::Float;
 use crate::plan::*;
 use crate::program::Op;
 use crate::supremum::norm;
+use crate::testing::Random;
+use crate::testing::{checked, scene};
 
 /// A random scene of every regime, rate, horizon, goal, method and float, with one output.
 fn random_scene(random: &mut Random) -> String {
@@ -69,9 +69,7 @@ fn random_scene(random: &mut Random) -> String {
 
 /// The scene of `text`, if there is one and it can be planned; a broken promise is no refusal.
 fn planned(text: &str) -> Option<(Scene, Plan)> {
-    let mut report = crate::report::Report::default();
-    let request = crate::parse::parse(text.parse().unwrap(), &mut report)?;
-    let scene = crate::check::check(request, &mut report)?;
+    let scene = checked(text.parse().unwrap()).0?;
     match plan(&scene) {
         Ok(plan) => Some((scene, plan)),
         Err(Refusal::Broken { output }) => panic!("{text}: the planner sees its bound of {output:?} broken"),

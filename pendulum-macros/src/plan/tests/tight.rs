@@ -1,7 +1,7 @@
 //! Bounds of chosen scenes, close to the largest errors that are found.
 
 use super::random::tightness;
-use crate::fuzz::random::Random;
+use crate::testing::Random;
 
 /// Scenes of every kernel, from either origin, in either type, and how many times the error their bounds may be.
 const TIGHT: &[(&str, f64)] = &[

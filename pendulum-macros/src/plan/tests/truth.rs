@@ -191,7 +191,7 @@ pub(in crate::plan) fn distance(context: Context, values: &[f64], exact: &[Real]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// The two series for each regime meet where either serves.
     #[test]

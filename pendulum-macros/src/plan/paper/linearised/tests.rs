@@ -1,8 +1,8 @@
 use super::*;
 use crate::motion::Regime;
 use crate::plan::curve::{Curves, SwingCurves};
-use crate::plan::tests::scene;
 use crate::scene::Scene;
+use crate::testing::scene;
 use pendulum_runtime::Pendulum;
 use std::f64::consts::PI;
 

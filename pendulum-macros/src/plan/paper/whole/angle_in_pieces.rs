@@ -141,7 +141,7 @@ mod tests {
     use crate::motion::Regime;
     use crate::parse::Float;
     use crate::plan::reduction::Reduction;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// Of a release from θ0.
     fn weights(theta0: &str, terms: usize) -> Vec<Double> {

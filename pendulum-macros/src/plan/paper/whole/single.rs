@@ -166,7 +166,7 @@ mod tests {
     use crate::chebyshev::{lebesgue, value};
     use crate::motion::Regime;
     use crate::plan::paper::whole::tests::weights;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// The bound of the whole series is next to nothing, and that of a series that is wrong by ε at the lowest point is
     /// εΛ/√(1 − y²), y being the largest.

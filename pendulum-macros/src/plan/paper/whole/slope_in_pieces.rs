@@ -53,7 +53,7 @@ mod tests {
     use crate::motion::Regime;
     use crate::parse::Float;
     use crate::plan::reduction::Reduction;
-    use crate::plan::tests::scene;
+    use crate::testing::scene;
 
     /// The numbers of pieces and of terms for an error of 2⁻⁵² where θ̂ itself takes a term less; nearer to an overshoot there
     /// are no pieces.

@@ -3,13 +3,13 @@
 use super::residual::twice_arcsine;
 use crate::chebyshev::sin_pi;
 use crate::exact::Real;
-use crate::fuzz::random::Random;
 use crate::motion::{Regime, Swing};
-use crate::plan::tests::scene;
 use crate::plan::{Bound, plan};
 use crate::program::rounding::half_ulp;
 use crate::scene::Scene;
 use crate::series::Wave;
+use crate::testing::Random;
+use crate::testing::scene;
 use pendulum_runtime::double::Double;
 
 /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.

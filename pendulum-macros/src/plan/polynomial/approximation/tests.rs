@@ -7,7 +7,7 @@ use crate::parse::Float;
 use crate::plan::form::Form;
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
-use crate::plan::tests::scene;
+use crate::testing::scene;
 
 pub(in super::super) const PLAIN: Form = Form::Powers { shift: 0.0, largest_last: false };
 

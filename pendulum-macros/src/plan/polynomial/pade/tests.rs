@@ -1,7 +1,7 @@
 use super::*;
 use crate::plan::curve::Curve;
 use crate::plan::task::Task;
-use crate::plan::tests::scene;
+use crate::testing::scene;
 
 /// The curves of an output, and their series.
 fn curves(text: &str) -> (Vec<Curve>, Vec<Approximation>) {

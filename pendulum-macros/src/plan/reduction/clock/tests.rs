@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::exact::Context;
-use crate::fuzz::random::Random;
 use crate::plan::reduction::tests::rate;
+use crate::testing::Random;
 
 /// What a scaled rate is off by, over the horizon, and the roundings of the product and of the difference.
 #[test]

@@ -5,7 +5,7 @@ use crate::motion::{Regime, Swing};
 use crate::parse::Output;
 use crate::plan::curve::Curves;
 use crate::plan::plan;
-use crate::plan::tests::scene;
+use crate::testing::scene;
 use pendulum_runtime::double::Double;
 
 /// θ̂ = 2 arcsin y differentiated with respect to the phase, in two words.

@@ -4,9 +4,9 @@ mod edges;
 
 use super::*;
 use crate::motion::Regime;
-use crate::plan::tests::scene;
 use crate::scene::Scene;
 use crate::supremum::worst;
+use crate::testing::scene;
 use std::f64::consts::PI;
 
 /// Twice the derivative of the arcsine of Σ a cos ms, and its derivative.

@@ -1,5 +1,27 @@
-//! Reproducible randomness: `SplitMix64` (Steele, Lea and Flood 2014), whose every seed is a good one.
+//! What tests everywhere begin with: the scene of a text, and reproducible randomness.
 
+use crate::check::check;
+use crate::parse::parse;
+use crate::report::Report;
+use crate::scene::Scene;
+use proc_macro2::TokenStream;
+
+/// The stages before planning, and the mistakes they found.
+pub(crate) fn checked(tokens: TokenStream) -> (Option<Scene>, Vec<syn::Error>) {
+    let mut report = Report::default();
+    let scene = parse(tokens, &mut report).and_then(|request| check(request, &mut report));
+    let errors = report.finish().err().map(|error| error.into_iter().collect());
+    (scene, errors.unwrap_or_default())
+}
+
+/// The scene of a text without mistakes.
+pub(crate) fn scene(text: &str) -> Scene {
+    let (scene, errors) = checked(text.parse().unwrap());
+    assert!(errors.is_empty(), "{text}: {errors:#?}");
+    scene.unwrap()
+}
+
+/// `SplitMix64` (Steele, Lea and Flood 2014), whose every seed is a good one.
 pub(crate) struct Random(u64);
 
 impl Random {
