@@ -25,6 +25,7 @@ pub(super) const MOST_HARMONICS: usize = 24;
 /// `limit`; `None` if it bends too much.
 pub(super) fn approximation(weights: &[Double], rate: Double, limit: f64, least: usize) -> Option<Piecewise> {
     let (size, sum) = (Cosines::odd(weights).magnitude(0), Wave::harmonics(weights));
+    let limit = limit.min(size * rate.hi);
     first_that_serves(&sum, size, least, |pieces| in_pieces(&sum, pieces, rate, limit))
 }
 
