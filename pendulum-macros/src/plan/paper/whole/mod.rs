@@ -70,13 +70,16 @@ struct Allowance {
 const SHARES: [f64; 2] = [4.0, 16.0];
 
 impl Whole {
-    /// `None` where there is no arcsine, of other outputs, and of derivatives of long sums. It may be off by what a tolerance leaves beside the sum's own
+    /// `None` where there is no arcsine, of other outputs, and of derivatives of long sums or within a moment. It may be off by what a tolerance leaves beside the sum's own
     /// `bias`, or by 8 units in the last place of θ0; the derivative by 16 of its largest value.
     pub(super) fn new(sum: &Sum, output: Output, size: Size, bias: f64) -> Option<Self> {
         let (rate, largest, most) = match output {
             _ if sum.method != Method::Fourier => return None,
             Output::Theta => (None, sum.swing.amplitude.to_f64(), 8.0),
-            Output::Velocity if sum.weights.len() <= MOST_HARMONICS => (Some(sum.rate.to_double()), size.largest, 16.0),
+            // Within a moment a velocity may be far less than what rows with all of it are rounded by.
+            Output::Velocity if sum.weights.len() <= MOST_HARMONICS && sum.met().is_none() => {
+                (Some(sum.rate.to_double()), size.largest, 16.0)
+            }
             _ => return None,
         };
         let units = |units: f64| 2.0 * units * half_ulp(largest, sum.scene.float);

@@ -97,7 +97,7 @@ fn plans_compute_the_slope_of_twice_the_arcsine() {
         let terms = random.between(1, if float == "f32" { 4 } else { 8 });
         let velocity0 = if random.one_in(3) { 0.2 * random.unit() } else { 0.0 };
         let omega = random.choose(&["1", "30", "1e-6", "0.7"]);
-        let horizon = random.choose(&["", ", t_max = 1e3", ", t_max = 0.3"]);
+        let horizon = random.choose(&["", ", t_max = 1e3*2/3", ", t_max = 1e8"]);
         let text = format!(
             "struct A; theta0 = {side}{theta0:.4}π, n = {terms}, velocity0 = {velocity0:.3}*{omega}, omega = {omega}, float = \
              {float}, outputs = [velocity]{horizon}"
