@@ -97,7 +97,7 @@ impl Core {
 
     /// Whether it has a phase of its own, to the nearest piece.
     fn is_in_pieces(&self) -> bool {
-        matches!(self, Self::Pieces(_) | Self::Halves(_) | Self::Complement(_))
+        self.rows().is_some()
     }
 
     /// How many rows the table has whose row its phase tells, if there is one: in one function all have as many.

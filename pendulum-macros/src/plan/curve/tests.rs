@@ -5,8 +5,7 @@ use crate::motion::Regime;
 use crate::plan::task::Task;
 use crate::power::two_to;
 use crate::program::rounding::LOST;
-use crate::testing::Random;
-use crate::testing::scene;
+use crate::testing::{Random, scene};
 
 /// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the
 /// cosine's period off the anchor.

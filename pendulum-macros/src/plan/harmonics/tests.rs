@@ -4,8 +4,7 @@ use super::*;
 use crate::parse::Float;
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::plan;
-use crate::testing::Random;
-use crate::testing::scene;
+use crate::testing::{Random, scene};
 use std::f64::consts::PI;
 
 /// Clenshaw's recurrence of cosines and sines, with each number of weights.

@@ -8,8 +8,7 @@ use crate::plan::kernel::Core;
 use crate::plan::plan;
 use crate::plan::tests::probe::{assert_tight, evenly, largest_error};
 use crate::plan::tests::truth::{State, distance};
-use crate::testing::Random;
-use crate::testing::scene;
+use crate::testing::{Random, scene};
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 pub(super) fn planned(text: &str) -> Result<Plan, Refusal> {

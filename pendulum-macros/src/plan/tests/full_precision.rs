@@ -10,8 +10,7 @@ use crate::fuzz::setting;
 use crate::parse::Float;
 use crate::plan::curve::{Curves as _, SwingCurves};
 use crate::plan::*;
-use crate::testing::Random;
-use crate::testing::scene;
+use crate::testing::{Random, scene};
 use pendulum_runtime::double::Double;
 
 /// From 1e-9 to π − 1e-9, and as near to the separatrix from above; launched anywhere; for any time or a short one.

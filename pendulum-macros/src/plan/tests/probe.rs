@@ -3,8 +3,7 @@
 use super::truth::{State, distance};
 use crate::plan::turning::is_wrapped;
 use crate::plan::*;
-use crate::testing::Random;
-use crate::testing::scene;
+use crate::testing::{Random, scene};
 use std::slice;
 
 /// Where a plan is tried.

@@ -11,8 +11,7 @@ use crate::parse::Float;
 use crate::plan::*;
 use crate::program::Op;
 use crate::supremum::norm;
-use crate::testing::Random;
-use crate::testing::{checked, scene};
+use crate::testing::{Random, checked, scene};
 
 /// A random scene of every regime, rate, horizon, goal, method and float, with one output.
 fn random_scene(random: &mut Random) -> String {

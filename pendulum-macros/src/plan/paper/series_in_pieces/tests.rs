@@ -4,8 +4,7 @@ use super::super::tests::{planned, truncation};
 use super::super::*;
 use crate::motion::Regime;
 use crate::plan::tests::probe::largest_error;
-use crate::testing::Random;
-use crate::testing::scene;
+use crate::testing::{Random, scene};
 
 /// The error of the series is the supremum of its tail, here from samples of it. (It isn't θ0 less the sum, which is the
 /// error at t = 0: elsewhere it is larger by twice the nome.)

@@ -70,8 +70,9 @@ struct Allowance {
 const SHARES: [f64; 2] = [4.0, 16.0];
 
 impl Whole {
-    /// `None` where there is no arcsine, of other outputs, and of derivatives of long sums or within a moment. It may be off by what a tolerance leaves beside the sum's own
-    /// `bias`, or by 8 units in the last place of θ0; the derivative by 16 of its largest value.
+    /// `None` where there is no arcsine, of other outputs, and of derivatives of long sums or within a moment. It may be off
+    /// by what a tolerance leaves beside the sum's own `bias`, or by 8 units in the last place of θ0; the derivative by 16 of
+    /// its largest value.
     pub(super) fn new(sum: &Sum, output: Output, size: Size, bias: f64) -> Option<Self> {
         let (rate, largest, most) = match output {
             _ if sum.method != Method::Fourier => return None,
@@ -129,7 +130,7 @@ impl Whole {
     /// A reduction to its pieces, the most that may be tried, if both can be had.
     pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
         let of_sum = || self.sum_in_pieces().map(|_| SumInPieces::most_pieces());
-        reduction.in_pieces(self.piecewise().map(Piecewise::pieces).or_else(of_sum)? as f64)
+        reduction.in_pieces(self.count().or_else(of_sum)? as f64)
     }
 
     fn one_polynomial(&self) -> Option<&Approximation> {

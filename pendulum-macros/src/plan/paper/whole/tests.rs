@@ -8,8 +8,7 @@ use crate::plan::{Bound, plan};
 use crate::program::rounding::half_ulp;
 use crate::scene::Scene;
 use crate::series::Wave;
-use crate::testing::Random;
-use crate::testing::scene;
+use crate::testing::{Random, scene};
 use pendulum_runtime::double::Double;
 
 /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.
