@@ -77,7 +77,8 @@ macro_rules! twice {
 /// One entry per tolerance with a horizon of `$t_max`, 100 periods rounded up; then, for any time, one per tolerance
 /// and the one in full precision.
 macro_rules! plans {
-    ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*]) => {
+    ($amplitude:ident, $float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*], [$($ever:literal)*]) => {{
+        assert_eq!($amplitude.t_max, $t_max);
         vec![
             $(plan(Family::Planned, PLANNED, concat!("tol ", stringify!($tol)), twice!(theta:
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float
@@ -87,12 +88,13 @@ macro_rules! plans {
             )),)*
             plan::<$float>(Family::Planned, ANY_TIME, FULL, twice!(theta: theta0 = $theta0, float = $float)),
         ]
-    };
+    }};
 }
 
 /// The paper's θ̂ for each number of terms, and one entry per method and tolerance with a horizon of `$t_max`.
 macro_rules! methods {
-    ($float:ident, $theta0:tt, $t_max:literal, [$($n:literal)*] $(, $method:ident [$($tol:literal)*])*) => {
+    ($amplitude:ident, $float:ident, $theta0:tt, $t_max:literal, [$($n:literal)*] $(, $method:ident [$($tol:literal)*])*) => {{
+        assert_eq!($amplitude.t_max, $t_max);
         vec![
             $(plan::<$float>(Family::Forced, PAPER, concat!("n = ", stringify!($n)), twice!(theta:
                 theta0 = $theta0, n = $n, float = $float
@@ -104,42 +106,43 @@ macro_rules! methods {
                 twice!(theta: theta0 = $theta0, tol = $tol, t_max = $t_max, method = $method, float = $float)
             ),)*)*
         ]
-    };
+    }};
 }
 
 /// θ and θ̇ with one reduction of the phase: with a horizon of `$t_max` to each tolerance, and at any time in full
 /// precision.
 macro_rules! states {
-    ($float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*]) => {
+    ($amplitude:ident, $float:ident, $theta0:tt, $t_max:literal, [$($tol:literal)*]) => {{
+        assert_eq!($amplitude.t_max, $t_max);
         [
             $(state::<$float>(concat!("tol ", stringify!($tol)), twice!(state:
                 theta0 = $theta0, tol = $tol, t_max = $t_max, float = $float, outputs = [theta, velocity]
             )),)*
             state::<$float>(FULL, twice!(state: theta0 = $theta0, float = $float, outputs = [theta, velocity])),
         ]
-    };
+    }};
 }
 
 impl Planned for f64 {
     fn planned(amplitude: Amplitude) -> Vec<Contestant<Self>> {
         match amplitude.slug {
             "pi_3" => plans!(
-                f64, (PI/3), 675,
+                amplitude, f64, (PI/3), 675,
                 [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14 1e-15],
                 [1e-3 1e-6 1e-9 1e-12]
             ),
             "7pi_8" => plans!(
-                f64, (7π/8), 1217,
+                amplitude, f64, (7π/8), 1217,
                 [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
                 [1e-3 1e-6 1e-9 1e-12]
             ),
             "0.999pi" => plans!(
-                f64, (0.999π), 3137,
+                amplitude, f64, (0.999π), 3137,
                 [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
                 [1e-3 1e-6 1e-9 1e-12]
             ),
             "0.999999pi" => plans!(
-                f64, (0.999999π), 5901,
+                amplitude, f64, (0.999999π), 5901,
                 [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12 1e-13 1e-14],
                 [1e-3 1e-6 1e-9 1e-12]
             ),
@@ -150,19 +153,21 @@ impl Planned for f64 {
     fn forced(amplitude: Amplitude) -> Vec<Contestant<Self>> {
         match amplitude.slug {
             "pi_3" => methods!(
-                f64, (PI/3), 675, [1 2 4 6 8],
+                amplitude, f64, (PI/3), 675, [1 2 4 6 8],
                 harmonic [1e-1], series [1e-3 1e-6 1e-9 1e-12], fourier [1e-3 1e-6 1e-9 1e-12]
             ),
             "7pi_8" => {
                 let mut all = methods!(
-                    f64, (7π/8), 1217, [2 3 4 6 8 12 16],
+                    amplitude, f64, (7π/8), 1217, [2 3 4 6 8 12 16],
                     harmonic [5e-1], series [1e-3 1e-6 1e-9 1e-12], fourier [1e-3 1e-6 1e-9 1e-12]
                 );
-                all.extend(states!(f64, (7π/8), 1217, [1e-6 1e-9 1e-12]));
+                all.extend(states!(amplitude, f64, (7π/8), 1217, [1e-6 1e-9 1e-12]));
                 all
             }
             // Eq. 22 needs 20 terms here before its arcsine has a value everywhere.
-            "0.999pi" => methods!(f64, (0.999π), 3137, [20 24 32], series [1e-3 1e-6 1e-9 1e-12], fourier [1e-3 1e-6]),
+            "0.999pi" => {
+                methods!(amplitude, f64, (0.999π), 3137, [20 24 32], series [1e-3 1e-6 1e-9 1e-12], fourier [1e-3 1e-6])
+            }
             _ => Vec::new(),
         }
     }
@@ -171,24 +176,25 @@ impl Planned for f64 {
 impl Planned for f32 {
     fn planned(amplitude: Amplitude) -> Vec<Contestant<Self>> {
         match amplitude.slug {
-            "pi_3" => plans!(f32, (PI/3), 675, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
-            "7pi_8" => plans!(f32, (7π/8), 1217, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
-            "0.999pi" => plans!(f32, (0.999π), 3137, [1e-1 1e-2 1e-3 1e-4 1e-5], [1e-2 1e-4]),
-            "0.999999pi" => plans!(f32, (0.999999π), 5901, [1e-1 1e-2 1e-3 1e-4], [1e-2 1e-4]),
+            "pi_3" => plans!(amplitude, f32, (PI/3), 675, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
+            "7pi_8" => plans!(amplitude, f32, (7π/8), 1217, [1e-1 1e-2 1e-3 1e-4 1e-5 1e-6], [1e-2 1e-4]),
+            "0.999pi" => plans!(amplitude, f32, (0.999π), 3137, [1e-1 1e-2 1e-3 1e-4 1e-5], [1e-2 1e-4]),
+            "0.999999pi" => plans!(amplitude, f32, (0.999999π), 5901, [1e-1 1e-2 1e-3 1e-4], [1e-2 1e-4]),
             _ => Vec::new(),
         }
     }
 
     fn forced(amplitude: Amplitude) -> Vec<Contestant<Self>> {
         match amplitude.slug {
-            "pi_3" => methods!(f32, (PI/3), 675, [2 4], series [1e-3], fourier [1e-3]),
+            "pi_3" => methods!(amplitude, f32, (PI/3), 675, [2 4], series [1e-3], fourier [1e-3]),
             "7pi_8" => {
                 // Four times the tolerance of the target, where one product with the rate is exact enough.
-                let mut all = methods!(f32, (7π/8), 1217, [4 8], series [1e-3], fourier [1e-3], polynomial [4e-4]);
-                all.extend(states!(f32, (7π / 8), 1217, [1e-4]));
+                let mut all =
+                    methods!(amplitude, f32, (7π/8), 1217, [4 8], series [1e-3], fourier [1e-3], polynomial [4e-4]);
+                all.extend(states!(amplitude, f32, (7π / 8), 1217, [1e-4]));
                 all
             }
-            "0.999pi" => methods!(f32, (0.999π), 3137, [20], series[1e-3], fourier[1e-1]),
+            "0.999pi" => methods!(amplitude, f32, (0.999π), 3137, [20], series[1e-3], fourier[1e-1]),
             _ => Vec::new(),
         }
     }
@@ -202,12 +208,13 @@ mod tests {
     use crate::session::Field;
     use crate::truth::{Given, motion};
 
-    /// The values of `t_max` above: at least the horizon, at most 1 % more.
+    /// `t_max`, which the plans above assert to be theirs: at least the horizon, at most 1 % more.
     #[test]
     fn the_horizons_are_a_hundred_periods() {
-        for (amplitude, t_max) in Amplitude::ALL.into_iter().zip([675.0, 1217.0, 3137.0, 5901.0]) {
+        for amplitude in Amplitude::ALL {
             let horizon = HORIZON * motion(amplitude, Given::Exact).period().to_f64();
-            assert!((horizon..=1.01 * horizon).contains(&t_max), "{}: {horizon}", amplitude.name);
+            assert!((horizon..=1.01 * horizon).contains(&f64::from(amplitude.t_max)), "{}: {horizon}", amplitude.name);
+            assert!(!ours::<f64>(amplitude).is_empty());
         }
     }
 

@@ -52,6 +52,16 @@ pub(crate) fn compile_error(mistake: &syn::Error) -> TokenStream {
     mistake.to_compile_error().into_iter().skip_while(path).collect()
 }
 
+/// `` `a`, `b` or `c` ``
+pub(crate) fn list(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        Some((last, _)) => last.clone(),
+        None => String::new(),
+    }
+}
+
 /// The candidate that is closest to `word` by edit distance, if it is close enough to be what was meant.
 pub(crate) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     candidates

@@ -38,7 +38,7 @@ const COSINE_TAIL: [f64; 5] = [
     -2.4795962632247976e-27,
 ];
 
-/// x + x·y·P(y) with y = x², where P's first coefficients are `head` and the others, below 2⁻⁵³ of the sum, `tail`.
+/// y·P(y), where P's first coefficients are `head` and the others, below 2⁻⁵³ of the sum, `tail`.
 fn series(y: Double, head: &[Double; 8], tail: &[f64; 5]) -> Double {
     let mut sum = Double::new(horner(tail, y.hi));
     for &c in head.iter().rev() {

@@ -28,7 +28,7 @@ use crate::carlson::carlson_rf;
 use crate::double::{Double, LARGEST};
 use crate::double_trig::half_angle;
 use crate::nome::nome_of;
-use crate::phase::{Phase, Reduced};
+use crate::phase::{Phase, Reduced, is_odd};
 use crate::rotation::Rotation;
 use core::f64::consts::PI;
 
@@ -82,7 +82,7 @@ impl Jacobi {
         let phase = self.reduce(u);
         let (sine, cosine) = self.rotation.half_angle(phase);
         // Each turn of θ = 2 am changes the sign of sn and cn.
-        let sign = if phase.turns % 2.0 == 0.0 { 1.0 } else { -1.0 };
+        let sign = if is_odd(phase.turns) { -1.0 } else { 1.0 };
         let [sn, cn] = [sine, cosine].map(|x| (sign * x).clamp(-1.0, 1.0));
         let dn = self.rotation.velocity(phase);
         (sn, cn, if dn < self.kc.hi { self.kc.hi } else { dn }) // keeps NaN

@@ -23,7 +23,7 @@ use crate::double_trig::{half_angle, supplement};
 use crate::kernel::round;
 use crate::launch::hypotenuse;
 use crate::motion::{Moduli, Motion};
-use crate::phase::binade;
+use crate::phase::unit_of;
 use crate::regime::Regime;
 use core::f64::consts::{PI, TAU};
 
@@ -43,7 +43,7 @@ pub(crate) fn time_at(motion: &Motion, angle: f64, beyond: f64) -> Option<f64> {
         Regime::Rotation => (rotation(motion, &way), motion.k),
     };
     // Scaled so that no product is split beyond 2⁹⁹⁵.
-    let unit = binade(motion.omega);
+    let unit = unit_of(motion.omega);
     r.map(|r| (r / (k * (motion.omega / unit))).to_f64() / unit)
 }
 
@@ -120,7 +120,7 @@ fn swing(motion: &Motion, way: &Way, beyond: f64) -> Option<Double> {
         return None;
     }
     // Squares of tiny angles would underflow; a power of two times as large, they swing in the same time.
-    let lift = if reach < LINEAR { LINEAR / binade(reach) } else { 1.0 };
+    let lift = if reach < LINEAR { LINEAR / unit_of(reach) } else { 1.0 };
     let way = way.scale(lift);
     let speed = speed(motion, lift);
     let (sine, cosine) = signed_half_angle(way.start);
@@ -160,7 +160,7 @@ fn speed_squared(speed: Double, fallen: Double, cosine: Double, kc: Double) -> D
 
 /// |θ̇|/(2ω) at t = 0, `lift` times.
 fn speed(motion: &Motion, lift: f64) -> Double {
-    let unit = binade(motion.omega);
+    let unit = unit_of(motion.omega);
     Double::new(0.5 * (motion.velocity.abs() * lift / unit)) / Double::new(motion.omega / unit)
 }
 

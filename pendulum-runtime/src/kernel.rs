@@ -135,7 +135,7 @@ const FOUR_ATAN: [(f64, f64); 5] = [
 
 /// 4 atan(n/d) for 0 ≤ n ≤ 1.1 d with one division; relative error below 2.5 · 2⁻⁵³.
 ///
-/// With b the multiple of ¼ nearest to n/d, atan(n/d) = atan b + atan r, r = (n − bd)/(d + bn), |r| ≤ ⅛.
+/// With b the multiple of ¼ nearest to n/d, atan(n/d) = atan b + atan(r/4), r/4 = (n − bd)/(d + bn), |r| ≤ ½.
 #[inline]
 pub(crate) fn four_atan(n: f64, d: f64) -> f64 {
     let n8 = 8.0 * n;

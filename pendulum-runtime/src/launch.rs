@@ -8,7 +8,7 @@ use crate::double_trig::{half_angle, half_angle_from_top};
 use crate::error::{Error, finite};
 use crate::kernel::four_atan;
 use crate::motion::{Moduli, Motion, Shape};
-use crate::phase::{Phase, binade};
+use crate::phase::{Phase, unit_of};
 use crate::regime::Regime;
 use crate::rotation::Rotation;
 use crate::swing::Swing;
@@ -28,8 +28,8 @@ pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion
     finite("theta", theta)?;
     finite("velocity", velocity)?;
     frequency(omega)?;
-    // Both are brought to ω's binade first, so that the division neither underflows nor overflows needlessly.
-    let unit = binade(omega);
+    // Both are brought to ω's unit_of first, so that the division neither underflows nor overflows needlessly.
+    let unit = unit_of(omega);
     let speed = 0.5 * (velocity.abs() / unit);
     if speed > 0.5 * LARGEST * (omega / unit) {
         return Err(Error::Velocity { value: velocity });
@@ -176,13 +176,13 @@ fn amplitude(k: Double, kc: Double) -> f64 {
 
 /// 2ωk, within the finite numbers; scaled so that no product is split beyond 2⁹⁹⁵.
 fn top_speed(k: Double, omega: f64) -> f64 {
-    let unit = binade(omega);
+    let unit = unit_of(omega);
     ((k * (2.0 * (omega / unit))).to_f64() * unit).min(f64::MAX)
 }
 
 /// √(a² + b²) without overflow or underflow.
 pub(crate) fn hypotenuse(a: Double, b: Double) -> Double {
-    let unit = binade(a.hi.max(b.hi));
+    let unit = unit_of(a.hi.max(b.hi));
     let (a, b) = (a.scale(1.0 / unit), b.scale(1.0 / unit));
     (a * a + b * b).sqrt().scale(unit)
 }

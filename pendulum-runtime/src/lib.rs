@@ -1,6 +1,6 @@
 //! The run-time half of `pendula`: the exact motion of a pendulum whose amplitude is known only at run time, and the
-//! elliptic functions behind it. `no_std`, no allocation, no panics; only + − × ÷, √ and comparisons in a fixed order,
-//! so the same bits on every IEEE target.
+//! elliptic functions behind it. `no_std`, no allocation, no panics; only + − × ÷, √, comparisons and integer
+//! operations in a fixed order, so the same bits on every IEEE target.
 //!
 //! * [`Pendulum`]: θ, θ̇, θ̈, position at any time, from any state; period, energy, time of an angle;
 //! * [`Fourier`]: the approximation of F. M. S. Lima (Rev. Bras. Ens. Fís., 2019), with its true supremum of error;

@@ -12,7 +12,7 @@ use crate::error::{Error, finite};
 use crate::inverse;
 use crate::kernel::sin_turns;
 use crate::nome::nome_of;
-use crate::phase::{Phase, Reduced, binade};
+use crate::phase::{Phase, Reduced, unit_of};
 use crate::regime::Regime;
 use crate::rotation::Rotation;
 use crate::swing::{Swing, SwingPhase};
@@ -78,7 +78,7 @@ impl Motion {
     /// ωt + u₀, where only |u| < 42 matters; NaN for NaN and ±∞.
     fn separatrix_phase(&self, start: Double, t: f64) -> Reduced {
         let product = self.omega * t;
-        let unit = binade(self.omega); // scaled so that neither factor is split beyond 2⁹⁹⁵
+        let unit = unit_of(self.omega); // scaled so that neither factor is split beyond 2⁹⁹⁵
         let exact = Double::from_product(self.omega / unit, t * unit) + start;
         let u = if product.abs() < 1e9 { exact.hi } else { product };
         let high = if t.is_finite() { u.clamp(-1e9, 1e9) } else { f64::NAN };

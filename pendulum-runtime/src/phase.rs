@@ -51,7 +51,7 @@ impl Reduced {
 impl Phase {
     /// φ(t) = rate · omega · t + offset, for positive rate and omega.
     pub(crate) fn new(rate: Double, omega: f64, offset: Double) -> Self {
-        let scale = binade(omega);
+        let scale = unit_of(omega);
         let rate = rate * (omega / scale);
         Self { scale, rate, halves: split(rate.hi), offset }
     }
@@ -89,7 +89,7 @@ impl Phase {
     }
 
     /// Beyond 2⁵⁰ periods: still the true phase of the two words of the rate, which say less and less about it, up to
-    /// 10³⁰ periods; 0 from there on. `%` with 1 is exact.
+    /// 10³⁰ periods; that of t = 0 from there on.
     #[cold]
     fn reduce_far(&self, t: f64, x: f64, p: f64) -> Reduced {
         if !t.is_finite() {
@@ -99,10 +99,10 @@ impl Phase {
             return Reduced { turns: p.clamp(f64::MIN, f64::MAX), high: self.offset.hi, low: 0.0 };
         }
         let e = self.product_error(x, p);
-        let part = p % 1.0; // below 2⁵² p may have one
-        let fraction = (part + e % 1.0) + ((x * self.rate.lo) % 1.0 + self.offset.hi);
-        let more = round(fraction);
-        Reduced { turns: (p - part) + more, high: fraction - more, low: 0.0 }
+        let part = fraction(p); // below 2⁵² p may have one
+        let rest = (part + fraction(e)) + (fraction(x * self.rate.lo) + self.offset.hi);
+        let more = round(rest);
+        Reduced { turns: (p - part) + more, high: rest - more, low: 0.0 }
     }
 }
 
@@ -115,8 +115,22 @@ fn normalise(whole: f64, sum: f64, low: f64) -> Reduced {
     Reduced { turns: whole + more, high, low }
 }
 
+/// 2⁵³, from which on there are only even numbers.
+const EVEN: f64 = 9_007_199_254_740_992.0;
+
+/// What follows the point of x, which is finite, with its sign: x less what a cast leaves of it, exactly.
+fn fraction(x: f64) -> f64 {
+    if x.abs() < EVEN { x - (x as i64) as f64 } else { 0.0 }
+}
+
+/// Whether a whole number is odd.
+#[inline]
+pub(crate) fn is_odd(x: f64) -> bool {
+    x.abs() < EVEN && (x as i64) & 1 == 1
+}
+
 /// The power of two at or below `x` > 0; for a subnormal the smallest normal one.
-pub(crate) fn binade(x: f64) -> f64 {
+pub(crate) fn unit_of(x: f64) -> f64 {
     f64::from_bits((x.to_bits() & (0x7ff << 52)).max(1 << 52))
 }
 
@@ -188,8 +202,20 @@ mod tests {
     }
 
     #[test]
-    fn binades() {
-        assert_eq!((binade(1.0), binade(1.99), binade(2.0), binade(0.3)), (1.0, 1.0, 2.0, 0.25));
-        assert_eq!((binade(5e-324), binade(0.0)), (f64::MIN_POSITIVE, f64::MIN_POSITIVE));
+    fn whole_numbers_and_what_follows_their_point() {
+        for x in [0.0, 0.75, 1.0, 2.5, 1e15 + 0.5, EVEN - 1.0, EVEN, EVEN + 2.0, 1e300, f64::MAX] {
+            for x in [x, -x] {
+                assert_eq!(fraction(x), x % 1.0, "{x:e}");
+                if x % 1.0 == 0.0 {
+                    assert_eq!(is_odd(x), x % 2.0 != 0.0, "{x:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn units() {
+        assert_eq!((unit_of(1.0), unit_of(1.99), unit_of(2.0), unit_of(0.3)), (1.0, 1.0, 2.0, 0.25));
+        assert_eq!((unit_of(5e-324), unit_of(0.0)), (f64::MIN_POSITIVE, f64::MIN_POSITIVE));
     }
 }

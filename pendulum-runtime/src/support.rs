@@ -1,9 +1,10 @@
-//! What generated code may call. Not part of the public interface.
+//! What generated code may call, and what the macro has to know of it. Not part of the public interface.
 
 /// √x for normal x > 0, within [`ROOT_ERROR`] units of rounding, by + − × and bits alone: loops over it vectorise,
 /// which they don't over the hardware's instruction, and constants can be made of it.
 ///
-/// r ≈ 1/√x from the exponent's half (Lomont 2003; relative error below 0.0344), then twice
+/// r ≈ 1/√x from the exponent's half (the constant of *Quake III Arena*, 1999, in [`rootf`], its counterpart for `f64` by
+/// Robertson 2012 here; relative error below 0.0344, as measured), then twice
 /// r·(1 − e)^(−½) = r·(1 + e/2 + 3e²/8 + 5e³/16 + …), e = 1 − x·r²: after the first e is below 2·10⁻⁵, after the second
 /// the series leaves 10⁻¹⁹.
 #[inline]

@@ -11,6 +11,10 @@ use crate::parse::{Float, Given, Output};
 const SMALLEST_AMPLITUDE: f64 = 1e-300;
 const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
 
+/// A rotation of κ below 2⁻⁴⁵⁰ is faster than 10¹³⁵·ω. Its angle departs from a linear one by κ²/4 or less, of which 2⁻⁹⁰⁰
+/// leaves second words (2⁻⁹⁵³) and what they are multiplied with room above the least normal number, 2⁻¹⁰²².
+const LEAST_MODULUS: i64 = -450;
+
 impl Checker<'_> {
     pub(super) fn representable_motion(&mut self, motion: &Motion) -> Checked<()> {
         match &motion.regime {
@@ -70,11 +74,11 @@ impl Checker<'_> {
         }
     }
 
-    /// Refuses a rotation whose κ² underflows: its angle is linear in time beyond any precision.
+    /// Refuses a rotation that hardly knows of the weight: its angle is linear in time beyond any precision.
     fn turns_unevenly(&mut self, rotation: &Rotation) -> Checked<()> {
         let request = self.request;
         match &request.velocity0 {
-            Some(given) if rotation.elliptic.modulus.exponent() < -450 => {
+            Some(given) if rotation.elliptic.modulus.exponent() < LEAST_MODULUS => {
                 let message = format!(
                     "`{given}` is so fast, beside ω, that the angle is θ0 + velocity0·t to the last digit: compute that"
                 );

@@ -12,6 +12,7 @@
 mod findings;
 pub(crate) mod grammar;
 mod mutation;
+mod promise;
 mod verdict;
 
 use crate::testing::Random;

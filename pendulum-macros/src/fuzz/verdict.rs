@@ -1,5 +1,6 @@
 //! What has to hold of every expansion.
 
+use super::promise::promise_is_kept;
 use crate::expand;
 use crate::motion::Regime;
 use crate::parse::{Float, Output};
@@ -45,7 +46,7 @@ pub(crate) fn judge(text: &str) -> Result<(Verdict, Duration), String> {
         (true, Some((Err(refusal), scene))) => refusal_is_clean(&refusal, &scene).map(|()| (Verdict::Refused, time)),
         (false, Some((Ok(plan), scene))) => {
             functions.iter().try_for_each(straight_line)?;
-            promise_is_kept(&scene, &plan)?;
+            promise_is_kept(&scene, &plan, text)?;
             behaves_at_the_edges(&scene, &plan)?;
             Ok((Verdict::Planned, time))
         }
@@ -271,26 +272,6 @@ fn remedy_helps(message: &str, scene: &Scene) -> Result<(), String> {
     }
     let kept = plan(&scene).is_ok();
     if kept { Ok(()) } else { Err(format!("refuses what it advises: {message}")) }
-}
-
-fn promise_is_kept(scene: &Scene, plan: &Plan) -> Result<(), String> {
-    for part in &plan.parts {
-        let bound = part.bound;
-        let parts = [bound.truncation, bound.phase, bound.evaluation];
-        if parts.iter().any(|part| !(part.is_finite() && *part >= 0.0)) || bound.total() <= 0.0 {
-            return Err(format!("the bound of {:?} is {bound:?}", part.output));
-        }
-        let stated = scene.float.round_up(part.error());
-        if stated * part.unit * (1.0 + 1e-12) < bound.total() {
-            return Err(format!("{:?} promises {stated:e}, less than {bound:?}", part.output));
-        }
-        if let Goal::Tolerance(tol) = scene.goal
-            && (stated > tol)
-        {
-            return Err(format!("{:?} promises {stated:e} where {tol:e} was asked", part.output));
-        }
-    }
-    Ok(())
 }
 
 /// NaN for NaN and infinities, something finite for every other time, and an amplitude that isn't exceeded.

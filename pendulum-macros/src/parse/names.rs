@@ -1,10 +1,7 @@
 //! The names of parameters, and what others were probably meant to be.
 
-use super::words::list;
-use crate::report::nearest;
-
-const PARAMETERS: [&str; 11] =
-    ["theta0", "velocity0", "omega", "g", "length", "n", "tol", "t_max", "method", "float", "outputs"];
+use super::request::PARAMETERS;
+use crate::report::{list, nearest};
 
 /// What parameters are called elsewhere, in lower case.
 const SYNONYMS: [(&str, &[&str]); 9] = [
@@ -70,7 +67,7 @@ pub(super) fn is_like_a_parameter(name: &str) -> bool {
 fn meant(name: &str) -> Option<&'static str> {
     let lower = name.to_lowercase();
     let synonym = SYNONYMS.iter().find(|(_, words)| words.contains(&lower.as_str()));
-    synonym.map(|&(known, _)| known).or_else(|| nearest(name, &PARAMETERS))
+    synonym.map(|&(known, _)| known).or_else(|| nearest(name, PARAMETERS))
 }
 
 pub(super) fn unknown_parameter(name: &str) -> String {
@@ -89,7 +86,7 @@ pub(super) fn unknown_parameter(name: &str) -> String {
             format!("unknown parameter `{name}`: this is the motion of a pendulum without friction or drive")
         }
         (_, Some(known)) => format!("unknown parameter `{name}`: did you mean `{known}`?"),
-        (_, None) => format!("unknown parameter `{name}`: a parameter is one of {}", list(&PARAMETERS)),
+        (_, None) => format!("unknown parameter `{name}`: a parameter is one of {}", list(PARAMETERS)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 
-fn request(text: &str) -> Result<Request> {
+fn request(text: &str) -> syn::Result<Request> {
     let mut report = Report::default();
     let request = parse(text.parse().unwrap(), &mut report);
     report.finish().map(|()| request.unwrap())

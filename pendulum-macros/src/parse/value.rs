@@ -1,9 +1,10 @@
 //! The values of parameters: numbers, counts, words and lists of words.
 
 use super::number::Number;
-use super::words::{Keyword, Output, list, one_of, one_word};
+use super::words::{Keyword, Output, one_of, one_word};
 use super::{parameter, source};
 use crate::report::Report;
+use crate::report::list;
 use proc_macro2::TokenStream;
 use std::fmt::{self, Display, Formatter};
 use syn::ext::IdentExt;

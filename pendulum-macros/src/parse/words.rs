@@ -1,7 +1,7 @@
 //! The words of the macro's input that stand for something: methods, types and outputs.
 
 use super::names::is_a_parameter;
-use crate::report::nearest;
+use crate::report::{list, nearest};
 use syn::{Error, Ident, Result};
 
 /// What the macro's input has words for.
@@ -99,14 +99,4 @@ pub(super) fn one_word<T: Keyword>(ident: &Ident) -> Result<T> {
 pub(super) fn one_of<T: Keyword>() -> String {
     let or_nothing = if is_a_parameter(T::KIND) { format!("; or leave `{}` out", T::KIND) } else { String::new() };
     format!("it is one of {}{or_nothing}", list(T::WORDS))
-}
-
-/// `` `a`, `b` or `c` ``
-pub(super) fn list(words: &[&str]) -> String {
-    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
-    match quoted.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        Some((last, _)) => last.clone(),
-        None => String::new(),
-    }
 }

@@ -1,6 +1,6 @@
 //! The forms of a polynomial: its variable, the scheme of its evaluation, and what that costs.
 
-use super::blocks;
+use super::blocks::{self, LARGEST_LAST, adapted_in_blocks};
 use crate::parse::Float;
 use crate::program::cost::QUOTIENT;
 use crate::series::Parity;
@@ -225,14 +225,6 @@ impl Form {
             Self::Adapted { chunk } => adapted_in_blocks(chunk),
         }
     }
-}
-
-/// For the reader.
-pub(crate) const LARGEST_LAST: &str = ", the largest terms added last";
-
-/// For the reader: in blocks of so many terms.
-pub(crate) fn adapted_in_blocks(chunk: usize) -> String {
-    format!(", coefficients adapted in blocks of {chunk}")
 }
 
 /// Processors look only so far ahead for something else to do: beyond `HIDDEN` cycles of a polynomial's dependent

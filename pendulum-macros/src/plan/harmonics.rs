@@ -8,7 +8,8 @@ mod recurrence;
 
 use super::arcsine::Arcsine;
 use super::cosines::{Cosines, Local};
-use super::kernel::{CELLS, Core, RESULT, over_phases};
+use super::kernel::{Core, RESULT};
+use super::phases::{CELLS, over_phases};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;

@@ -2,9 +2,10 @@
 
 use super::harmonics::Harmonics;
 use super::passage::Passage;
+use super::phases::over_phases;
 use super::pieces::{Complement, Halves, Pieces};
 use super::polynomial::Polynomial;
-use super::reduction::{Mirror, Origin, Phase, Reduction};
+use super::reduction::{Mirror, Phase, Reduction};
 use super::turning::Finish;
 use super::variables::Variables;
 use super::{Function, Part};
@@ -12,7 +13,6 @@ use crate::parse::Output;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Op, Program};
 use crate::series::Parity;
-use crate::supremum::{Halving, largest};
 
 /// The computation of one output.
 #[derive(Clone, Debug, PartialEq)]
@@ -189,27 +189,6 @@ impl Core {
         b.finish(results)
     }
 }
-
-/// The largest of the bounds on parts of the range of phases, or some number above `cap`. The motion is fastest, and the
-/// rounding mostly worst, at the lowest point: near the top so near to it that uniform slices bound it by several times
-/// what it is.
-pub(super) fn over_phases(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
-    let [low, high] = reduction.range();
-    let slice = (high - low) / f64::from(CELLS.pow(4));
-    let (first, last) = ([low, low + slice], [high - slice, high]);
-    let ends = if reduction.origin == Origin::Anchor { [last, first] } else { [first, last] };
-    let at_ends = largest(ends.into_iter().map(|[from, to]| bound(from, to)), cap);
-    let least = if cap.is_finite() { cap / NOTHING } else { 0.0 };
-    let halving = Halving { cells: CELLS, slices: CELLS * CELLS, most: MOST_HALVED, least, cap };
-    if at_ends > cap { at_ends } else { halving.largest([low, high], bound) }
-}
-
-/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately, at least
-/// where it is worst, and those are halved as often as that gains something.
-pub(super) const CELLS: u32 = 8;
-const MOST_HALVED: usize = 48;
-/// A rounding that many times less than what there is room for needs to be known no better.
-const NOTHING: f64 = 512.0;
 
 /// The position without the signs of its factors' phase.
 fn circle(b: &mut Builder, variables: &Variables, [sine, cosine]: &[Polynomial; 2]) -> Vec<Id> {

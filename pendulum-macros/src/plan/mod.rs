@@ -21,6 +21,7 @@ mod offer;
 mod paper;
 mod part;
 mod passage;
+mod phases;
 mod pieces;
 mod polynomial;
 mod pulses;

@@ -18,6 +18,8 @@ impl Program {
     }
 
     fn apply(&self, op: Op, t: f64, v: &[f64]) -> f64 {
+        let choose = |a: Id, b: Id, then: Id, otherwise: Id| if v[a] < v[b] { v[then] } else { v[otherwise] };
+        let flip = |x: Id, flips: bool| if flips { -v[x] } else { v[x] };
         match op {
             Op::Input => t,
             Op::Constant { value, .. } => value,
@@ -27,47 +29,14 @@ impl Program {
             Op::Div(a, b) => v[a] / v[b],
             Op::Root(x) => self.root(x, v[x]),
             Op::Abs(x) => v[x].abs(),
-            Op::Min { limit, x } => {
-                if v[limit] < v[x] {
-                    v[limit]
-                } else {
-                    v[x]
-                }
-            }
-            Op::Max { limit, x } => {
-                if v[x] < v[limit] {
-                    v[limit]
-                } else {
-                    v[x]
-                }
-            }
-            Op::Select { a, b, then, otherwise } => {
-                if v[a] < v[b] {
-                    v[then]
-                } else {
-                    v[otherwise]
-                }
-            }
+            Op::Min { limit, x } => choose(limit, x, limit, x),
+            Op::Max { limit, x } => choose(x, limit, limit, x),
+            Op::Select { a, b, then, otherwise } => choose(a, b, then, otherwise),
             Op::Head(x) => f64::from_bits(v[x].to_bits() & HEAD_MASK),
-            Op::Alternate { x, magic, bit } => {
-                let odd = self.integer_bits(magic, v) >> bit & 1 == 1;
-                if odd { -v[x] } else { v[x] }
-            }
+            Op::Alternate { x, magic, bit } => flip(x, self.integer_bits(magic, v) >> bit & 1 == 1),
             Op::CopySign { magnitude, sign } => v[magnitude].copysign(v[sign]),
-            Op::Along { x, sign } => {
-                if v[sign].is_sign_negative() {
-                    -v[x]
-                } else {
-                    v[x]
-                }
-            }
-            Op::Against { x, sign } => {
-                if v[sign].is_sign_negative() {
-                    v[x]
-                } else {
-                    -v[x]
-                }
-            }
+            Op::Along { x, sign } => flip(x, v[sign].is_sign_negative()),
+            Op::Against { x, sign } => flip(x, v[sign].is_sign_positive()),
             Op::PowerOfTwo { magic } => f64::from_bits(self.integer_bits(magic, v).wrapping_add(1023) << 52),
             Op::Row { magic } => (self.integer_bits(magic, v) % self.table.len() as u64) as f64,
             Op::Entry { row, column } => self.table[v[row] as usize][column].hi,

@@ -17,11 +17,18 @@ mod shifts;
 pub(crate) use shifts::Shifts;
 
 use super::estrin::estrin;
-use super::form::{LARGEST_LAST, adapted_in_blocks};
 use crate::power::power;
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 use roots::{factored, roots};
+
+/// For the reader.
+pub(super) const LARGEST_LAST: &str = ", the largest terms added last";
+
+/// For the reader: in blocks of so many terms.
+pub(super) fn adapted_in_blocks(chunk: usize) -> String {
+    format!(", coefficients adapted in blocks of {chunk}")
+}
 
 /// A polynomial in y, in blocks of so many terms.
 #[derive(Clone, Debug, PartialEq)]

@@ -25,16 +25,14 @@ use linearised::Linearised;
 use parts::Wanted;
 use pendulum_runtime::double::Double;
 
-/// More terms are worth another trial where they take a tenth off what is reached; where nothing was reached, these many
-/// more are tried nevertheless.
-const WORTHWHILE: f64 = 0.9;
+/// Where nothing was reached, these many terms more are tried nevertheless. Of 2461 random scenes with the methods of the
+/// paper and of the series 1, 2 and 4 plan the same; with all of [`MORE`] refusals next to the top take up to three times
+/// as long, for offers a tenth finer of three.
 const TRIED_BLINDLY: usize = 2;
 
-/// So many times the promise is near it.
+/// So many times the promise is near it. Were nothing near, one scene more of these would be planned, and of 15 refusals the
+/// offers be up to 40 % finer, found in three times the time; were everything, two fewer.
 const NEAR: f64 = 4.0;
-
-/// The part of a promise from which on the terms left out count: more terms help then, if slowly.
-const MATTERS: f64 = 0.1;
 
 /// The plan of a forced method, or of the paper's θ̂. Derivatives may need some terms more than θ.
 pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan, Refusal> {
@@ -51,7 +49,8 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         _ if fewest < MOST_CHOSEN => MOST_CHOSEN,
         _ => fewest + TRIED_BLINDLY + 1,
     };
-    // What a sum leaves out that lacks terms is less than it would reach.
+    // What a sum leaves out that lacks terms is less than it would reach. What is reached may get worse before it gets
+    // better: the rounding of pieces differs from one number of terms to the next.
     let (mut reached, mut left_out) = (None, f64::INFINITY);
     for more in MORE {
         let sum = Sum::new(scene, swing, method, fewest + more)?;
@@ -61,15 +60,13 @@ pub(super) fn plan(scene: &Scene, swing: &Swing, method: Method) -> Result<Plan,
         let wanted = sum.wanted();
         let planned = sum.plan(&wanted);
         let Err(Refusal::Unreachable { best }) = planned else { return planned };
-        let so_far = reached.map_or(left_out, |reached| left_out.min(reached));
-        let helped = best < WORTHWHILE * so_far || best.is_infinite() && more <= TRIED_BLINDLY;
-        let counts = wanted.iter().any(|wanted| wanted.bias > MATTERS * sum.promise(wanted));
         if sum.lacks_terms(&wanted) {
             left_out = left_out.min(best);
         } else {
             reached = Some(reached.map_or(best, |reached: f64| reached.min(best)));
         }
-        if !may_grow || sum.is_hopeless(&wanted, best) || !helped && !counts {
+        let is_blind = best.is_infinite() && more > TRIED_BLINDLY;
+        if !may_grow || is_blind || sum.is_hopeless(&wanted, best) {
             break;
         }
     }

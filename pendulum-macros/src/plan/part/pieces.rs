@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::polynomials::SQUARING;
-use crate::chebyshev::NEGLIGIBLE;
+use crate::chebyshev::OF_INTERPOLATION;
 use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::curve::Curve;
@@ -41,7 +41,7 @@ impl Aim {
 
     /// Its curves in so many pieces.
     pub(in crate::plan) fn piecewise(&self, pieces: usize) -> Option<Vec<Piecewise>> {
-        let negligible = |curve: &Curve| self.truncation.min(curve.size.largest).max(self.floor()) * NEGLIGIBLE;
+        let negligible = |curve: &Curve| self.truncation.min(curve.size.largest).max(self.floor()) * OF_INTERPOLATION;
         self.curves.iter().map(|curve| Piecewise::new(curve, pieces, negligible(curve))).collect()
     }
 

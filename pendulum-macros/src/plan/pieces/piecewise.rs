@@ -148,7 +148,7 @@ fn enough_points(curve: &Curve, pieces: usize, negligible: f64) -> Option<Interp
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chebyshev::NEGLIGIBLE;
+    use crate::chebyshev::OF_INTERPOLATION;
     use crate::motion::Regime;
     use crate::parse::Float;
     use crate::plan::curve::{Curves, RotationCurves, SwingCurves};
@@ -195,7 +195,7 @@ mod tests {
             curves().into_iter().flat_map(|(start, curve)| [2.0, 0.25].map(|t| (start, curve.clone(), t)))
         {
             for (pieces, limit) in [(16, 1e-4), (64, 1e-7), (32, 1e-11), (128, 1e-14)] {
-                let piecewise = Piecewise::new(&curve, pieces, limit * NEGLIGIBLE).unwrap();
+                let piecewise = Piecewise::new(&curve, pieces, limit * OF_INTERPOLATION).unwrap();
                 let reduction = to_pieces(pieces, time, 100.0);
                 let unit = if time < 1.0 { 8.0 } else { 1.0 };
                 assert_eq!((piecewise.pieces(), reduction.unit), (pieces, Double::new(unit)));
@@ -275,7 +275,7 @@ mod tests {
         let time = Reduction::time(1.0, false, Float::F64).unwrap();
         for (start, curve) in curves() {
             for (pieces, limit) in [(32, 1e-3), (64, 1e-6), (64, 1e-9), (64, 1e-12), (128, 1e-15)] {
-                let piecewise = Piecewise::new(&curve, pieces, limit * NEGLIGIBLE).unwrap();
+                let piecewise = Piecewise::new(&curve, pieces, limit * OF_INTERPOLATION).unwrap();
                 let needed = piecewise.terms_for(limit, &time).unwrap() as i64;
                 let off = Piecewise::estimate(&curve, pieces, limit) as i64 - needed;
                 assert!((-1..=3).contains(&off), "{start} {pieces} {limit:e}: {needed} {off}");

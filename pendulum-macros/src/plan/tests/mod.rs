@@ -2,10 +2,10 @@
 //! these are close in `tight`.
 
 mod full_precision;
-pub(super) mod probe;
+pub(crate) mod probe;
 mod random;
 mod tight;
-pub(super) mod truth;
+pub(crate) mod truth;
 
 use super::*;
 use crate::program::Op;

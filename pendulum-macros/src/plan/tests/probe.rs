@@ -7,7 +7,7 @@ use crate::testing::{Random, scene};
 use std::slice;
 
 /// Where a plan is tried.
-pub(in crate::plan) struct Probe<'a> {
+pub(crate) struct Probe<'a> {
     scene: &'a Scene,
     pub(in crate::plan) program: &'a Program,
     output: Output,
@@ -16,12 +16,17 @@ pub(in crate::plan) struct Probe<'a> {
     /// The time of the first anchor.
     first: f64,
     pub(in crate::plan) horizon: f64,
-    pub(in crate::plan) bound: f64,
-    pub(in crate::plan) worst: (f64, f64),
+    pub(crate) bound: f64,
+    pub(crate) worst: (f64, f64),
 }
 
 impl<'a> Probe<'a> {
     pub(in crate::plan) fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
+        Self::of(scene, plan, 0)
+    }
+
+    /// Of one of the outputs.
+    pub(crate) fn of(scene: &'a Scene, plan: &'a Plan, output: usize) -> Self {
         let (step, launch) = match &scene.motion.regime {
             Regime::Swing(swing) => (swing.period.to_f64() / 2.0, swing.launch.to_f64()),
             Regime::Rotation(rotation) => (rotation.period.to_f64(), rotation.launch.to_f64() + 0.5),
@@ -33,24 +38,33 @@ impl<'a> Probe<'a> {
         let periods = if matches!(scene.motion.regime, Regime::Rotation(_)) { 53 } else { 54 };
         let unlimited = 2f64.powi(periods) * step;
         let horizon = scene.t_max.as_ref().map_or(unlimited, Real::to_f64).min(scene.float.largest());
-        let (program, output) = (&plan.functions[0].program, plan.parts[0].output);
+        let (program, part) = (&plan.functions[output].program, &plan.parts[output]);
         Self {
             scene,
             program,
-            output,
+            output: part.output,
             step,
             first: -launch * step,
             horizon,
-            bound: plan.parts[0].bound.total() * (1.0 + 1e-9),
+            bound: part.bound.total() * (1.0 + 1e-9),
             worst: (0.0, 0.0),
         }
     }
 
-    /// The error at the time of the scene's type nearest to `t` within the horizon.
+    /// The error at the time that is met nearest to `t`.
     pub(in crate::plan) fn at(&mut self, t: f64) -> f64 {
+        let t = self.met(t);
+        self.compare(t, &State::at(&self.scene.motion, t))
+    }
+
+    /// The time of the scene's type within the horizon that is nearest to `t`.
+    pub(crate) fn met(&self, t: f64) -> f64 {
         let most = self.scene.float.round_down(self.horizon);
-        let t = self.scene.float.round(t).clamp(-most, most);
-        let exact = State::at(&self.scene.motion, t).output(self.output);
+        self.scene.float.round(t).clamp(-most, most)
+    }
+
+    pub(crate) fn compare(&mut self, t: f64, state: &State) -> f64 {
+        let exact = state.output(self.output);
         let values = self.program.run(t);
         let context = self.scene.motion.omega.context();
         let mut error = distance(context, &values, &exact);
@@ -82,18 +96,26 @@ impl<'a> Probe<'a> {
 
     /// Everywhere that is known to be bad, and at random.
     pub(in crate::plan) fn everywhere(&mut self, random: &mut Random, density: usize) {
-        let (step, horizon) = (self.step, self.horizon);
+        let horizon = self.horizon;
         for t in [0.0, self.first, horizon, -horizon, horizon * (2.0 * random.unit() - 1.0)] {
             self.anchor(t, density);
         }
-        for _ in 0..density {
-            self.at(horizon * (2.0 * random.unit() - 1.0));
-            self.at(step * (4.0 * random.unit() - 2.0));
-            // Where the phase is most wrong, and the motion fastest.
-            let end = random.choose(&[1.0, -1.0]) * horizon * (1.0 - 0.01 * random.unit());
-            let lowest = self.first + (((end - self.first) / step).floor() + 0.5) * step;
-            self.at(lowest + step * 0.02 * (random.unit() - 0.5));
+        for t in self.here_and_there(random, density) {
+            self.at(t);
         }
+    }
+
+    /// Three times for each of a count: anywhere, about the first anchors, and at the ends, where the phase is most wrong, as
+    /// the motion is fastest.
+    pub(crate) fn here_and_there(&self, random: &mut Random, count: usize) -> Vec<f64> {
+        let &Self { step, horizon, first, .. } = self;
+        let times = |_| {
+            let (anywhere, early) = (horizon * (2.0 * random.unit() - 1.0), step * (4.0 * random.unit() - 2.0));
+            let end = random.choose(&[1.0, -1.0]) * horizon * (1.0 - 0.01 * random.unit());
+            let lowest = first + (((end - first) / step).floor() + 0.5) * step;
+            [anywhere, early, lowest + step * 0.02 * (random.unit() - 0.5)]
+        };
+        (0..count).flat_map(times).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use crate::motion::{Elliptic, Motion, Regime, Rotation, Separatrix, Swing};
 use crate::parse::Output;
 
 /// θ, θ̇ and what follows from them at one time.
-pub(in crate::plan) struct State {
+pub(crate) struct State {
     theta: Real,
     /// θ less its turns.
     wrapped: Real,
@@ -15,7 +15,7 @@ pub(in crate::plan) struct State {
 }
 
 impl State {
-    pub(in crate::plan) fn at(motion: &Motion, t: f64) -> Self {
+    pub(crate) fn at(motion: &Motion, t: f64) -> Self {
         let context = motion.omega.context();
         let t = context.float(t).expect("a finite time");
         match &motion.regime {

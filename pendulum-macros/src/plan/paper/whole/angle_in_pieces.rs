@@ -11,7 +11,7 @@
 
 use super::Allowance;
 use super::residual::{OF_RESIDUAL, largest_residual, of_residual, twice_arcsine};
-use crate::chebyshev::{CosineTable, Interpolation, NEGLIGIBLE};
+use crate::chebyshev::{CosineTable, Interpolation, OF_INTERPOLATION};
 use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::kernel::{Core, Kernel};
@@ -35,7 +35,7 @@ const MOST_POINTS: usize = 40;
 pub(super) fn approximation(weights: &[Double], limit: f64, least: usize) -> Option<Piecewise> {
     let size = Cosines::odd(weights).magnitude(0);
     let sum = Wave::harmonics(weights);
-    let negligible = limit.min(size) * NEGLIGIBLE;
+    let negligible = limit.min(size) * OF_INTERPOLATION;
     first_that_serves(&sum, size, least, |pieces| in_pieces(&sum, pieces, negligible))
 }
 

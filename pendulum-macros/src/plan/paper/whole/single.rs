@@ -12,7 +12,7 @@
 
 use super::Allowance;
 use super::residual::{OF_RESIDUAL, largest_residual, of_residual, twice_arcsine};
-use crate::chebyshev::{CosineTable, Interpolation, NEGLIGIBLE};
+use crate::chebyshev::{CosineTable, Interpolation, OF_INTERPOLATION};
 use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::form::{Division, Form};
@@ -45,7 +45,7 @@ pub(super) fn approximation(weights: &[Double], limit: f64) -> Option<Approximat
     let looks = charts.filter_map(|chart| Some((chart.rough_terms()?, chart)));
     let (rough, chart) = looks.min_by_key(|&(terms, _)| terms)?;
     // A limit far above the motion itself asks for no less.
-    let negligible = limit.min(Cosines::odd(weights).magnitude(0)) * NEGLIGIBLE;
+    let negligible = limit.min(Cosines::odd(weights).magnitude(0)) * OF_INTERPOLATION;
     // Coefficients fall off geometrically.
     let rate = libm::log(ROUGH) / rough as f64;
     let terms = libm::log(negligible / 4.0) / rate;

@@ -3,7 +3,7 @@
 
 use super::angle_in_pieces::{Piece, first_that_serves, interpolants};
 use super::residual::{LEAST_POINTS_OF_SLOPE, OF_RESIDUAL, of_residual_slope};
-use crate::chebyshev::{NEGLIGIBLE, derivative, rounding_of_derivative};
+use crate::chebyshev::{OF_INTERPOLATION, derivative, rounding_of_derivative};
 use crate::plan::cosines::Cosines;
 use crate::plan::pieces::{Piecewise, half};
 use crate::power::power;
@@ -32,7 +32,7 @@ pub(super) fn approximation(weights: &[Double], rate: Double, limit: f64, least:
 fn in_pieces(sum: &Wave, pieces: usize, rate: Double, limit: f64) -> Option<Piecewise> {
     // From derivatives by the place in a piece to those by time.
     let factor = rate / half(pieces);
-    let negligible = limit / factor.hi * NEGLIGIBLE;
+    let negligible = limit / factor.hi * OF_INTERPOLATION;
     let slope = |piece: &Piece<'_>, own: &[Double]| {
         // So that n³ times as much is still a part of what is negligible.
         let little = negligible * OF_RESIDUAL / power(MOST_POINTS as f64, 3);

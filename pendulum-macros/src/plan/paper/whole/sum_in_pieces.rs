@@ -2,7 +2,7 @@
 //! stand for twice its arcsine: the sum itself in pieces, and the arcsine of its complement ([`Complement`]).
 
 use super::Allowance;
-use crate::chebyshev::NEGLIGIBLE;
+use crate::chebyshev::OF_INTERPOLATION;
 use crate::plan::Bound;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::Curve;
@@ -36,7 +36,7 @@ impl SumInPieces {
         let slope_between = |low: f64, high: f64| (0.5 * (1.0 - sum.over(low, high).range(0).1)).sqrt().recip();
         let slope = supremum([0.0, 0.5], slope_between);
         let (weights, curve, pieces) = (weights.to_vec(), Curve::harmonics(weights), Default::default());
-        slope.is_finite().then(|| Self { weights, curve, pieces, negligible: limit / slope * NEGLIGIBLE, slope })
+        slope.is_finite().then(|| Self { weights, curve, pieces, negligible: limit / slope * OF_INTERPOLATION, slope })
     }
 
     pub(super) fn most_pieces() -> usize {

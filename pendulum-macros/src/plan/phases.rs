@@ -1,0 +1,25 @@
+//! Bounds over the range of phases.
+
+use super::reduction::{Origin, Reduction};
+use crate::supremum::{Halving, largest};
+
+/// The largest of the bounds on parts of the range of phases, or some number above `cap`. The motion is fastest, and the
+/// rounding mostly worst, at the lowest point: near the top so near to it that uniform slices bound it by several times
+/// what it is.
+pub(super) fn over_phases(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
+    let [low, high] = reduction.range();
+    let slice = (high - low) / f64::from(CELLS.pow(4));
+    let (first, last) = ([low, low + slice], [high - slice, high]);
+    let ends = if reduction.origin == Origin::Anchor { [last, first] } else { [first, last] };
+    let at_ends = largest(ends.into_iter().map(|[from, to]| bound(from, to)), cap);
+    let least = if cap.is_finite() { cap / NOTHING } else { 0.0 };
+    let halving = Halving { cells: CELLS, slices: CELLS * CELLS, most: MOST_HALVED, least, cap };
+    if at_ends > cap { at_ends } else { halving.largest([low, high], bound) }
+}
+
+/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately, at least
+/// where it is worst, and those are halved as often as that gains something.
+pub(super) const CELLS: u32 = 8;
+const MOST_HALVED: usize = 48;
+/// A rounding that many times less than what there is room for needs to be known no better.
+const NOTHING: f64 = 512.0;
