@@ -238,6 +238,13 @@ impl Real {
         }
     }
 
+    /// The largest `f64` that isn't above it.
+    pub(crate) fn to_f64_below(&self) -> f64 {
+        let nearest = self.to_f64();
+        let above = self.context().float(nearest).is_none_or(|float| float > *self);
+        if above { nearest.next_down() } else { nearest }
+    }
+
     /// The nearest `f32`, ties to even, subnormals included.
     pub(crate) fn to_f32(&self) -> f32 {
         match self.subnormal(-126, 149) {

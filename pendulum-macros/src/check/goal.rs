@@ -3,7 +3,7 @@
 use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{ALWAYS_OVERSHOOTS, Motion, Regime};
-use crate::parse::{Float, Given, Method, Output};
+use crate::parse::{Given, Method, Output};
 use crate::scene::Goal;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -33,9 +33,7 @@ impl Checker<'_> {
         let given = self.request.tol.as_ref();
         let why = "a result can't be closer than that; leave `tol` out for the full precision of the float";
         let (Some(given), Some(value)) = (given, self.positive(given, why)?) else { return Ok(None) };
-        let nearest = value.to_f64();
-        let rounded_up = self.context.float(nearest).is_none_or(|float| float > value);
-        let below = if rounded_up { nearest.next_down() } else { nearest };
+        let below = value.to_f64_below();
         let single = self.request.float().round_down(below);
         // What is below all numbers of the float no result comes near to: that is said where the best is known.
         if below > 0.0 {
@@ -110,10 +108,29 @@ impl Checker<'_> {
                 if self.request.mentions_a_stranger() {
                     return Err(Reported);
                 }
-                let message = needed_by_fourier(regime, self.request.float());
+                let message = self.needed_by_fourier(regime);
                 Err(self.refuse(&given.tokens, message))
             }
             _ => Ok(Some(method)),
+        }
+    }
+
+    /// What Eq. 22 leaves open, with examples that can be had at the amplitude, if it is known. With how many terms its
+    /// velocity has a useful bound only plans tell.
+    fn needed_by_fourier(&self, regime: Option<&Regime>) -> String {
+        let needed = |terms: String, error: &str| {
+            format!("`method = fourier` needs a number of terms, {terms}, or an error, {error}")
+        };
+        let example = |n: usize| format!("such as `n = {n}`");
+        let unit = self.request.float().rounding_unit();
+        let Some(Regime::Swing(swing)) = regime else { return needed(example(USUAL_TERMS), "`tol`") };
+        match swing.smallest_working_terms(unit) {
+            None => ALWAYS_OVERSHOOTS.to_owned(),
+            Some(least) if least > USUAL_TERMS && self.request.asks_for(Output::Velocity) => {
+                needed(format!("`n`, here at least {least}"), "`tol`; or leave `method` out")
+            }
+            Some(least) if least > USUAL_TERMS => needed(example(least), "`tol`"),
+            Some(_) => needed(example(USUAL_TERMS.min(swing.most_useful_terms(unit))), "such as `tol = 1e-3`"),
         }
     }
 
@@ -129,7 +146,7 @@ impl Checker<'_> {
         };
         let message = format!(
             "`{given}` is more than 2⁵³ periods ({:e}), the longest horizon: leave `t_max` out for all of it",
-            longest.to_f64()
+            longest.to_f64_below()
         );
         Err(self.refuse(&given.tokens, message))
     }
@@ -174,19 +191,6 @@ fn serves(method: Method, regime: &Regime) -> bool {
         Regime::Swing(_) => true,
         Regime::Rotation(_) => method == Method::Polynomial,
         Regime::Separatrix(_) => false,
-    }
-}
-
-/// What Eq. 22 leaves open, with examples that can be had at the amplitude, if it is known.
-fn needed_by_fourier(regime: Option<&Regime>, float: Float) -> String {
-    let needed = |n: usize, tol: &str| {
-        format!("`method = fourier` needs a number of terms, such as `n = {n}`, or an error, {tol}")
-    };
-    let Some(Regime::Swing(swing)) = regime else { return needed(USUAL_TERMS, "`tol`") };
-    match swing.smallest_working_terms(float.rounding_unit()) {
-        None => ALWAYS_OVERSHOOTS.to_owned(),
-        Some(smallest) if smallest > USUAL_TERMS => needed(smallest, "`tol`"),
-        Some(_) => needed(USUAL_TERMS.min(swing.most_useful_terms(float.rounding_unit())), "such as `tol = 1e-3`"),
     }
 }
 

@@ -369,4 +369,13 @@ fn remedies_that_help() {
     let single = "struct A; theta0 = 1, tol = 1e-12, float = f32, method = ";
     refused(&format!("{single}polynomial"), "use `float = f64`");
     refused(&format!("{single}harmonic"), "leave `method` out, and use `float = f64`");
+    // Of terms too many for the float, with the method that none serve.
+    refused("theta0 = π - 1e-9, method = fourier, n = 200", "state the error as `tol` instead, and leave `method` out");
+    // A velocity may take more terms than θ̂ does, and have no bound with any.
+    let velocity = "struct A; theta0 = 0.9995π, method = fourier, float = f32, outputs = [velocity]";
+    refused(velocity, "a number of terms, `n`, here at least 24, or an error, `tol`; or leave `method` out");
+    planned(&velocity.replace("method = fourier, ", ""));
+    // The longest horizon as it is printed is one.
+    refused("theta0 = 1, t_max = 6.034801581090033e16", "2⁵³ periods (6.034801581090032e16)");
+    planned("struct A; theta0 = 1, t_max = 6.034801581090032e16");
 }

@@ -105,6 +105,10 @@ impl Request {
         self.float.as_ref().map_or(Float::F64, |given| given.value)
     }
 
+    pub(crate) fn asks_for(&self, output: Output) -> bool {
+        self.outputs.as_ref().is_some_and(|given| given.value.contains(&output))
+    }
+
     /// The type that was probably meant, where what was said of it is a mistake.
     pub(crate) fn float_meant(&self) -> Float {
         let is_single = |Written { name, value, .. }: &Written| {

@@ -125,10 +125,15 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
         return planned;
     }
     let best = offer::best(scene, best);
+    let refused = Err(Refusal::Unreachable { best });
+    // What keeps a finer promise keeps this one: pieces may serve the finer one only.
     match scene.goal {
-        // What keeps a finer promise keeps this one: pieces may serve the finer one only.
         Goal::Tolerance(tol) if best <= tol => cheapest(&scene.asking(best)),
-        _ => Err(Refusal::Unreachable { best }),
+        Goal::Full if best.is_finite() => match cheapest(&scene.asking(best)) {
+            Ok(plan) if plan.is_full(scene) => Ok(plan),
+            _ => refused,
+        },
+        _ => refused,
     }
 }
 
@@ -157,6 +162,16 @@ impl Plan {
         let functions = kernel::functions(reduction, &parts);
         let (reduction, coefficients, rejected) = (reduction.clone(), Vec::new(), Vec::new());
         Self { method, reduction, parts, functions, terms, coefficients, rejected }
+    }
+
+    /// Whether it is within full precision, with no more than half of that to be observed: what is approximated may be in
+    /// full, of the rest a part.
+    fn is_full(&self, scene: &Scene) -> bool {
+        let full = aim::FULL * scene.float.rounding_unit();
+        self.parts.iter().all(|part| {
+            let seldom = (1.0 - observed::observed(scene.float)) * (part.bound.total() - part.bound.truncation);
+            part.bound.total() <= full * part.largest && part.bound.total() - seldom <= 0.5 * full * part.largest
+        })
     }
 
     /// The largest of the outputs' bounds, in units of the tolerance.

@@ -150,17 +150,25 @@ fn unbounded(n: usize, scene: &Scene) -> String {
         let another = another.map_or_else(String::new, |another| format!("choose `n = {another}`, "));
         format!(
             "`n = {n}`: no useful bound can be proven for the error of θ̂'s velocity at this amplitude, where the argument \
-             of the arcsine in Eq. 22 comes too near 1: {another}ask for `theta` alone, or state the error as `tol` \
-             instead of `n`"
+             of the arcsine in Eq. 22 comes too near 1: {another}ask for `theta` alone, or {}",
+            by_tolerance(scene)
         )
     } else {
-        format!("`n = {n}`: no bound can be proven for the error of θ̂ here: state the error as `tol` instead of `n`")
+        format!("`n = {n}`: no bound can be proven for the error of θ̂ here: {}", by_tolerance(scene))
+    }
+}
+
+/// In place of a number of terms: with the method, of which none may do, that tolerance may be out of reach.
+fn by_tolerance(scene: &Scene) -> &'static str {
+    match scene.method {
+        Some(_) => "state the error as `tol` instead, and leave `method` out",
+        None => "state the error as `tol` instead",
     }
 }
 
 fn useless(terms: usize, most: usize, smallest: Option<usize>, scene: &Scene) -> String {
     let remedy = match smallest {
-        None => format!(", and {}: state the error as `tol` instead", none_works(scene)),
+        None => format!(", and {}: {}", none_works(scene), by_tolerance(scene)),
         Some(least) if least < most => format!("; use an `n` from {least} to {most}"),
         Some(_) => format!("; use `n = {most}`"),
     };
@@ -184,10 +192,7 @@ const UNTOLD: f64 = 1e-15;
 
 fn exceeds_one(terms: usize, overshoot: f64, smallest: Option<usize>, scene: &Scene) -> String {
     let remedy = smallest.map_or_else(
-        || {
-            let without_method = if scene.method.is_some() { ", and leave `method` out" } else { "" };
-            format!("{}: state the error as `tol` instead{without_method}", none_works(scene))
-        },
+        || format!("{}: {}", none_works(scene), by_tolerance(scene)),
         |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
     );
     let asked = if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };

@@ -10,10 +10,8 @@ pub(super) fn split_down(x: &Real, bits: i32, count: usize, float: Float) -> Vec
     let mut rest = x.clone();
     let mut words = Vec::new();
     for index in 0..count {
-        let nearest = rest.to_f64();
         // Truncation doesn't undo the rounding of a number just below one of few bits.
-        let above = x.context().float(nearest).is_some_and(|exact| exact > rest);
-        let head = if above { nearest.next_down() } else { nearest };
+        let head = rest.to_f64_below();
         let word = if index + 1 == count { float.round(head) } else { truncate(head, bits) };
         if let Some(exact) = x.context().float(word) {
             rest = rest - exact;

@@ -152,6 +152,24 @@ fn half_is_not_exceeded() {
     }
 }
 
+/// Where no plan of full precision's own is to be had, one of a finer tolerance is one.
+#[test]
+fn finer_promises_serve() {
+    for text in [
+        "theta0 = π - 1e-20, method = polynomial, outputs = [theta]",
+        "theta0 = π - 1e-16, method = polynomial, outputs = [acceleration]",
+        "velocity0 = 2 - 1e-30, method = polynomial, outputs = [velocity]",
+    ] {
+        let scene = scene(&format!("struct Motion; {text}"));
+        assert!(cheapest(&scene).is_err(), "{text} is no example any more");
+        let plan = plan(&scene).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+        let mut probe = Probe::new(&scene, &plan);
+        probe.everywhere(&mut Random::new(5), 6);
+        let full = 16.0 * scene.float.rounding_unit() * plan.parts[0].largest;
+        assert!(plan.parts[0].bound.total() <= full && probe.worst.1 <= 0.5 * full, "{text}: {:?}", probe.worst);
+    }
+}
+
 /// The largest error of a swing's θ, velocity or acceleration at so many random times, by series of two words.
 fn margin(scene: &Scene, plan: &Plan, random: &mut Random, times: usize) -> f64 {
     let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
