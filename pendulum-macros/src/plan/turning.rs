@@ -21,6 +21,11 @@ pub(crate) enum Finish {
     },
     /// One that may be up to a turn beyond that is wrapped.
     Wrapped,
+    /// An approximate angle that exceeds the amplitude beyond a short horizon is held to so much: no less than the exact one
+    /// and than it is itself within the horizon.
+    Held {
+        most: f64,
+    },
 }
 
 impl Finish {
@@ -29,7 +34,8 @@ impl Finish {
         match self {
             Self::Nothing => values,
             Self::Turning(turning) => vec![turning.lower(b, variables, values[0])],
-            Self::Within { .. } => vec![within_half_turn(b, values[0])],
+            Self::Within { .. } => vec![held(b, values[0], below_half_turn(b.float()))],
+            Self::Held { most } => vec![held(b, values[0], *most)],
             Self::Wrapped => vec![modulo_turn(b, values[0])],
         }
     }
@@ -37,7 +43,7 @@ impl Finish {
     /// What an angle is rounded by that was by so much before, without turns.
     pub(super) fn rounding(&self, angle: f64, float: Float) -> f64 {
         match self {
-            Self::Nothing | Self::Turning(_) => angle,
+            Self::Nothing | Self::Turning(_) | Self::Held { .. } => angle,
             // It leads away from no angle but one between the largest number that it may be and the top.
             Self::Within { largest } => larger(angle, beyond_largest_number(*largest, float)),
             Self::Wrapped => angle + rounding_modulo(float),
@@ -205,9 +211,8 @@ fn rounding_modulo(float: Float) -> f64 {
     if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(PI, float)) }
 }
 
-/// The nearest number from above −π to below π: of mirror images the same.
-fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
-    let most = below_half_turn(b.float());
+/// The nearest number from −`most` to `most`: of mirror images the same.
+fn held(b: &mut Builder, angle: Id, most: f64) -> Id {
     let (most, least) = (b.constant(most), b.constant(-most));
     let angle = b.push(Op::Min { limit: most, x: angle });
     b.name(angle, "angle");
@@ -313,7 +318,8 @@ mod tests {
     fn finished(finish: &Finish, float: Float, angle: f64) -> Double {
         let mut b = Builder::new(float);
         let t = b.input();
-        let result = if *finish == Finish::Wrapped { modulo_turn(&mut b, t) } else { within_half_turn(&mut b, t) };
+        let result =
+            if *finish == Finish::Wrapped { modulo_turn(&mut b, t) } else { held(&mut b, t, below_half_turn(float)) };
         let result = b.finish(vec![result]).run(angle)[0];
         assert!(is_wrapped(result), "{result} of {angle}");
         Double::new(result)

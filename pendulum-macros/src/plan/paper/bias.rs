@@ -10,7 +10,7 @@ use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::met::Met;
 use crate::plan::reduction::Clock;
-use crate::program::rounding::INFLATION_OF_SUMS;
+use crate::program::rounding::{INFLATION_OF_SUMS, half_ulp};
 use crate::supremum::{Halving, by_halves, larger};
 use pendulum_runtime::double::Double;
 use sines::Sines;
@@ -40,12 +40,22 @@ impl<'a> Approximate<'a> {
         Self { sum, drift, departure, theta }
     }
 
-    /// sup |θ̂ − θ| over the horizon, or by how much θ̂ exceeds the amplitude beyond it, if that is more.
-    pub(super) fn angle(&self) -> f64 {
+    /// sup |θ̂ − θ| over the horizon, and what θ̂ is to be held to, if it exceeds the amplitude by more beyond it.
+    pub(super) fn angle(&self) -> (f64, Option<f64>) {
         let everywhere = self.everywhere().min(self.departure.angle);
-        let Some(distances) = self.met() else { return everywhere };
-        let within = self.within(distances);
-        everywhere.min(within.max(self.excess(within)) * INFLATION_OF_SUMS)
+        let Some(distances) = self.met() else { return (everywhere, None) };
+        let Sum { scene, swing, .. } = self.sum;
+        let amplitude = swing.amplitude.to_f64();
+        // From the amplitude to the next number, at least.
+        let within = self.within(distances).max(2.0 * half_ulp(amplitude, scene.float)) * INFLATION_OF_SUMS;
+        if within >= everywhere {
+            return (everywhere, None);
+        }
+        let not_exceeded = [within, NEXT_TO * within].into_iter().find(|&error| !self.exceeds(error));
+        match not_exceeded {
+            Some(error) => (error, None),
+            None => (within, Some(scene.float.round_down(amplitude + within))),
+        }
     }
 
     /// sup |θ̂′ − θ̇| over the horizon, in rad per unit of t.
@@ -144,10 +154,10 @@ impl<'a> Approximate<'a> {
         supremum(phases, |low, high| apart.over(low, high).largest(order))
     }
 
-    /// sup |θ̂| − θ0 over all phases, or anything that is little beside `error`.
-    fn excess(&self, error: f64) -> f64 {
+    /// Whether |θ̂| can be above θ0 by more than an error at any phase.
+    fn exceeds(&self, error: f64) -> bool {
         if self.is_cosine() {
-            return 0.0;
+            return false;
         }
         let Sum { swing, method, weights, .. } = self.sum;
         let (ours, amplitude) = (Cosines::odd(weights), swing.amplitude.to_f64());
@@ -157,9 +167,8 @@ impl<'a> Approximate<'a> {
                 if *method == Method::Fourier { 2.0 * libm::asin(if sum > 1.0 { 1.0 } else { sum }) } else { sum };
             larger(angle - amplitude, 0.0)
         };
-        let halving =
-            Halving { cells: CELLS, slices: CELLS, most: MOST_HALVED, least: error / 64.0, cap: f64::INFINITY };
-        halving.largest([0.0, 0.5], over)
+        let halving = Halving { cells: CELLS, slices: CELLS, most: MOST_HALVED, least: error / 2.0, cap: error };
+        halving.largest([0.0, 0.5], over) * INFLATION_OF_SUMS > error
     }
 
     /// What another rate comes to for phases that go so far from an anchor: of the one cosine θ0 cos πs, which alone has
@@ -173,7 +182,7 @@ impl<'a> Approximate<'a> {
     }
 
     /// The phases of both that may be compared within the horizon.
-    fn met(&self) -> Option<[f64; 2]> {
+    pub(super) fn met(&self) -> Option<[f64; 2]> {
         let Sum { scene, swing, .. } = self.sum;
         let met = Met::within(scene, &swing.rate(), &swing.launch);
         met.map(|met| met.distances_as_reduced(&swing.launch, scene))
@@ -215,6 +224,9 @@ fn difference(terms: &[(u32, Double)], weights: &[Double]) -> Cosines {
     let ours = |index: usize| weights.get(index).copied().unwrap_or(Double::ZERO);
     Cosines::new(terms.iter().enumerate().map(|(index, &(m, a))| (m, (a - ours(index)).hi)))
 }
+
+/// An excess of no more than so many errors costs less than what holds it: at a release from rest it often is the error.
+const NEXT_TO: f64 = 1.01;
 
 /// How far certified suprema may exceed the true ones.
 const SLACK: f64 = 1e-3;

@@ -5,6 +5,7 @@ use super::{Sum, plan};
 use crate::motion::Swing;
 use crate::parse::{Method, Output};
 use crate::plan::curve::{Curve, Curves, SwingCurves};
+use crate::plan::met::Met;
 use crate::scene::{Goal, Scene};
 use crate::series::Wave;
 
@@ -35,7 +36,7 @@ pub(super) fn fewest_of_series(scene: &Scene, swing: &Swing) -> usize {
     let most = theta.terms().len().min(MOST_HARMONICS);
     let serves = |kept: usize| {
         let sum = Sum::series(scene, swing, &theta, kept);
-        Approximate::new(&sum, &theta).angle() <= negligible(scene, &theta)
+        Approximate::new(&sum, &theta).angle().0 <= negligible(scene, &theta)
     };
     let of_theta = first_serving(negligible_after(scene, &theta), most, serves);
     let of_derivative = |output: &Output| match output {
@@ -75,6 +76,7 @@ pub(in crate::plan) fn planned(scene: &Scene, swing: &Swing, smallest: usize) ->
 
 /// The terms of Eq. 22 that are asked for, or the fewest that don't overshoot and come within the tolerance, by bisection:
 /// more terms are better, and where as many as are chosen don't suffice those tell what can be had. Where none are, one.
+/// Within a moment fewer may do than at any time.
 pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
     let tol = match scene.goal {
         Goal::Terms(n) => return n,
@@ -85,7 +87,13 @@ pub(super) fn fewest(scene: &Scene, swing: &Swing) -> usize {
     let (analysis, most) = (swing.elliptic.fourier_analysis(), smallest.max(MOST_CHOSEN - 1));
     let least = least_at_turning(swing);
     let from = (smallest..most).find(|&n| least(n) < tol).unwrap_or(most);
-    first_serving(from, most, |n| analysis.supremum(n) < tol)
+    let at_any_time = first_serving(from, most, |n| analysis.supremum(n) < tol);
+    if Met::within(scene, &swing.rate(), &swing.launch).is_none() {
+        return at_any_time;
+    }
+    let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
+    let serves = |n| Sum::fourier(scene, swing, n).is_ok_and(|sum| Approximate::new(&sum, &theta).angle().0 < tol);
+    first_serving(smallest, at_any_time, serves)
 }
 
 /// A lower bound of the error of so many terms, that at a turning point: there what is left out alternates, and is at least

@@ -12,6 +12,7 @@ use crate::plan::harmonics::{Formula, Harmonics, Made, harmonics};
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
 use crate::plan::reduction::Reduction;
+use crate::plan::turning::Finish;
 use crate::plan::{Bound, Part};
 use crate::program::rounding::INFLATION;
 use pendulum_runtime::double::Double;
@@ -24,6 +25,11 @@ pub(super) struct Wanted {
     pub(super) curve: Curve,
     /// sup |approximate output − exact output|.
     pub(super) bias: f64,
+    /// What an angle is held to beyond a short horizon, if it would exceed that there.
+    held: Option<f64>,
+    /// The distances from an anchor at which its rounding counts, if not all do: within a short horizon, beyond which
+    /// nothing is promised of derivatives, nor of what is held more than that.
+    met: Option<[f64; 2]>,
     /// θ̂, or its derivative, where it is twice an arcsine.
     whole: Option<Whole>,
 }
@@ -35,9 +41,13 @@ impl Wanted {
     }
 
     /// The output by that kernel.
-    pub(super) fn part(&self, kernel: Kernel, description: String, bound: Bound) -> Part {
+    pub(super) fn part(&self, mut kernel: Kernel, mut description: String, bound: Bound) -> Part {
         let Self { output, curve: Curve { size, .. }, .. } = self;
         let (unit, largest) = (size.unit, size.largest);
+        if let Some(most) = self.held {
+            kernel.finish = Finish::Held { most };
+            description += ", held to the amplitude beyond the horizon";
+        }
         Part { output: *output, kernel, description, bound, unit, largest, share: 0.0 }
     }
 
@@ -45,6 +55,11 @@ impl Wanted {
     pub(super) fn phase_error(&self, reduction: &Reduction) -> f64 {
         let in_pieces = self.whole.as_ref().and_then(|whole| whole.in_pieces(reduction));
         self.curve.size.phase_error(in_pieces.as_ref().unwrap_or(reduction))
+    }
+
+    /// The reduction to the phases of which rounding counts.
+    fn counted(&self, reduction: &Reduction) -> Reduction {
+        self.met.map_or_else(|| reduction.clone(), |met| reduction.meeting(met))
     }
 
     /// What the phase may be wrong by without a tolerance.
@@ -75,15 +90,17 @@ impl Sum<'_> {
         let theta = curves.angle();
         let approximate = Approximate::new(self, &theta);
         let one = |&output: &Output| {
-            let (curve, bias) = match output {
-                Output::Velocity => (curves.velocity(), approximate.velocity()),
-                Output::Acceleration => (curves.acceleration(), approximate.acceleration()),
+            let (curve, (bias, held)) = match output {
+                Output::Velocity => (curves.velocity(), (approximate.velocity(), None)),
+                Output::Acceleration => (curves.acceleration(), (approximate.acceleration(), None)),
                 // The chord of an angle is no longer than its arc, and on the circle there is nothing to exceed.
-                Output::Position => (theta.clone().into_position(), approximate.at_most()),
+                Output::Position => (theta.clone().into_position(), (approximate.at_most(), None)),
                 Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
             };
             let whole = Whole::new(self, output, curve.size, bias);
-            Wanted { output, curve: self.as_steep(curve, output), bias, whole }
+            let counts = held.is_some() || matches!(output, Output::Velocity | Output::Acceleration);
+            let met = approximate.met().filter(|_| counts);
+            Wanted { output, curve: self.as_steep(curve, output), bias, held, met, whole }
         };
         let wanted: Vec<Wanted> = self.scene.outputs.iter().map(one).collect();
         sharing_a_table(wanted)
@@ -115,7 +132,7 @@ impl Sum<'_> {
     /// An output by the recurrence or, where it is kept and ranks before that, one function for the whole of θ̂; if in pieces,
     /// in as many as there are `rows`.
     fn part(&self, wanted: &Wanted, reduction: &Reduction, rows: Option<usize>) -> Part {
-        let Wanted { output, curve, bias, whole } = wanted;
+        let Wanted { output, curve, bias, whole, .. } = wanted;
         let summed = Kernel::from(Core::Harmonics(Box::new(self.harmonics(*output, reduction))));
         let cost = cost(reduction, &summed);
         let candidate = whole.as_ref().and_then(|whole| whole.cheapest(reduction));
@@ -125,7 +142,8 @@ impl Sum<'_> {
         if let Some(better) = candidate.take_if(|candidate| candidate.rank() < rank(0.0, cost)) {
             return self.whole(wanted, better);
         }
-        let (phase, evaluation) = (curve.size.phase_error(reduction), summed.rounding(reduction, f64::INFINITY));
+        let evaluation = summed.rounding(&wanted.counted(reduction), f64::INFINITY);
+        let phase = curve.size.phase_error(reduction);
         // Only of θ̂ itself something is promised.
         let promised = whole.as_ref().filter(|_| *output == Output::Theta);
         let share = promised.map_or(0.0, |whole| whole.share(Bound { truncation: 0.0, phase, evaluation }));

@@ -441,8 +441,7 @@ fn small_amplitudes_keep_their_digits() {
     }
 }
 
-/// Of one cosine over a horizon of less than a quarter of a period no more counts than what it meets, forwards and
-/// backwards.
+/// Over a horizon of less than a quarter of a period no more counts than what it meets, forwards and backwards.
 #[test]
 fn within_a_moment_only_what_is_met_counts() {
     for (text, most) in [
@@ -452,6 +451,20 @@ fn within_a_moment_only_what_is_met_counts() {
         ("theta0 = 1, method = small_angle, tol = 0.01, t_max = 0.05", 1.8),
         ("theta0 = 0.5, method = small_angle, tol = 0.1, t_max = 1.5", 1.8),
         ("theta0 = 0.5, velocity0 = 0.1, float = f32, method = harmonic, tol = 0.1, t_max = 0.0639", 1.3),
+        // Next to the top, far from which the horizon ends: what the sum exceeds the amplitude by, and what is rounded next to
+        // the turning point, would be tens or hundreds of times as much.
+        ("theta0 = 1, velocity0 = 1.755, method = fourier, tol = 1e-2, t_max = 0.1", 1.2),
+        ("theta0 = 1, velocity0 = 1.755, method = fourier, tol = 1e-4, t_max = 0.1", 1.2),
+        ("theta0 = 1, velocity0 = 1.755, n = 11, t_max = 0.1", 1.2),
+        ("velocity0 = 1.99999, method = fourier, tol = 1e-8, t_max = 0.5", 1.2),
+        (
+            "theta0 = 2.19744, velocity0 = 0.909, method = fourier, tol = 1e-2, float = f32, t_max = 1.6, outputs = [velocity]",
+            2.5,
+        ),
+        (
+            "theta0 = 2.19744, velocity0 = 0.909, method = fourier, tol = 1e-2, float = f32, t_max = 0.1, outputs = [acceleration]",
+            2.5,
+        ),
     ] {
         assert_tight(&format!("struct A; {text}"), most, evenly(100));
     }

@@ -47,6 +47,8 @@ pub(crate) struct Reduction {
     /// |s| exceeds ½ by at most this, in anchors; negative where it doesn't reach ½ within the horizon, and is kept from
     /// it beyond.
     pub(crate) overshoot: f64,
+    /// The only distances from the origin of which the rounding counts, in anchors, if not all do.
+    pub(crate) met: Option<[f64; 2]>,
     /// Anchors per unit of the reduced variable.
     pub(crate) unit: Double,
     /// A power of two that phases are multiplied with besides.
@@ -160,6 +162,7 @@ impl Reduction {
             rounding: 0.0,
             seldom: 0.0,
             overshoot: 0.0,
+            met: None,
             unit: Double::ONE,
             scale: 1.0,
             pieces: 1.0,
@@ -208,6 +211,15 @@ impl Reduction {
         }
     }
 
+    /// The same where rounding counts only of phases at such distances from an anchor.
+    pub(crate) fn meeting(&self, [least, farthest]: [f64; 2]) -> Self {
+        let met = match self.origin {
+            Origin::Anchor => [least, farthest],
+            Origin::Lowest => [0.5 - farthest, 0.5 - least],
+        };
+        Self { met: Some(met), ..self.clone() }
+    }
+
     /// Whether it can count pieces of an anchor.
     pub(crate) fn has_pieces(&self) -> bool {
         let subtracts = match self.scheme {
@@ -251,6 +263,10 @@ impl Reduction {
     /// The phases to be analysed, in units of the reduced variable: both sides of 0 where the motion over an arc has no
     /// symmetry, one elsewhere.
     pub(crate) fn range(&self) -> [f64; 2] {
+        if let Some([low, high]) = self.met {
+            let [low, high] = [low * (1.0 - ROUNDED), high * (1.0 + ROUNDED)].map(|phase| phase / self.unit.hi);
+            return [low, high.min(self.half())];
+        }
         [if self.is_lopsided() { -self.half() } else { 0.0 }, self.half()]
     }
 

@@ -99,7 +99,7 @@ fn sums(h: &Real, f: impl Fn(i64) -> Real) -> [Real; 2] {
 }
 
 /// θ = 2 am(u; κ) + 2πn by tan am = ϑ₃(0)ϑ₁(z)/(ϑ₄(0)ϑ₂(z)), z = πu/(2K), or by Jacobi's imaginary transformation.
-/// θ̇² = v₀² − 4ω² sin²(θ/2).
+/// θ̇² = v₀² − 4ω² sin²(θ/2) = (κ′v₀)² + 4ω² cos²(θ/2), where nothing cancels.
 fn rotated(rotation: &Rotation, omega: &Real, t: &Real) -> State {
     let context = omega.context();
     let (n, s) = split(&(t / &rotation.period + &rotation.launch));
@@ -107,7 +107,8 @@ fn rotated(rotation: &Rotation, omega: &Real, t: &Real) -> State {
     let half = amplitude(elliptic, &s);
     let angle = half.scale(1);
     let theta = &angle + &(n * context.pi().scale(1));
-    let kinetic = rotation.fastest.square() - (half.sin() * omega).square().scale(2);
+    let slowest = &rotation.fastest * &elliptic.complementary;
+    let kinetic = slowest.square() + (half.sin_cos().1 * omega).square().scale(2);
     let velocity = signed(kinetic.sqrt(), rotation.mirrored);
     State {
         theta: signed(theta, rotation.mirrored),

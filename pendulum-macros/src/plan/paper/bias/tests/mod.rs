@@ -110,8 +110,8 @@ fn of_sums_of_sines() {
     assert!(known <= found && found < 1.01 * known, "{found} for {known}");
 }
 
-/// The angle over a moment against samples: never below, and not much above, unless θ̂ exceeds the amplitude by more
-/// beyond it.
+/// The angle over a moment against samples: never below, and not much above; and held beyond it where θ̂ exceeds the
+/// amplitude by more, but for what is seen at its extrema next to that.
 #[test]
 fn of_angles_within_a_moment() {
     for (start, t_max) in
@@ -137,8 +137,15 @@ fn of_angles_within_a_moment() {
             let seen = worst(seen.map(|s| (angle(s) - theta.at(Double::new(s)).hi).abs()));
             let beyond =
                 worst((0..=5000).map(|i| (angle(f64::from(i) * 1e-4).abs() - swing.amplitude.to_f64()).max(0.0)));
-            let (found, seen) = (Approximate::new(&ours, &theta).angle(), seen.max(beyond));
+            let (found, held) = Approximate::new(&ours, &theta).angle();
             assert!(seen <= found && found <= 1.1 * seen, "{start}, {method:?} {terms}: {found:e} for {seen:e}");
+            assert_eq!(
+                held.is_some(),
+                beyond > NEXT_TO * found,
+                "{start}, {method:?} {terms}: {beyond:e} of {found:e}"
+            );
+            let most = swing.amplitude.to_f64() + found;
+            assert!(held.is_none_or(|held| (held / most - 1.0).abs() < 1e-15), "{held:?} {most}");
         }
     }
 }
