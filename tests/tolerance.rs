@@ -127,3 +127,14 @@ fn each_method_when_forced() {
         {100; f64; theta velocity acceleration position; tol = 1e-4, method = polynomial}
     ]);
 }
+
+/// Swings next to the top, far from which the horizon ends.
+#[test]
+fn each_method_for_a_moment() {
+    kept!(1e-3; [[1 1.755 1] [0 1.9999 1] [(-1) (-3.5) 2] [(7π/8) 0 1]] [
+        {0.25; f64; theta velocity acceleration; tol = 1e-3, method = fourier}
+        {0.25; f32; theta velocity; tol = 1e-3, method = fourier}
+        {0.25; f64; theta velocity acceleration; tol = 1e-3, method = series}
+        {0.25; f32; theta acceleration; tol = 1e-3, method = series}
+    ]);
+}
