@@ -146,7 +146,9 @@ impl Sum<'_> {
         let phase = curve.size.phase_error(reduction);
         // Only of θ̂ itself something is promised.
         let promised = whole.as_ref().filter(|_| *output == Output::Theta);
-        let share = promised.map_or(0.0, |whole| whole.share(Bound { truncation: 0.0, phase, evaluation }));
+        let share = promised.map_or(0.0, |whole| {
+            whole.share(Bound { truncation: 0.0, phase: whole.phase_error(reduction), evaluation })
+        });
         if let Some(better) = candidate.filter(|candidate| candidate.rank() < rank(share, cost)) {
             return self.whole(wanted, better);
         }

@@ -7,9 +7,11 @@ mod single;
 mod slope_in_pieces;
 mod sum_in_pieces;
 
+use super::bias::supremum;
 use super::{Sum, rank};
 use crate::parse::{Method, Output};
 use crate::plan::Bound;
+use crate::plan::cosines::Cosines;
 use crate::plan::curve::Size;
 use crate::plan::kernel::{self, Kernel};
 use crate::plan::pieces::Piecewise;
@@ -39,6 +41,9 @@ pub(super) struct Whole {
     /// That of θ, and −1 for its mirror image.
     size: Size,
     direction: f64,
+    /// sup |z·θ̂′|, z from the lowest point, which next to an overshoot is more than that of θ. 0 where it is no formula that
+    /// is to be reproduced.
+    conditioning: OnceCell<f64>,
     /// What their series may be wrong by.
     limit: f64,
     /// What it may differ from θ̂ by at most, phase and rounding included.
@@ -92,6 +97,8 @@ impl Whole {
         let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
         let (limit, weights, direction) = (truncation.min(allowed / 8.0), sum.weights.clone(), sum.direction());
         let (single, pieces, sum_in_pieces) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        let is_given = output == Output::Theta && matches!(sum.scene.goal, Goal::Terms(_));
+        let conditioning = if is_given { OnceCell::new() } else { OnceCell::from(0.0) };
         Some(Self {
             rate,
             single,
@@ -101,6 +108,7 @@ impl Whole {
             weights,
             size,
             direction,
+            conditioning,
             limit,
             allowed,
             truncation,
@@ -151,6 +159,16 @@ impl Whole {
         self.sum_in_pieces.get_or_init(approximation).as_ref()
     }
 
+    /// What the phase makes of θ, or of θ̂ if that is more.
+    pub(super) fn phase_error(&self, reduction: &Reduction) -> f64 {
+        let mut size = self.size;
+        if reduction.relative_error > 0.0 {
+            let own = self.conditioning.get_or_init(|| conditioning(&self.weights));
+            size.conditioning = size.conditioning.max(*own);
+        }
+        size.phase_error(reduction)
+    }
+
     /// What the phase may take of what is allowed, without a tolerance: the rest is enough for pieces.
     pub(super) fn left_to_phase(&self) -> f64 {
         0.25 * self.allowed
@@ -177,13 +195,13 @@ impl Whole {
 
     fn single(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let approximation = self.one_polynomial()?;
-        let mut allowances = self.allowances(self.size.phase_error(reduction));
+        let mut allowances = self.allowances(self.phase_error(reduction));
         allowances.find_map(|allowance| single::kernel(approximation, allowance, reduction, self.direction))
     }
 
     fn pieces(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let (piecewise, reduction) = (self.piecewise()?, self.in_pieces(reduction)?);
-        let mut allowances = self.allowances(self.size.phase_error(&reduction));
+        let mut allowances = self.allowances(self.phase_error(&reduction));
         allowances.find_map(|allowance| angle_in_pieces::kernel(piecewise, allowance, &reduction, self.direction))
     }
 
@@ -191,7 +209,7 @@ impl Whole {
     fn complement(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
         let most = self.allowed;
         let allowance = |reduction: &Reduction| {
-            let phase = self.size.phase_error(reduction);
+            let phase = self.phase_error(reduction);
             // So little of the truncation that it doesn't matter for what else there is.
             Allowance { phase, rest: most - phase, truncation: self.truncation.min(most / SHARES[1]) }
         };
@@ -216,6 +234,16 @@ impl Allowance {
     fn kept(self, truncation: f64, evaluation: f64) -> Option<Bound> {
         (evaluation <= self.rest - truncation).then_some(Bound { truncation, phase: self.phase, evaluation })
     }
+}
+
+/// sup |z·θ̂′| = sup |2zy′/√(1 − y²)|, z = ½ − s.
+fn conditioning(weights: &[Double]) -> f64 {
+    let sum = Cosines::odd(weights);
+    supremum([0.0, 0.5], |low, high| {
+        let cell = sum.over(low, high);
+        let y = cell.largest(0).min(1.0);
+        2.0 * (0.5 - low) * cell.largest(1) / ((1.0 - y) * (1.0 + y)).sqrt()
+    })
 }
 
 pub(super) fn cost(reduction: &Reduction, kernel: &Kernel) -> f64 {

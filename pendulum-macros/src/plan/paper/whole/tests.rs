@@ -1,5 +1,6 @@
 //! Plans in which one function stands for the arcsine of the sum.
 
+use super::conditioning;
 use super::residual::twice_arcsine;
 use crate::chebyshev::sin_pi;
 use crate::exact::Real;
@@ -149,6 +150,23 @@ fn in_other_units() {
             assert!(error <= most, "{text} at {t}: {error:e} {most:e}");
         }
     }
+}
+
+/// sup |z·θ̂′| against a grid, by mpmath: next to an overshoot more than the 1.1 to 1.3 of θ. Cells of z and of y are bounded
+/// apart, which is up to a twentieth too much.
+#[test]
+fn conditioning_next_to_an_overshoot() {
+    for (theta0, n, known) in
+        [("0.684436π", 1, 1.8109), ("0.904π", 2, 2.1768), ("0.9138π", 3, 2.0124), ("0.9546π", 4, 1.6112)]
+    {
+        let scene = scene(&format!("struct A; theta0 = {theta0}, n = {n}"));
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let found = conditioning(&weights(swing, n));
+        assert!(known <= found && found <= 1.05 * known, "{theta0}, {n}: {found} for {known}");
+    }
+    // From the lowest point, with its relative error, the whole would be a hundredth more than allowed.
+    let text = "struct A; theta0 = 0.684436π, n = 1, outputs = [theta, position]";
+    assert!(plan(&scene(text)).unwrap().parts[0].share <= 1.0);
 }
 
 /// Away from an overshoot θ̂ is by proof within 8 units in the last place of θ0, phase included: also just below a power
