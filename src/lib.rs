@@ -114,7 +114,7 @@ struct Readme;
 /// |---|---|---|---|
 /// | `theta0`, `θ0` | angle at t = 0 | 10⁻³⁰⁰ (`f32`: 10⁻³⁵) ≤ \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
 /// | `velocity0` | θ̇ at t = 0, rad per unit of t (`90deg` is 90 degrees, π/2 rad, per unit of t) | any up to 10¹³⁵·ω | 0, released at rest |
-/// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0, for periods up to 10²⁸⁰ (`f32`: 3·10³⁸), of accelerations while ω²θ̇ is a number | 1 |
+/// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0, for periods up to 10²⁸⁰ (`f32`: 3·10³⁸), of velocities up to ω = 10²⁹⁹, of accelerations while ω²θ̇ is a number | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing | from 1 to what `float` can use | |
 /// | `tol` | largest error allowed, rounding included: rad for θ, wrapped or not, rad·ω for θ̇, rad·ω² for θ̈, lengths for the position; not with `n` | > 0, within reach of `float` | full precision, below |
