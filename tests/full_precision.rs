@@ -4,7 +4,7 @@
 mod promise;
 mod truth;
 
-use pendula_stress::promised::{PROVEN, UNIT};
+use pendula_stress::promised::{PROVEN, PROVEN_F32, UNIT, UNIT_F32};
 use promise::{Finding, judge};
 
 /// Proven and observed errors are at most these, relative to the largest value.
@@ -14,7 +14,7 @@ struct Limits {
 }
 
 const F64: Limits = Limits { proven: PROVEN, observed: UNIT };
-const F32: Limits = Limits { proven: 1.0 / (1_u64 << 20) as f64, observed: 1.0 / (1_u64 << 21) as f64 };
+const F32: Limits = Limits { proven: PROVEN_F32, observed: UNIT_F32 };
 
 fn wrong(limits: &Limits) -> impl Fn(&Finding) -> Option<String> {
     move |finding| {

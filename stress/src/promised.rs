@@ -1,4 +1,5 @@
-//! What is promised at full precision in `f64`: how far, in periods, and how well, relative to the largest value.
+//! What is promised at full precision: how far, in periods, and how well, relative to the largest value; in `f64` if nothing
+//! else is said.
 
 /// Of a compiled plan without `t_max`: 2⁵³.
 pub const ANY_TIME: f64 = (1_u64 << 53) as f64;
@@ -8,6 +9,10 @@ pub const RUN_TIME: f64 = (1_u64 << 45) as f64;
 pub const UNIT: f64 = 1.0 / (1_u64 << 50) as f64;
 /// The most that is proven of a compiled plan: 2⁻⁴⁹.
 pub const PROVEN: f64 = 2.0 * UNIT;
+/// The most that may be observed in `f32`: 2⁻²¹.
+pub const UNIT_F32: f64 = 1.0 / (1_u64 << 21) as f64;
+/// The most that is proven in `f32`: 2⁻²⁰.
+pub const PROVEN_F32: f64 = 2.0 * UNIT_F32;
 
 /// The constant with which a plan states the proven bound of an output: `bound!(Plan velocity)`.
 #[macro_export]

@@ -123,7 +123,7 @@ impl FourierAnalysis {
 
     /// The smallest number of terms without overshoot.
     ///
-    /// The amplitude up to which N terms serve grows with N (0.7308π, 0.9046π, 0.9139π, 0.9547π, …), so this is a
+    /// The amplitude up to which N terms serve grows with N, so this is a
     /// search in a sorted sequence.
     #[must_use]
     pub fn smallest_working(&self) -> usize {

@@ -1,6 +1,6 @@
 //! The plans whose every input is tried.
 
-use crate::promised::ANY_TIME;
+use crate::promised::{ANY_TIME, PROVEN_F32, UNIT_F32};
 
 /// One output of one plan in single precision, and the same in double precision.
 pub struct Plan {
@@ -48,14 +48,14 @@ macro_rules! plan {
             }
         }
         let ceiling: f64 = $ceiling;
-        // 2⁻²⁰ of the largest value where nothing else was asked, of which half may be seen.
-        let full = ceiling / f64::from(1 << 20);
+        // Where nothing else was asked.
+        let full = ceiling * PROVEN_F32;
         let promise: f64 = [$($tol,)? full][0];
         Plan {
             name: $name,
             output: stringify!($output),
             promise,
-            observable: if promise == full { full / 2.0 } else { promise },
+            observable: if promise == full { ceiling * UNIT_F32 } else { promise },
             proven: Single::$bound.into(),
             horizon: [$(f64::from($t_max),)? ANY_TIME * Double::PERIOD][0],
             ceiling,
