@@ -30,6 +30,11 @@ impl Moebius {
         self.place * self.end()
     }
 
+    /// Bounds P up to p.
+    pub(crate) fn farthest(self, p: f64) -> f64 {
+        p * self.end() / (p + self.place) * INFLATION
+    }
+
     /// p, given P.
     pub(crate) fn inverse(self, image: Double) -> Double {
         image * self.place / (Double::new(self.end()) - image)

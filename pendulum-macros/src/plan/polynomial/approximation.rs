@@ -184,7 +184,8 @@ impl Approximation {
         let ellipse = ellipse_of(overshoot);
         let whole: f64 = left.iter().zip(*first..).map(|(c, j)| c.abs() * at_most_cosh(j as f64 * ellipse)).sum();
         let reach = 0.5 + overshoot.min(0.0);
-        let within = suprema.get(reach, || tail::supremum(left, *first, self.weights(), reach));
+        let farthest = self.map.map_or(reach * reach, |map| map.farthest(reach * reach));
+        let within = suprema.get(farthest, || tail::supremum(left, *first, self.weights(), farthest));
         let beyond = if overshoot > 0.0 {
             tail::supremum_beyond(left, *first, ellipse) * self.weight_beyond(overshoot)
         } else {

@@ -9,15 +9,15 @@ use crate::power::power;
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::supremum::{larger, worst};
 
-/// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, times its weight, for |u| ≤ 1, where p = (1 + u)/8 is the square of a phase up
-/// to `reach`; less what a leeway spares there, if there is one.
+/// Bounds |Σ cⱼTⱼ(u)|, j from `first` on, times its weight, for |u| ≤ 1, where p = (1 + u)/8, the square of a phase or its
+/// image, is up to `farthest`; less what a leeway spares there, if there is one.
 ///
 /// With u = cos φ the sum is one of cos jφ: between two angles it exceeds the larger of its values by at most h²/8 times
 /// its largest second derivative there, h being their distance. That is at most Σ j²|cⱼ|, which will do unless the sum is
 /// small where this cell is, and large elsewhere, as over poles near one end; and exceeds the larger of its values at
 /// those angles by h²/8 times the largest fourth derivative, of which the same holds: over double poles the sum may be
 /// thousands of times as large elsewhere.
-pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach: f64) -> f64 {
+pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, farthest: f64) -> f64 {
     let eighth = power(angle(1), 2) / 8.0;
     // Σ j²cⱼ cos jφ, and so on, and the sums of their terms' magnitudes.
     let derivative = |order: usize| {
@@ -49,7 +49,7 @@ pub(super) fn supremum(coefficients: &[f64], first: usize, weight: Weight, reach
         sum * counts[cell] - spared
     };
     // Those that are met come last.
-    let first_met = points[1..].iter().take_while(|(p, _)| *p > reach * reach).count();
+    let first_met = points[1..].iter().take_while(|(p, _)| *p > farthest).count();
     let met = first_met..counts.len();
     let close = CLOSE * worst(met.clone().map(|cell| error(cell, 0.0)));
     let bound = |cell: usize| {
@@ -125,7 +125,7 @@ mod tests {
                     (sum(&coefficients, first, u) * phase / over).abs()
                 };
                 let seen = (0..=100_000).map(at).fold(0.0, f64::max);
-                let bound = supremum(&coefficients, first, Weight { pole, parity, leeway: None }, 0.5);
+                let bound = supremum(&coefficients, first, Weight { pole, parity, leeway: None }, 0.25);
                 assert!(seen <= bound && bound < 1.12 * seen, "{pole:?} {first}: {bound} for {seen}");
             }
         }
@@ -140,7 +140,8 @@ mod tests {
             let at = |i: u32| (f64::from(i) * PI / 1e5).cos();
             let met = (0..=100_000).map(at).filter(|&u| p(u) <= reach * reach);
             let seen = met.map(|u| sum(&coefficients, 189, u).abs()).fold(0.0, f64::max);
-            let bound = supremum(&coefficients, 189, Weight { pole: None, parity: Parity::Even, leeway: None }, reach);
+            let bound =
+                supremum(&coefficients, 189, Weight { pole: None, parity: Parity::Even, leeway: None }, reach * reach);
             assert!(seen > 1.9 && seen <= bound && bound < 1.6 * seen, "{reach}: {bound} for {seen}");
         }
     }
@@ -181,7 +182,7 @@ mod tests {
                 (sum(&left, 0, u) * phase / pole.map_or(1.0, |pole| pole.least_between(p(u), p(u)))).abs()
             };
             let seen = (0..=100_000).map(at).fold(0.0, f64::max);
-            let bound = supremum(&left, 0, weight, 0.5);
+            let bound = supremum(&left, 0, weight, 0.25);
             assert!(seen <= bound && bound < 1.25 * seen, "{pole:?} {parity:?}: {bound} for {seen}");
         }
     }

@@ -166,6 +166,7 @@ mod tests {
     use crate::chebyshev::{lebesgue, value};
     use crate::motion::Regime;
     use crate::plan::paper::whole::tests::weights;
+    use crate::supremum::worst;
     use crate::testing::scene;
 
     /// The bound of the whole series is next to nothing, and that of a series that is wrong by ε at the lowest point is
@@ -192,6 +193,35 @@ mod tests {
                     let seen = chart.distance(&series, 1e-26).unwrap().within / expected;
                     assert!((0.99..1.02).contains(&seen), "{theta0} {terms} {map:?} {spoilt}: {seen}");
                 }
+            }
+        }
+    }
+
+    /// What is left out over a shorter reach, which in the image of s² is a longer one.
+    #[test]
+    fn reaches_of_moments() {
+        let scene = scene("theta0 = 2");
+        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let sum = Wave::harmonics(&weights(swing, 3));
+        for map in [None, Some(Moebius::new(0.25)), Some(Moebius::new(0.0625))] {
+            let chart = Chart { sum: &sum, map };
+            let series = chart.interpolant(60).unwrap();
+            let Distance { within, growth } = chart.distance(&series, 1e-20).unwrap();
+            let known = Approximation::known(map, series.clone(), within, growth);
+            for (terms, reach) in
+                [3, 5, 8].into_iter().flat_map(|terms| [0.1, 0.2, 0.35, 0.5].map(|reach| (terms, reach)))
+            {
+                let u = |s: f64| {
+                    let p = s * s;
+                    8.0 * map.map_or(p, |map| map.end() - map.scale() / (p + map.place)) - 1.0
+                };
+                let error = |s: f64| {
+                    let kept = value(&series[..terms], Double::new(u(s)));
+                    (kept - twice_arcsine(sum.at(Double::new(s))).unwrap()).hi.abs()
+                };
+                let seen = worst((0..=2000).map(|i| error(reach * f64::from(i) / 2000.0)));
+                let bound = known.truncation(terms, reach - 0.5);
+                assert!(seen <= bound && bound <= 1.1 * seen, "{map:?} {terms} {reach}: {bound:e} for {seen:e}");
             }
         }
     }
