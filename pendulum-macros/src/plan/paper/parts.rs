@@ -28,7 +28,7 @@ pub(super) struct Wanted {
     /// What an angle is held to beyond a short horizon, if it would exceed that there.
     held: Option<f64>,
     /// The distances from an anchor at which its rounding counts, if not all do: within a short horizon, beyond which
-    /// nothing is promised of derivatives, nor of what is held more than that.
+    /// nothing is promised but of angles, nor of those that are held more than that.
     met: Option<[f64; 2]>,
     /// θ̂, or its derivative, where it is twice an arcsine.
     whole: Option<Whole>,
@@ -98,7 +98,7 @@ impl Sum<'_> {
                 Output::Theta | Output::Wrapped => (theta.clone(), approximate.angle()),
             };
             let whole = Whole::new(self, output, curve.size, bias);
-            let counts = held.is_some() || matches!(output, Output::Velocity | Output::Acceleration);
+            let counts = held.is_some() || !output.is_angle();
             let met = approximate.met().filter(|_| counts);
             Wanted { output, curve: self.as_steep(curve, output), bias, held, met, whole }
         };

@@ -467,9 +467,19 @@ fn within_a_moment_only_what_is_met_counts() {
             "theta0 = 2.19744, velocity0 = 0.909, method = fourier, tol = 1e-2, float = f32, t_max = 0.1, outputs = [acceleration]",
             2.5,
         ),
+        (
+            "velocity0 = 2 - 1.878e-4, method = fourier, float = f32, tol = 2.17e-3, t_max = 2.05e-6, outputs = [position]",
+            4.0,
+        ),
     ] {
         assert_tight(&format!("struct A; {text}"), most, evenly(100));
     }
+}
+
+/// Next to an overshoot a tolerance that is much coarser than the formula's error leaves the pieces no more than that.
+#[test]
+fn tolerances_far_above_the_formula() {
+    assert_tight("struct A; theta0 = π - 2.955e-4, method = fourier, tol = 2.25e-2, t_max = 100", 2.0, evenly(1000));
 }
 
 /// A velocity's error of more than twice the largest velocity says nothing, if it wasn't asked for.

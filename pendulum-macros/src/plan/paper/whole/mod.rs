@@ -50,6 +50,9 @@ pub(super) struct Whole {
     allowed: f64,
     /// What it may differ from θ̂ by at most before these.
     truncation: f64,
+    /// What is little beside what θ̂ itself is wrong by: next to an overshoot a sum that is off by as much as a coarse
+    /// tolerance allows is bounded to be many times as far off as it is.
+    beside_bias: f64,
 }
 
 /// A kernel for it, how wrong it is, and what it costs.
@@ -94,7 +97,8 @@ impl Whole {
             _ => units(most),
         };
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
-        let truncation = sum.met().map_or(f64::INFINITY, |_| (bias / 3.0).max(units(1.0)));
+        let beside_bias = (bias / 3.0).max(units(1.0));
+        let truncation = sum.met().map_or(f64::INFINITY, |_| beside_bias);
         let (limit, weights, direction) = (truncation.min(allowed / 8.0), sum.weights.clone(), sum.direction());
         let (single, pieces, sum_in_pieces) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         let is_given = output == Output::Theta && matches!(sum.scene.goal, Goal::Terms(_));
@@ -112,6 +116,7 @@ impl Whole {
             limit,
             allowed,
             truncation,
+            beside_bias,
         })
     }
 
@@ -211,7 +216,8 @@ impl Whole {
         let allowance = |reduction: &Reduction| {
             let phase = self.phase_error(reduction);
             // So little of the truncation that it doesn't matter for what else there is.
-            Allowance { phase, rest: most - phase, truncation: self.truncation.min(most / SHARES[1]) }
+            let truncation = self.truncation.min(most / SHARES[1]).min(self.beside_bias);
+            Allowance { phase, rest: most - phase, truncation }
         };
         self.sum_in_pieces()?.kernel(allowance, reduction, self.direction)
     }
