@@ -15,6 +15,7 @@ use crate::plan::reduction::Reduction;
 use crate::plan::turning::Finish;
 use crate::plan::{Bound, Part};
 use crate::program::rounding::INFLATION;
+use crate::scene::Goal;
 use pendulum_runtime::double::Double;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -138,8 +139,12 @@ impl Sum<'_> {
         let candidate = whole.as_ref().and_then(|whole| whole.cheapest(reduction));
         let as_many = |own: Option<usize>| own.is_none() || rows.is_none() || own == rows;
         let mut candidate = candidate.filter(|candidate| as_many(candidate.kernel.core.rows()));
+        let is_vague = |Rated { bound, .. }: &Rated| {
+            self.is_vague(Bound { truncation: bias + bound.truncation, ..*bound }, curve.size.largest)
+        };
         // What the recurrence is rounded by takes long to know, and is at best within what is allowed.
-        if let Some(better) = candidate.take_if(|candidate| candidate.rank() < rank(0.0, cost)) {
+        if let Some(better) = candidate.take_if(|candidate| candidate.rank() < rank(0.0, cost) && !is_vague(candidate))
+        {
             return self.whole(wanted, better);
         }
         let evaluation = summed.rounding(&wanted.counted(reduction), f64::INFINITY);
@@ -149,11 +154,23 @@ impl Sum<'_> {
         let share = promised.map_or(0.0, |whole| {
             whole.share(Bound { truncation: 0.0, phase: whole.phase_error(reduction), evaluation })
         });
-        if let Some(better) = candidate.filter(|candidate| candidate.rank() < rank(share, cost)) {
+        let serves = |candidate: &Rated| {
+            let ranks = candidate.rank() < rank(share, cost);
+            ranks && !(is_vague(candidate) && evaluation < candidate.bound.evaluation)
+        };
+        if let Some(better) = candidate.filter(serves) {
             return self.whole(wanted, better);
         }
         let (description, bound) = (summed.core.describe(), Bound { truncation: *bias, phase, evaluation });
         Part { share, ..wanted.part(summed, description, bound) }
+    }
+
+    /// Whether a bound for a tolerance is mostly rounding, of more than a few units of the largest value: next to an
+    /// overshoot, where the arcsine is steep, which pieces count that a short horizon doesn't meet.
+    fn is_vague(&self, bound: Bound, largest: f64) -> bool {
+        let few = FEW * self.scene.float.rounding_unit() * largest;
+        let is_mostly_rounding = bound.evaluation > few.max(MOSTLY * (bound.truncation + bound.phase));
+        matches!(self.scene.goal, Goal::Tolerance(_)) && is_mostly_rounding
     }
 
     /// θ̂ or its derivative by that kernel.
@@ -236,6 +253,10 @@ impl Sum<'_> {
         Cosines::odd(&self.weights).magnitude(0).min(1.0)
     }
 }
+
+/// A bound whose rounding is more than so many times the rest is mostly rounding, unless that is a few units.
+const MOSTLY: f64 = 1.5;
+const FEW: f64 = 16.0;
 
 /// Of more terms than this no powers come near the recurrence; of more than 42 none are known to.
 const MOST_FOLDED: usize = 64;

@@ -451,6 +451,7 @@ fn within_a_moment_only_what_is_met_counts() {
         ("theta0 = 1, method = small_angle, tol = 0.01, t_max = 0.05", 1.8),
         ("theta0 = 0.5, method = small_angle, tol = 0.1, t_max = 1.5", 1.8),
         ("theta0 = 0.5, velocity0 = 0.1, float = f32, method = harmonic, tol = 0.1, t_max = 0.0639", 1.3),
+        ("velocity0 = 2 - 2.51e-9, method = fourier, tol = 6.18e-6, t_max = 2.83", 1.2),
         // By one polynomial in the image of s² under a map, of which a moment meets more than of s² itself.
         ("theta0 = 0.8183, velocity0 = 0.7561, method = fourier, tol = 9.77e-3, t_max = 1.09e-5", 1.2),
         // Next to the top, far from which the horizon ends: what the sum exceeds the amplitude by, and what is rounded next to
