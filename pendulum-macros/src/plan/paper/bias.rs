@@ -182,7 +182,7 @@ impl<'a> Approximate<'a> {
     }
 
     /// The phases of both that may be compared within the horizon.
-    pub(super) fn met(&self) -> Option<[f64; 2]> {
+    fn met(&self) -> Option<[f64; 2]> {
         let Sum { scene, swing, .. } = self.sum;
         let met = Met::within(scene, &swing.rate(), &swing.launch);
         met.map(|met| met.distances_as_reduced(&swing.launch, scene))

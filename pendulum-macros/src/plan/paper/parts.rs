@@ -30,7 +30,7 @@ pub(super) struct Wanted {
     held: Option<f64>,
     /// The distances from an anchor at which its rounding counts, if not all do: within a short horizon, beyond which
     /// nothing is promised but of angles, nor of those that are held more than that.
-    met: Option<[f64; 2]>,
+    pub(super) met: Option<[f64; 2]>,
     /// θ̂, or its derivative, where it is twice an arcsine.
     whole: Option<Whole>,
 }
@@ -100,7 +100,7 @@ impl Sum<'_> {
             };
             let whole = Whole::new(self, output, curve.size, bias);
             let counts = held.is_some() || !output.is_angle();
-            let met = approximate.met().filter(|_| counts);
+            let met = self.met().filter(|_| counts).map(|met| met.distances_as_reduced(&self.launch, self.scene));
             Wanted { output, curve: self.as_steep(curve, output), bias, held, met, whole }
         };
         let wanted: Vec<Wanted> = self.scene.outputs.iter().map(one).collect();

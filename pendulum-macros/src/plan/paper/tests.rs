@@ -173,6 +173,21 @@ fn velocities_of_small_angles() {
     }
 }
 
+/// Rounding counts where the linearised motion's own phase is, not where that of the exact motion is.
+#[test]
+fn phases_of_small_angles_over_a_moment() {
+    let scene =
+        scene("struct A; theta0 = 1, velocity0 = 1.5, method = small_angle, outputs = [velocity], t_max = 0.01");
+    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let sum = Sum::new(&scene, swing, Method::SmallAngle, 1).ok().unwrap();
+    let [least, farthest] = sum.wanted()[0].met.unwrap();
+    let is_met = [&sum.launch, &swing.launch].map(|launch| {
+        let phase = launch.to_f64();
+        (least..=farthest).contains(&(phase - phase.round()).abs())
+    });
+    assert_eq!(is_met, [true, false], "{least} {farthest}");
+}
+
 /// θ̂ as one polynomial is off by what that is off, besides.
 #[test]
 fn the_whole_arcsine_is_off_by_two_errors() {
