@@ -125,15 +125,15 @@ pub(crate) fn plan(scene: &Scene) -> Result<Plan, Refusal> {
         return planned;
     }
     let best = offer::best(scene, best);
-    let refused = Err(Refusal::Unreachable { best });
     // What keeps a finer promise keeps this one: pieces may serve the finer one only.
+    let refused = Refusal::Unreachable { best };
     match scene.goal {
         Goal::Tolerance(tol) if best <= tol => cheapest(&scene.asking(best)),
-        Goal::Full if best.is_finite() => match cheapest(&scene.asking(best)) {
-            Ok(plan) if plan.is_full(scene) => Ok(plan),
-            _ => refused,
-        },
-        _ => refused,
+        Goal::Full if best.is_finite() => {
+            let finer = cheapest(&scene.asking(best)).ok();
+            finer.filter(|plan| plan.is_full(scene)).ok_or(refused)
+        }
+        _ => Err(refused),
     }
 }
 

@@ -216,8 +216,7 @@ impl Whole {
         let allowance = |reduction: &Reduction| {
             let phase = self.phase_error(reduction);
             // So little of the truncation that it doesn't matter for what else there is.
-            let truncation = self.truncation.min(most / SHARES[1]).min(self.beside_bias);
-            Allowance { phase, rest: most - phase, truncation }
+            Allowance { phase, rest: most - phase, truncation: self.beside_bias.min(most / SHARES[1]) }
         };
         self.sum_in_pieces()?.kernel(allowance, reduction, self.direction)
     }

@@ -197,6 +197,14 @@ mod tests {
         }
     }
 
+    /// How far a series is from twice the arcsine at a phase.
+    fn distance_at(Chart { sum, map }: Chart, series: &[Double], s: f64) -> f64 {
+        let s = Double::new(s);
+        let (p, wide) = (s * s, |map: Moebius| [map.end(), map.scale(), map.place].map(Double::new));
+        let image = map.map(wide).map_or(p, |[end, scale, place]| end - scale / (p + place));
+        (value(series, image * 8.0 - Double::ONE) - twice_arcsine(sum.at(s)).unwrap()).hi.abs()
+    }
+
     /// What is left out over a shorter reach, which in the image of s² is a longer one.
     #[test]
     fn reaches_of_moments() {
@@ -211,15 +219,8 @@ mod tests {
             for (terms, reach) in
                 [3, 5, 8].into_iter().flat_map(|terms| [0.1, 0.2, 0.35, 0.5].map(|reach| (terms, reach)))
             {
-                let u = |s: f64| {
-                    let p = s * s;
-                    8.0 * map.map_or(p, |map| map.end() - map.scale() / (p + map.place)) - 1.0
-                };
-                let error = |s: f64| {
-                    let kept = value(&series[..terms], Double::new(u(s)));
-                    (kept - twice_arcsine(sum.at(Double::new(s))).unwrap()).hi.abs()
-                };
-                let seen = worst((0..=2000).map(|i| error(reach * f64::from(i) / 2000.0)));
+                let at = |i: u32| distance_at(chart, &series[..terms], reach * f64::from(i) / 2000.0);
+                let seen = worst((0..=2000).map(at));
                 let bound = known.truncation(terms, reach - 0.5);
                 assert!(seen <= bound && bound <= 1.1 * seen, "{map:?} {terms} {reach}: {bound:e} for {seen:e}");
             }
@@ -240,16 +241,7 @@ mod tests {
                 let series = chart.interpolant(points).unwrap();
                 let Distance { within, growth } = chart.distance(&series, 1e-20).unwrap();
                 let known = Approximation::known(map, series.clone(), within, growth);
-                let error = |s: f64| {
-                    let p = Double::new(s) * s;
-                    let image = map.map_or(p, |map| {
-                        Double::new(map.end()) - Double::new(map.scale()) / (p + Double::new(map.place))
-                    });
-                    (value(&series, image * 8.0 - Double::ONE) - twice_arcsine(sum.at(Double::new(s))).unwrap())
-                        .hi
-                        .abs()
-                };
-                let seen = (0..=100).map(|i| error(0.5 + beyond * f64::from(i) / 100.0)).fold(0.0, f64::max);
+                let seen = worst((0..=100).map(|i| distance_at(chart, &series, 0.5 + beyond * f64::from(i) / 100.0)));
                 let [inner, outer, farther] = [0.0, beyond, 0.2].map(|beyond| known.truncation(points, beyond));
                 assert!(seen <= outer, "{theta0} {map:?}: {inner:e} {seen:e} {outer:e}");
                 // Nothing is known beyond the ellipse where the sum was bounded.
