@@ -114,8 +114,8 @@ impl<'a> Clock<'a> {
         let wide = matches!(scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. });
         let added_in = if wide { Float::F64 } else { self.float };
         let launch_error = if counted { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
-        // A launch phase is rounded before n is: the remainder may pass half an anchor by as much.
-        let overshoot = if exact { overshoot } else { overshoot.max(4.0 * (error + launch_error)) };
+        // Added last, it is rounded, too, and so is the remainder then.
+        let overshoot = overshoot + launch_error;
         let error = error + launch_error;
         let without_error = Reduction::exact(scheme, origin, self.float);
         Reduction { launch: self.launch, error, relative_error, overshoot, unit, scale, cap, ..without_error }

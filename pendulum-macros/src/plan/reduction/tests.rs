@@ -140,9 +140,6 @@ fn errors_are_those_promised() {
             for reduction in clock.reductions() {
                 // Little beyond half an anchor but what the phase is wrong by.
                 assert!(reduction.overshoot <= 4.0 * reduction.error + 0.01, "{reduction:?}");
-                // Which is what a remainder is wrong by, if the launch is added to it before n is rounded.
-                let exact = matches!(launch, "0" | "0.5");
-                assert!(exact || reduction.overshoot >= reduction.error, "{reduction:?}");
                 // The same, from the nearest of the pieces of an anchor.
                 for reduction in [2.0, 32.0].into_iter().filter_map(|pieces| reduction.in_pieces(pieces)) {
                     let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
