@@ -47,6 +47,7 @@
 //! the same on every target with IEEE 754's arithmetic (32-bit x86 without SSE2 has another) and at every optimisation
 //! level, but for the sign and payload of a NaN, which the standard leaves open. Another version may plan differently: where
 //! bits are compared, as in replays and lockstep, pin it.
+#![forbid(unsafe_code)]
 #![no_std]
 
 pub use pendulum_runtime::{Error, Fourier, Pendulum, Regime, Scalar, elliptic};
@@ -113,7 +114,7 @@ struct Readme;
 /// | parameter | meaning | range | default |
 /// |---|---|---|---|
 /// | `theta0`, `θ0` | angle at t = 0 | 10⁻³⁰⁰ (`f32`: 10⁻³⁵) ≤ \|θ0\| < π at rest, \|θ0\| ≤ π in motion | 0 if `velocity0` is given |
-/// | `velocity0` | θ̇ at t = 0, rad per unit of t (`90deg` is 90 degrees, π/2 rad, per unit of t) | any up to 10¹³⁵·ω | 0, released at rest |
+/// | `velocity0` | θ̇ at t = 0, rad per unit of t (`90deg` is 90 degrees, π/2 rad, per unit of t) | any up to 10¹³⁶·ω | 0, released at rest |
 /// | `omega`, `ω` | ω = √(g/ℓ), rad per unit of t | > 0, for periods up to 10²⁸⁰ (`f32`: 3·10³⁸), of velocities up to ω = 10²⁹⁹, of accelerations while ω²θ̇ is a number | 1 |
 /// | `g`, `length` | in place of `omega`: m/s² and m, both | > 0 | |
 /// | `n` | the paper's θ̂ with N = n terms (Eq. 22), of a swing | from 1 to what `float` can use | |

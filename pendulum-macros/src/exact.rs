@@ -153,7 +153,7 @@ impl Real {
     /// Five times faster than the library's.
     pub(crate) fn atan2(&self, x: &Self) -> Self {
         let context = self.context();
-        let shift = -self.exponent().max(x.exponent());
+        let shift = -self.exponent_above().max(x.exponent_above());
         let start = libm::atan2(self.scale(shift).to_f64(), x.scale(shift).to_f64());
         // Tiny angles are their own tangents: the series alone serves them, and no subnormal start loses digits.
         let Some(start) = context.float(start).filter(|_| start.abs() > 1e-9) else {
@@ -193,7 +193,7 @@ impl Real {
     }
 
     /// The e with 2^{e−1} ≤ |x| < 2ᵉ; the least there is for zero.
-    pub(crate) fn exponent(&self) -> i64 {
+    pub(crate) fn exponent_above(&self) -> i64 {
         if self.is_zero() {
             return i64::from(i32::MIN);
         }
@@ -351,7 +351,7 @@ mod tests {
         let context = Context::for_digits(20);
         assert_eq!(context.integer(3).power(13), context.integer(1594323));
         assert_eq!(context.integer(3).power(0), context.integer(1));
-        assert_eq!([1, 7, 8].map(|n| context.integer(n).exponent()), [1, 3, 4]);
-        assert_eq!(context.power_of_two(-5000).exponent(), -4999);
+        assert_eq!([1, 7, 8].map(|n| context.integer(n).exponent_above()), [1, 3, 4]);
+        assert_eq!(context.power_of_two(-5000).exponent_above(), -4999);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Depend on `pendula`, not on this crate: the macro is documented there, and its expansion names items through the
 //! path that `pendula` hands in.
-
+#![forbid(unsafe_code)]
 #![cfg_attr(test, allow(clippy::disallowed_methods))] // what a test compares with may depend on the host
 
 mod chebyshev;

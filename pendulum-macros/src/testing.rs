@@ -1,6 +1,7 @@
 //! What tests everywhere begin with: the scene of a text, and reproducible randomness.
 
 use crate::check::check;
+use crate::motion::{Regime, Swing};
 use crate::parse::parse;
 use crate::report::Report;
 use crate::scene::Scene;
@@ -19,6 +20,12 @@ pub(crate) fn scene(text: &str) -> Scene {
     let (scene, errors) = checked(text.parse().unwrap());
     assert!(errors.is_empty(), "{text}: {errors:#?}");
     scene.unwrap()
+}
+
+/// Its motion, from a turning point to the other and back.
+pub(crate) fn swing(scene: &Scene) -> &Swing {
+    let Regime::Swing(swing) = &scene.motion.regime else { panic!("{:?} is no swing", scene.motion) };
+    swing
 }
 
 /// `SplitMix64` (Steele, Lea and Flood 2014), whose every seed is a good one.

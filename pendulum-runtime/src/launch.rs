@@ -16,7 +16,7 @@ use crate::swing::Swing;
 /// Released at rest from `theta0`, |θ0| ≤ the last `f64` below π.
 pub(crate) fn at_rest(theta0: f64, omega: f64) -> Result<Motion, Error> {
     finite("theta0", theta0)?;
-    frequency(omega)?;
+    positive_rate(omega)?;
     if theta0.abs() > core::f64::consts::PI {
         return Err(Error::Amplitude { value: theta0 });
     }
@@ -27,8 +27,8 @@ pub(crate) fn at_rest(theta0: f64, omega: f64) -> Result<Motion, Error> {
 pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion, Error> {
     finite("theta", theta)?;
     finite("velocity", velocity)?;
-    frequency(omega)?;
-    // Both are brought to ω's unit_of first, so that the division neither underflows nor overflows needlessly.
+    positive_rate(omega)?;
+    // Both are taken in units of `unit_of(omega)` first, so that the division neither underflows nor overflows needlessly.
     let unit = unit_of(omega);
     let speed = 0.5 * (velocity.abs() / unit);
     if speed > 0.5 * LARGEST * (omega / unit) {
@@ -59,7 +59,7 @@ pub(crate) fn from_state(theta: f64, velocity: f64, omega: f64) -> Result<Motion
     Ok(state.launch())
 }
 
-fn frequency(omega: f64) -> Result<(), Error> {
+fn positive_rate(omega: f64) -> Result<(), Error> {
     finite("omega", omega)?;
     if omega > 0.0 { Ok(()) } else { Err(Error::Frequency { value: omega }) }
 }

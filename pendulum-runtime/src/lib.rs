@@ -13,6 +13,7 @@
 //! (module `swing`); near the top their duals, in which an exponential takes the place of the sine, converge faster
 //! still. Rotations (module `rotation`) are θ = 2 am. 1/T is carried in two words (`double`), and t/T is reduced
 //! exactly (`phase`).
+#![forbid(unsafe_code)]
 #![no_std]
 #![warn(clippy::must_use_candidate)]
 

@@ -236,7 +236,7 @@ impl<F: Scalar> Pendulum<F> {
     }
 
     /// The small-angle approximation θ(0) cos ωt + (θ̇(0)/ω) sin ωt (Eq. 3, there from rest), θ being counted from the
-    /// lowest point next to θ(0), with ωt less turns of 2π in two words: good to the last digits up to 2⁵³ turns.
+    /// lowest point next to θ(0), with ωt less turns of 2π in two words: good to the last digits up to 2⁵⁰ turns.
     ///
     /// Its period is short by a fraction θ0²/16, so its error grows with t: at 10° 0.9 % of θ0 within one period, 12 %
     /// within ten.

@@ -3,6 +3,7 @@
 //! `cargo run --release -p pendula-stress -- exhaustive` (or `times`, `amplitudes`, `coefficients`) runs one of the
 //! suites and prints what it found; `docs/ACCURACY.md` has the latest results. The tests `tests/stress_*.rs` of the
 //! workspace run the same code on fewer inputs.
+#![forbid(unsafe_code)]
 
 pub mod amplitudes;
 pub mod big;

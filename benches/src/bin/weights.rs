@@ -80,76 +80,64 @@ fn constant(i: usize) -> f64 {
     0.75 + i as f64 / 8.0
 }
 
-/// The kinds of `pendulum-macros/src/program/mod.rs`, as they are emitted.
+/// The kinds of `pendulum-macros/src/program/mod.rs` that there are of both floats, as they are emitted.
+macro_rules! kinds {
+    ($inputs:expr, $float:ident of $bits:ident, $root:ident) => {{
+        const SIGN: $bits = 1 << ($bits::BITS - 1);
+        let constant = |i| constant(i) as $float;
+        vec![
+            kind("nothing", (1.0, 0.0), $inputs, |v: $float, _, _| v),
+            kind("addition and multiplication", (2.0, 0.0), $inputs, move |v, y, i| v * y + constant(i)),
+            kind("quotient", (1.0, 0.0), $inputs, |v, y, _| y / v),
+            kind("root", (1.0, 0.0), $inputs, |v, _, _| $root(v)),
+            kind("sign by parity (`Alternate`)", (1.0, 1.0), $inputs, move |v, y, i| {
+                $float::from_bits(v.to_bits() ^ ((y + constant(i)).to_bits() << ($bits::BITS - 1)))
+            }),
+            kind("sign against (`Against`)", (1.0, 1.0), $inputs, move |v, y, i| {
+                $float::from_bits(v.to_bits() ^ (!(y - constant(i)).to_bits() & SIGN))
+            }),
+            kind("sign along (`Along`)", (1.0, 1.0), $inputs, move |v, y, i| {
+                $float::from_bits(v.to_bits() ^ ((y - constant(i)).to_bits() & SIGN))
+            }),
+            kind("constant with a sign (`CopySign`)", (1.0, 2.0), $inputs, move |v, y, i| {
+                v + constant(i).copysign(y - constant(i + 1))
+            }),
+            kind("absolute value", (1.0, 1.0), $inputs, |v, y, _| (v - y).abs()),
+            kind("minimum, maximum", (1.0, 1.0), $inputs, move |v, y, i| {
+                let v = v * y;
+                let limit = 64.0 * constant(i);
+                if limit < v { limit } else { v }
+            }),
+            kind("choice (`Select`)", (1.0, 1.0), $inputs, move |v, y, i| {
+                let sum = v + y;
+                if v < constant(i) { y } else { sum }
+            }),
+        ]
+    }};
+}
+
 fn doubles(inputs: &Block<f64>) -> Vec<Kind<'_>> {
-    vec![
-        kind("nothing", (1.0, 0.0), inputs, |v, _, _| v),
-        kind("addition and multiplication", (2.0, 0.0), inputs, |v, y, i| v * y + constant(i)),
-        kind("quotient", (1.0, 0.0), inputs, |v, y, _| y / v),
-        kind("root", (1.0, 0.0), inputs, |v, _, _| root(v)),
-        kind("sign by parity (`Alternate`)", (1.0, 1.0), inputs, |v, y, i| {
-            f64::from_bits(v.to_bits() ^ ((y + constant(i)).to_bits() << 63))
-        }),
-        kind("sign against (`Against`)", (1.0, 1.0), inputs, |v, y, i| {
-            f64::from_bits(v.to_bits() ^ (!(y - constant(i)).to_bits() & 0x8000_0000_0000_0000))
-        }),
-        kind("sign along (`Along`)", (1.0, 1.0), inputs, |v, y, i| {
-            f64::from_bits(v.to_bits() ^ ((y - constant(i)).to_bits() & 0x8000_0000_0000_0000))
-        }),
-        kind("constant with a sign (`CopySign`)", (1.0, 2.0), inputs, |v, y, i| {
-            v + constant(i).copysign(y - constant(i + 1))
-        }),
-        kind("absolute value", (1.0, 1.0), inputs, |v, y, _| (v - y).abs()),
-        kind("minimum, maximum", (1.0, 1.0), inputs, |v, y, i| {
-            let v = v * y;
-            let limit = 64.0 * constant(i);
-            if limit < v { limit } else { v }
-        }),
-        kind("choice (`Select`)", (1.0, 1.0), inputs, |v, y, i| {
-            let sum = v + y;
-            if v < constant(i) { y } else { sum }
-        }),
+    let mut kinds = kinds!(inputs, f64 of u64, root);
+    kinds.extend([
         kind("head", (1.0, 1.0), inputs, |v, y, _| f64::from_bits((v * y).to_bits() & 0xffff_ffff_fc00_0000)),
         kind("power of two", (1.0, 2.0), inputs, |v, y, i| {
             let magic = y + ROUNDER + constant(i);
             v * f64::from_bits(magic.to_bits().wrapping_add(1023) << 52)
         }),
         kind("narrow and widen, half of it", (2.0, 1.0), inputs, |v, y, _| f64::from((v * y) as f32)),
-    ]
+    ]);
+    kinds
 }
 
 fn singles(inputs: &Block<f32>) -> Vec<Kind<'_>> {
-    vec![
-        kind("nothing", (1.0, 0.0), inputs, |v, _, _| v),
-        kind("addition and multiplication", (2.0, 0.0), inputs, |v, y, i| v * y + constant(i) as f32),
-        kind("quotient", (1.0, 0.0), inputs, |v, y, _| y / v),
-        kind("root", (1.0, 0.0), inputs, |v, _, _| rootf(v)),
-        kind("sign by parity (`Alternate`)", (1.0, 1.0), inputs, |v, y, i| {
-            f32::from_bits(v.to_bits() ^ ((y + constant(i) as f32).to_bits() << 31))
-        }),
-        kind("sign against (`Against`)", (1.0, 1.0), inputs, |v, y, i| {
-            f32::from_bits(v.to_bits() ^ (!(y - constant(i) as f32).to_bits() & 0x8000_0000))
-        }),
-        kind("sign along (`Along`)", (1.0, 1.0), inputs, |v, y, i| {
-            f32::from_bits(v.to_bits() ^ ((y - constant(i) as f32).to_bits() & 0x8000_0000))
-        }),
-        kind("constant with a sign (`CopySign`)", (1.0, 2.0), inputs, |v, y, i| {
-            v + (constant(i) as f32).copysign(y - constant(i + 1) as f32)
-        }),
-        kind("absolute value", (1.0, 1.0), inputs, |v, y, _| (v - y).abs()),
-        kind("minimum, maximum", (1.0, 1.0), inputs, |v, y, i| {
-            let v = v * y;
-            let limit = 64.0 * constant(i) as f32;
-            if limit < v { limit } else { v }
-        }),
-        kind("choice (`Select`)", (1.0, 1.0), inputs, |v, y, i| {
-            let sum = v + y;
-            if v < constant(i) as f32 { y } else { sum }
-        }),
-        kind("addition and multiplication in f64, and conversions, all of it", (1.0, 0.0), inputs, |v, y, i| {
-            (f64::from(v) * f64::from(y) + constant(i)) as f32
-        }),
-    ]
+    let mut kinds = kinds!(inputs, f32 of u32, rootf);
+    kinds.push(kind(
+        "addition and multiplication in f64, and conversions, all of it",
+        (1.0, 0.0),
+        inputs,
+        |v, y, i| (f64::from(v) * f64::from(y) + constant(i)) as f32,
+    ));
+    kinds
 }
 
 /// Weights by the median over the rounds.

@@ -14,6 +14,7 @@
 //! assert!(files.iter().all(|file| file.exists()));
 //! # Ok::<(), pendula_plot::Error>(())
 //! ```
+#![forbid(unsafe_code)]
 
 mod axis;
 mod clip;

@@ -11,8 +11,8 @@ use crate::parse::{Float, Given, Output};
 const SMALLEST_AMPLITUDE: f64 = 1e-300;
 const SMALLEST_AMPLITUDE_F32: f64 = 1e-35;
 
-/// A rotation of κ below 2⁻⁴⁵⁰ is faster than 10¹³⁵·ω. Its angle departs from a linear one by κ²/4 or less, of which 2⁻⁹⁰⁰
-/// leaves second words (2⁻⁹⁵³) and what they are multiplied with room above the least normal number, 2⁻¹⁰²².
+/// A rotation of κ below 2⁻⁴⁵¹ is faster than 10¹³⁶·ω. Its angle departs from a linear one by κ²/4 or less, of which 2⁻⁹⁰⁴
+/// leaves second words (2⁻⁹⁵⁷) and what they are multiplied with room above the least normal number, 2⁻¹⁰²².
 const LEAST_MODULUS: i64 = -450;
 
 impl Checker<'_> {
@@ -36,7 +36,7 @@ impl Checker<'_> {
     fn has_words(&mut self, period: &Real) -> Checked<()> {
         let request = self.request;
         let longest = *Float::F64.moderate().end();
-        match request.omega.as_ref().or(request.length.as_ref()).or(request.velocity0.as_ref()) {
+        match request.rate().or(request.velocity0.as_ref()) {
             Some(given) if period.to_f64() > longest => {
                 let message = format!(
                     "`{given}` makes a period of {:e}, above {longest:e}, where rates lose digits to underflow: count time in a \
@@ -78,7 +78,7 @@ impl Checker<'_> {
     fn turns_unevenly(&mut self, rotation: &Rotation) -> Checked<()> {
         let request = self.request;
         match &request.velocity0 {
-            Some(given) if rotation.elliptic.modulus.exponent() < LEAST_MODULUS => {
+            Some(given) if rotation.elliptic.modulus.exponent_above() < LEAST_MODULUS => {
                 let message = format!(
                     "`{given}` is so fast, beside ω, that the angle is θ0 + velocity0·t to the last digit: compute that"
                 );

@@ -124,9 +124,9 @@ impl Motion {
     pub(crate) fn cancelled_bits(&self) -> usize {
         let gap = match &self.regime {
             // Released from rest, k′ itself comes from π − θ0; otherwise its square from a difference of squares.
-            Regime::Swing(swing) if self.velocity0.is_zero() => -swing.elliptic.complementary.exponent(),
-            Regime::Swing(swing) => -2 * swing.elliptic.complementary.exponent(),
-            Regime::Rotation(rotation) => -2 * rotation.elliptic.complementary.exponent(),
+            Regime::Swing(swing) if self.velocity0.is_zero() => -swing.elliptic.complementary.exponent_above(),
+            Regime::Swing(swing) => -2 * swing.elliptic.complementary.exponent_above(),
+            Regime::Rotation(rotation) => -2 * rotation.elliptic.complementary.exponent_above(),
             Regime::Separatrix(_) => return usize::MAX,
         };
         usize::try_from(gap).unwrap_or(0)

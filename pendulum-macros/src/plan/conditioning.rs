@@ -1,5 +1,5 @@
-//! The conditioning of the motion: suprema of |z·df/dz| for the angle, the velocity and the acceleration, z being the phase from the lowest point: what
-//! an error of the phase that is relative to z costs.
+//! The conditioning of the motion: what an error of the phase that is relative to z, the phase from the lowest point,
+//! costs. These are suprema of |z·df/dz|, for the angle, the velocity and the acceleration.
 //!
 //! From the lowest point to the anchor v = θ̇ falls, so that in a slice of z it lies between its values at the ends. By
 //! the energy, 1 − cos θ = (F² − v²)/(2ω²) with F = v(0) rises as it falls. θ̈ = −ω² sin θ and θ⃛ = −ω² v cos θ are bounded

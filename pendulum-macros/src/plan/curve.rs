@@ -1,16 +1,16 @@
 //! The curves that outputs are made of: each a function of the phase alone, with what planning needs to know of it.
 
+mod rotation;
+mod swing;
+
 use super::arc::Arc;
 use super::pulses::Pulses;
-use crate::exact::Real;
-use crate::motion::{Rotation, Swing};
-use crate::plan::conditioning::Conditioning;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::program::rounding::INFLATION;
 use crate::series::{Parity, Wave};
 use pendulum_runtime::double::Double;
-use pendulum_runtime::elliptic::Jacobi;
-use std::cell::OnceCell;
+pub(crate) use rotation::RotationCurves;
+pub(crate) use swing::SwingCurves;
 
 /// A function of the phase s (in anchors) between two anchors, or over an [`Arc`].
 #[derive(Clone, Debug)]
@@ -234,176 +234,6 @@ pub(crate) trait Curves {
     /// to a position is known from the angle.
     fn half_sine(&self) -> Curve;
     fn half_cosine(&self) -> Curve;
-}
-
-/// The curves of a swing.
-pub(crate) struct SwingCurves<'a> {
-    swing: &'a Swing,
-    omega: &'a Real,
-    conditioning: OnceCell<Conditioning>,
-}
-
-impl<'a> SwingCurves<'a> {
-    pub(crate) fn new(swing: &'a Swing, omega: &'a Real) -> Self {
-        Self { swing, omega, conditioning: OnceCell::new() }
-    }
-
-    /// Anchors per unit of ωt: 1/(2K).
-    fn rate(&self) -> Double {
-        (self.swing.rate() / self.omega).to_double()
-    }
-
-    fn modulus(&self) -> f64 {
-        self.swing.elliptic.modulus.to_f64()
-    }
-
-    /// k′, the least cos(θ/2).
-    pub(crate) fn complementary(&self) -> f64 {
-        self.swing.elliptic.complementary.to_f64()
-    }
-
-    /// sup |sin θ|.
-    fn largest_sine(&self) -> f64 {
-        let amplitude = self.swing.amplitude.to_f64();
-        if amplitude >= std::f64::consts::FRAC_PI_2 { 1.0 } else { libm::sin(amplitude) }
-    }
-
-    fn curve(wave: Wave, pulses: Pulses, largest: f64, slopes: [f64; 2], unit: f64) -> Curve {
-        Curve { alternates: true, ..Curve::new(wave, pulses, largest, slopes, unit) }
-    }
-
-    fn conditioning(&self) -> &Conditioning {
-        let (rate, fastest) = (self.rate().hi, 2.0 * self.modulus());
-        // θ̇/ω = 2k cn: of some hundreds of harmonics the series takes far longer.
-        let cosine = |jacobi: Jacobi| Conditioning::new(|z| fastest * jacobi.sn_cn_dn(z / rate).1.abs(), rate, fastest);
-        let slope = || Wave::swing(self.swing, 1, Double::ONE, Double::ONE);
-        let series = || Conditioning::of_wave(&slope(), rate, fastest);
-        let jacobi = || Jacobi::from_complementary_modulus(self.complementary()).filter(|_| fastest > 1.0);
-        self.conditioning.get_or_init(|| jacobi().map_or_else(series, cosine))
-    }
-}
-
-impl Curves for SwingCurves<'_> {
-    /// |θ̇| ≤ 2kω, which it reaches at the lowest point, faster and faster from the turning point on.
-    fn angle(&self) -> Curve {
-        let wave = Wave::swing(self.swing, 0, Double::ONE, Double::ONE);
-        let largest = self.swing.amplitude.to_f64();
-        let slopes = [2.0 * self.modulus() / self.rate().hi, self.conditioning().angle];
-        let pulses = Pulses::angle(&self.swing.elliptic, largest, 0.0);
-        Curve { rises: true, ..Self::curve(wave, pulses, largest, slopes, 1.0) }
-    }
-
-    fn velocity(&self) -> Curve {
-        let omega = self.omega.to_double();
-        let slopes = [self.largest_sine() / self.rate().hi, self.conditioning().velocity].map(|slope| omega.hi * slope);
-        let pulses = Pulses::velocity(&self.swing.elliptic, 1.0, omega.hi);
-        let wave = Wave::swing(self.swing, 1, self.rate(), omega);
-        Self::curve(wave, pulses, 2.0 * self.modulus() * omega.hi, slopes, omega.hi)
-    }
-
-    /// −ω² sin θ; its derivative is largest at the lowest point.
-    fn acceleration(&self) -> Curve {
-        let unit = self.omega.square().to_double();
-        let square = unit.hi;
-        let slopes =
-            [2.0 * self.modulus() / self.rate().hi, self.conditioning().acceleration].map(|slope| square * slope);
-        let pulses = Pulses::acceleration(&self.swing.elliptic, 1.0, square);
-        let wave = Wave::swing(self.swing, 2, self.rate(), unit);
-        Self::curve(wave, pulses, square * self.largest_sine(), slopes, square)
-    }
-
-    /// k sn.
-    fn half_sine(&self) -> Curve {
-        let pulses = Pulses::half_sine(&self.swing.elliptic, 1.0);
-        Self::curve(Wave::half_sine(self.swing), pulses, self.modulus(), [f64::INFINITY; 2], 1.0)
-    }
-
-    /// dn.
-    fn half_cosine(&self) -> Curve {
-        let pulses = Pulses::half_cosine(&self.swing.elliptic, 1.0);
-        Curve::new(Wave::half_cosine(self.swing), pulses, 1.0, [f64::INFINITY; 2], 1.0)
-    }
-}
-
-/// The curves of a rotation, by the phase in turns from the top.
-pub(crate) struct RotationCurves<'a> {
-    rotation: &'a Rotation,
-    omega: &'a Real,
-    conditioning: OnceCell<Conditioning>,
-}
-
-impl<'a> RotationCurves<'a> {
-    pub(crate) fn new(rotation: &'a Rotation, omega: &'a Real) -> Self {
-        Self { rotation, omega, conditioning: OnceCell::new() }
-    }
-
-    /// Turns per unit of time.
-    fn rate(&self) -> Double {
-        self.rotation.rate().to_double()
-    }
-
-    /// The largest |derivative| by the phase of what changes by at most that product per unit of time, which itself over-
-    /// or underflows where ω is far from 1.
-    fn slope(&self, factor: f64, per_time: f64) -> f64 {
-        factor * (per_time / self.rate().hi)
-    }
-
-    /// 1/κ.
-    fn front(&self) -> f64 {
-        1.0 / self.rotation.elliptic.modulus.to_f64()
-    }
-
-    fn conditioning(&self) -> &Conditioning {
-        let omega = self.omega.to_f64();
-        let slope = || Wave::rotation(self.rotation, 1, Double::ONE, Double::ONE);
-        let (rate, fastest) = (self.rate().hi / omega, self.rotation.fastest.to_f64() / omega);
-        self.conditioning.get_or_init(|| Conditioning::of_wave(&slope(), rate, fastest))
-    }
-
-    /// The angle itself, of the turn that passes the lowest point at s = ½.
-    pub(crate) fn whole_angle(&self) -> Curve {
-        let wave = Wave::rotation(self.rotation, 0, Double::ONE, Double::ONE).raised(-Double::PI);
-        Curve { wave, pulses: None, ..self.angle() }
-    }
-}
-
-impl Curves for RotationCurves<'_> {
-    /// From the top, less 2πs; its slope is that of the whole.
-    fn angle(&self) -> Curve {
-        let wave = Wave::rotation(self.rotation, 0, Double::ONE, Double::ONE).without_mean();
-        let slopes = [self.slope(1.0, self.rotation.fastest.to_f64()), self.conditioning().angle];
-        let pulses = Pulses::angle(&self.rotation.elliptic, std::f64::consts::PI, 1.0);
-        Curve::new(wave, pulses, std::f64::consts::PI, slopes, 1.0)
-    }
-
-    /// |θ̇|; its derivative is at most ω².
-    fn velocity(&self) -> Curve {
-        let omega = self.omega.to_f64();
-        let fastest = self.rotation.fastest.to_double();
-        let wave = Wave::rotation(self.rotation, 1, self.rate() / fastest, fastest);
-        let slopes = [self.slope(omega, omega), omega * self.conditioning().velocity];
-        let pulses = Pulses::velocity(&self.rotation.elliptic, self.front(), omega);
-        Curve::new(wave, pulses, fastest.hi, slopes, omega)
-    }
-
-    fn acceleration(&self) -> Curve {
-        let unit = self.omega.square().to_double();
-        let square = unit.hi;
-        let wave = Wave::rotation(self.rotation, 2, self.rate() / self.omega.to_double(), unit);
-        let slopes = [self.slope(square, self.rotation.fastest.to_f64()), square * self.conditioning().acceleration];
-        let pulses = Pulses::acceleration(&self.rotation.elliptic, self.front(), square);
-        Curve::new(wave, pulses, square, slopes, square)
-    }
-
-    fn half_sine(&self) -> Curve {
-        let pulses = Pulses::half_sine(&self.rotation.elliptic, self.front());
-        Curve::new(Wave::from_top(self.rotation, Parity::Even), pulses, 1.0, [f64::INFINITY; 2], 1.0)
-    }
-
-    fn half_cosine(&self) -> Curve {
-        let pulses = Pulses::half_cosine(&self.rotation.elliptic, self.front());
-        Curve::new(Wave::from_top(self.rotation, Parity::Odd), pulses, 1.0, [f64::INFINITY; 2], 1.0)
-    }
 }
 
 #[cfg(test)]

@@ -62,7 +62,7 @@ impl Fit {
         };
         let coefficients: Vec<Id> = self.coefficients.iter().enumerate().map(constant).collect();
         // The constant term is the largest: added last, it is rounded with once, and not at every level.
-        let Some((&first, rest)) = coefficients.split_first() else { return z };
+        let (&first, rest) = coefficients.split_first().expect("a term");
         let rest = estrin(b, z, rest, names);
         let rest = b.mul(rest, z);
         b.add(first, rest)

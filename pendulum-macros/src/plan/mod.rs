@@ -70,7 +70,7 @@ pub(crate) struct Part {
     /// What the kernel is, for the reader.
     pub(crate) description: String,
     pub(crate) bound: Bound,
-    /// What an error of 1 in the output's own unit is: 1, ω, ω².
+    /// What a tolerance of 1 is in the output's own unit: 1, ω, ω².
     pub(crate) unit: f64,
     /// The largest magnitude of the exact output.
     pub(crate) largest: f64,
@@ -89,6 +89,9 @@ pub(crate) struct Bound {
     /// Rounding of coefficients and operations.
     pub(crate) evaluation: f64,
 }
+
+/// A bound of which rounding is more than so many times the rest is far above what is seen, as roundings hardly ever add up.
+const MOSTLY_ROUNDING: f64 = 1.5;
 
 impl Part {
     /// The bound of its error, in units of the tolerance. A quotient that underflows is rounded up, too.

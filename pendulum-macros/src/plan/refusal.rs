@@ -27,7 +27,7 @@ impl Refusal {
                 let by_rate = scene.goal == Goal::Full && scene.is_far();
                 (if by_rate { &blame.rate } else { &blame.goal }, unreachable(best, scene))
             }
-            Self::Overshoot { smallest: None, .. } if !matches!(scene.goal, Goal::Terms(_)) => {
+            Self::Overshoot { .. } if !matches!(scene.goal, Goal::Terms(_)) => {
                 (&blame.method, ALWAYS_OVERSHOOTS.to_owned())
             }
             Self::Overshoot { terms, overshoot, smallest } => {
@@ -195,13 +195,12 @@ fn exceeds_one(terms: usize, overshoot: f64, smallest: Option<usize>, scene: &Sc
         || format!("{}: {}", none_works(scene), by_tolerance(scene)),
         |smallest| format!("the smallest number of terms that works is `n = {smallest}`"),
     );
-    let asked = if let Goal::Terms(_) = scene.goal { format!("`n = {terms}`") } else { format!("{terms} terms") };
     let exceeds = if overshoot > UNTOLD {
         format!("exceeds 1 by {overshoot:.2e}")
     } else {
         "can't be told from one that exceeds 1".to_owned()
     };
     format!(
-        "{asked}: the argument of the arcsine in Eq. 22 {exceeds} at this amplitude, where θ̂ would be NaN; {remedy}"
+        "`n = {terms}`: the argument of the arcsine in Eq. 22 {exceeds} at this amplitude, where θ̂ would be NaN; {remedy}"
     )
 }

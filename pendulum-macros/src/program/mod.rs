@@ -94,7 +94,7 @@ pub(crate) enum Op {
     Narrow(Id),
 }
 
-/// An operation, the type of its result, and the name it has in the emitted code (unnamed ones are inlined).
+/// An operation, the type of its result, and the name it has in the emitted code (unnamed ones used once are inlined).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Node {
     pub(crate) op: Op,

@@ -59,14 +59,14 @@ impl Wave {
 mod tests {
     use super::*;
     use crate::motion::Regime;
-    use crate::testing::scene;
+    use crate::testing::{scene, swing};
 
     /// By Clenshaw's recurrence, of few terms and of more than there are pieces.
     #[test]
     fn values_in_pieces_are_those_one_by_one() {
         let swing = |theta0: &str, order: i32| {
             let scene = scene(&format!("theta0 = {theta0}"));
-            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+            let swing = swing(&scene);
             Wave::swing(swing, order, Double::ONE, Double::ONE)
         };
         let scene = scene("velocity0 = 2.000001");

@@ -40,7 +40,7 @@ struct Value {
 impl Value {
     /// The logarithm of what it is wrong by.
     fn error(&self) -> i64 {
-        self.real.exponent() - self.real.context().bits() + self.wrong
+        self.real.exponent_above() - self.real.context().bits() + self.wrong
     }
 }
 
@@ -116,8 +116,8 @@ impl Evaluation {
     fn sum(&mut self, left: &Value, right: &Value) -> Value {
         let real = &left.real + &right.real;
         let error = left.error().max(right.error()) + 1;
-        let last = real.exponent() - self.context.bits();
-        if real.exponent() > error {
+        let last = real.exponent_above() - self.context.bits();
+        if real.exponent_above() > error {
             return Value { real, wrong: (error - last).max(0) + 1 };
         }
         self.is_doubtful |= !(left.real.is_zero() && right.real.is_zero());

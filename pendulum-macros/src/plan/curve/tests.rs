@@ -5,7 +5,7 @@ use crate::motion::Regime;
 use crate::plan::task::Task;
 use crate::power::two_to;
 use crate::program::rounding::LOST;
-use crate::testing::{Random, scene};
+use crate::testing::{Random, scene, swing};
 
 /// sup |f|, |f′| and |z·f′|, with `mean` added to f′, z being the phase from the lowest point, a quarter of the
 /// cosine's period off the anchor.
@@ -37,7 +37,7 @@ fn stated(name: &str, curve: &Curve, times: [f64; 3]) {
 fn curves_of_swings() {
     for theta0 in ["1e-300", "1e-170", "1e-9", "1e-8", "0.1", "1.7", "7π/8", "0.99π"] {
         let scene = scene(&format!("theta0 = {theta0}, omega = 3"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let curves = SwingCurves::new(swing, &scene.motion.omega);
         // Each slice of the conditioning is a tenth longer than the one before, at most; of the acceleration's two factors
         // each is bounded by itself.
@@ -56,7 +56,7 @@ fn curves_of_swings() {
 #[test]
 fn the_moment_of_accelerations() {
     let scene = scene("theta0 = 0.5, omega = 3");
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let swing = swing(&scene);
     let acceleration = SwingCurves::new(swing, &scene.motion.omega).acceleration();
     stated("of a small swing", &acceleration, [1.001, 1.001, 1.2]);
 }
@@ -111,7 +111,7 @@ fn slopes_are_rounded_up() {
         assert!((5e-13..2e-12).contains(&excess), "{slope} for {known}: {excess:e}");
     };
     let swinging = scene("theta0 = 2, omega = 3");
-    let Regime::Swing(swing) = &swinging.motion.regime else { panic!("a swing") };
+    let swing = swing(&swinging);
     let curves = SwingCurves::new(swing, &swinging.motion.omega);
     let (fastest, anchor) = (6.0 * 1f64.sin(), swing.period.to_f64() / 2.0);
     above(curves.angle().size.slope, fastest * anchor);
@@ -130,7 +130,7 @@ fn slopes_are_rounded_up() {
 #[test]
 fn signs_of_swings() {
     let scene = scene("theta0 = 2");
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let swing = swing(&scene);
     let curves = SwingCurves::new(swing, &scene.motion.omega);
     for curve in [curves.angle(), curves.velocity(), curves.acceleration(), curves.half_sine()] {
         assert!(curve.alternates);
@@ -183,7 +183,7 @@ fn sums_of_harmonics() {
 fn first_terms() {
     for theta0 in ["1", "7π/8", "π - 1e-9"] {
         let scene = scene(&format!("theta0 = {theta0}"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let curves = SwingCurves::new(swing, &scene.motion.omega);
         for whole in [curves.angle(), curves.velocity()] {
             let first = whole.clone().first(4);
@@ -209,7 +209,7 @@ fn first_terms() {
 fn omitted_slopes() {
     for theta0 in ["1", "7π/8", "0.999π"] {
         let scene = scene(&format!("theta0 = {theta0}"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
         let first = f64::from(theta.terms().last().unwrap().0 + 2) * std::f64::consts::PI;
         let times = theta.omitted_slope() / (theta.omitted() * first);
@@ -223,7 +223,7 @@ fn omitted_slopes() {
 fn values_are_sums() {
     for theta0 in ["0.1", "7π/8", "π - 1e-9", "π - 1e-40"] {
         let scene = scene(&format!("theta0 = {theta0}"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let curves = SwingCurves::new(swing, &scene.motion.omega);
         let context = swing.amplitude.context();
         for curve in [curves.angle(), curves.velocity(), curves.acceleration(), curves.half_sine()] {

@@ -13,7 +13,7 @@ use crate::plan::kernel::{Core, Kernel};
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
 use crate::plan::reduction::Reduction;
 use crate::plan::turning::Finish;
-use crate::plan::{Bound, Part};
+use crate::plan::{Bound, MOSTLY_ROUNDING, Part};
 use crate::program::rounding::INFLATION;
 use crate::scene::Goal;
 use pendulum_runtime::double::Double;
@@ -169,7 +169,7 @@ impl Sum<'_> {
     /// overshoot, where the arcsine is steep, which pieces count that a short horizon doesn't meet.
     fn is_vague(&self, bound: Bound, largest: f64) -> bool {
         let few = FEW * self.scene.float.rounding_unit() * largest;
-        let is_mostly_rounding = bound.evaluation > few.max(MOSTLY * (bound.truncation + bound.phase));
+        let is_mostly_rounding = bound.evaluation > few.max(MOSTLY_ROUNDING * (bound.truncation + bound.phase));
         matches!(self.scene.goal, Goal::Tolerance(_)) && is_mostly_rounding
     }
 
@@ -254,8 +254,7 @@ impl Sum<'_> {
     }
 }
 
-/// A bound whose rounding is more than so many times the rest is mostly rounding, unless that is a few units.
-const MOSTLY: f64 = 1.5;
+/// Rounding of so many units in the last place is what evaluations come to.
 const FEW: f64 = 16.0;
 
 /// Of more terms than this no powers come near the recurrence; of more than 42 none are known to.

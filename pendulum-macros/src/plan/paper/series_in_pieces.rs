@@ -1,17 +1,16 @@
-//! The series of θ and of its derivative, piece by piece.
+//! The series of θ and of its derivatives, piece by piece.
 //!
 //! Where harmonics fall off slowly, from about 0.9π on, Clenshaw's recurrence is rounded by more than full precision
 //! leaves, and to bound a long one takes the compiler more than a second. The sum of the first harmonics of a curve is a
 //! curve, too, bounded in the strip of the whole by what the whole is bounded by; so it is interpolated as that would be.
 
-use super::Sum;
 use super::parts::Wanted;
+use super::{Sum, in_units};
 use crate::plan::aim::Aim;
 use crate::plan::harmonics::harmonics;
 use crate::plan::part::AllInPieces;
 use crate::plan::task::Task;
 use crate::plan::{Bound, Part, Plan};
-use crate::supremum::worst;
 
 impl Sum<'_> {
     /// In few pieces if those serve, with the cheapest reduction that keeps the promise; or the error reached, in units of
@@ -19,7 +18,7 @@ impl Sum<'_> {
     pub(super) fn in_pieces(&self, wanted: &[Wanted]) -> Result<Plan, f64> {
         let mut task = Task::new(self.scene);
         task.aims.iter_mut().zip(wanted).for_each(|(aim, wanted)| self.restrict(aim, wanted));
-        let bias = worst(wanted.iter().map(|wanted| wanted.bias / wanted.curve.size.unit));
+        let bias = in_units(wanted, |of| of.bias);
         let all = AllInPieces::all(&task, &self.reductions());
         let pieces = all.first().ok_or(f64::INFINITY)?;
         let mut reached = f64::INFINITY;

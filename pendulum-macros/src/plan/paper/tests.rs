@@ -3,14 +3,13 @@
 mod moments;
 
 use super::*;
-use crate::motion::Regime;
 use crate::parse::Float;
 use crate::plan::Bound;
 use crate::plan::kernel::Core;
 use crate::plan::plan;
 use crate::plan::tests::probe::{assert_tight, evenly, largest_error};
 use crate::plan::tests::truth::{State, distance};
-use crate::testing::{Random, scene};
+use crate::testing::{Random, scene, swing};
 use pendulum_runtime::fourier_analysis::FourierAnalysis;
 
 pub(super) fn planned(text: &str) -> Result<Plan, Refusal> {
@@ -81,7 +80,7 @@ fn what_many_terms_reach() {
             let text = format!("theta0 = {theta0}, method = {method}, tol = 1e-20, float = {float}, t_max = 10");
             let Err(Refusal::Unreachable { best }) = planned(&text) else { panic!("{text}") };
             let scene = scene(&text);
-            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+            let swing = swing(&scene);
             assert!(best <= 20.0 * scene.float.rounding_unit() * swing.amplitude.to_f64(), "{text}: {best:e}");
         }
     }
@@ -138,7 +137,7 @@ fn phases_of_small_angles() {
             "struct A; theta0 = {theta0}, omega = 3, method = small_angle, t_max = 1e-3, \
              outputs = [theta, velocity, acceleration]"
         ));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let sum = Sum::new(&scene, swing, Method::SmallAngle, 1).unwrap();
         for wanted in sum.wanted() {
             // A sin x, A cos x, A sin x again; x from the lowest point.
@@ -166,7 +165,7 @@ fn velocities_of_small_angles() {
     for (t_max, most) in [(50.0, 1.15), (2000.0, 1.02)] {
         let text = format!("struct A; theta0 = 0.3, method = small_angle, outputs = [velocity], t_max = {t_max}");
         let scene = scene(&text);
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let apart = t_max * (1.0 - std::f64::consts::TAU / swing.period.to_f64());
         let fastest = 2.0 * 0.15f64.sin();
         let seen = 2.0 * fastest * (0.5 * apart).min(std::f64::consts::FRAC_PI_2).sin();
@@ -181,7 +180,7 @@ fn the_whole_arcsine_is_off_by_two_errors() {
     for (theta0, tol) in [("1", "1e-4"), ("1", "1e-6"), ("2", "1e-4")] {
         let text = format!("theta0 = {theta0}, method = fourier, tol = {tol}");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let (k, complement) = (&swing.elliptic.modulus, &swing.elliptic.complementary);
         let bias = FourierAnalysis::new(k.to_double(), complement.to_double()).certified_bound(plan.terms, 1e-3);
         let Core::Polynomial(polynomial) = &plan.parts[0].kernel.core else { panic!("{text}: another kernel") };
@@ -252,7 +251,7 @@ fn the_paper_and_its_derivative() {
     {
         let text = format!("struct Motion; {start}, n = {n}, outputs = [theta, velocity]");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let k = swing.elliptic.modulus.to_f64();
         let weights: Vec<f64> = plan.coefficients.iter().map(|b| k * b.to_f64()).collect();
         assert_eq!((weights.len(), plan.terms), (n, n));

@@ -14,7 +14,7 @@ use super::observed::observed;
 use super::reduction::Reduction;
 use super::task::Task;
 use super::turning::{AT_TOP, Finish, Turning};
-use super::{Bound, Part};
+use super::{Bound, MOSTLY_ROUNDING, Part};
 use crate::parse::{Float, Output};
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
@@ -95,18 +95,25 @@ impl Aim {
         })
     }
 
+    /// Those of the mirror image, if that is what moves: it changes the sign of a curve, but for the height's, and cos(θ/2)
+    /// with it, or sin where the angle is from the top.
+    fn mirror<K>(&self, task: &Task, kernels: &mut [K], negate: impl Fn(&mut K)) {
+        let mirrors = |curve: &Curve| self.output != Output::Position || curve.mirrors(task.turning);
+        let mirrored = kernels.iter_mut().zip(&self.curves).filter(|(_, curve)| task.direction < 0.0 && mirrors(curve));
+        mirrored.for_each(|(kernel, _)| negate(kernel));
+    }
+
     /// Whether rounding takes much of a tolerance and more of the bound than the rest does, as with coefficients that are
     /// many times as large as what they add up to, or with times of which most of the digits are before the point. Then it
     /// counts as more than the whole of its limit, which serves where nothing else does.
     fn is_mostly_rounding(&self, bound: &Bound, reduction: &Reduction) -> bool {
         const MUCH: f64 = 0.125;
-        const MOSTLY: f64 = 1.5;
         let Goal::Tolerance(tolerance) = self.goal else { return false };
         let of_phase = if reduction.is_rounded_late() { bound.phase } else { 0.0 };
         let rounding = bound.evaluation + of_phase;
         tolerance >= close_from(reduction.float)
             && rounding > MUCH * self.limit
-            && rounding > MOSTLY * (bound.truncation + bound.phase - of_phase)
+            && rounding > MOSTLY_ROUNDING * (bound.truncation + bound.phase - of_phase)
     }
 
     /// By how much more than its bound an error takes of the limit: less what is hardly ever met of the phase's, and what

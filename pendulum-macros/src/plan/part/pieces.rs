@@ -58,9 +58,7 @@ impl Aim {
             let each = self.truncation_of_each(left);
             let made = approximations.iter().map(|curve| curve.kernel(reduction, each)).collect::<Option<Vec<_>>>();
             let (mut pieces, truncations): (Vec<Pieces>, Vec<f64>) = made.ok_or(f64::INFINITY)?.into_iter().unzip();
-            let mirrored = |curve: &Curve| task.direction < 0.0 && self.mirrors(curve, task);
-            let both = pieces.iter_mut().zip(&self.curves);
-            both.filter(|(_, curve)| mirrored(curve)).for_each(|(pieces, _)| pieces.negate());
+            self.mirror(task, &mut pieces, Pieces::negate);
             let kernel = match <[Pieces; 2]>::try_from(pieces) {
                 Ok([sine, cosine]) => Core::Halves(Box::new(Halves { sine, cosine })).into(),
                 Err(mut single) => self.finished(task, Core::Pieces(Box::new(single.swap_remove(0))), None),

@@ -248,18 +248,9 @@ impl Aim {
         if self.output == Output::Position { error * (2.0 + error) } else { error }
     }
 
-    /// Whether a mirror image changes the curve's sign: it leaves the height as it is, and cos(θ/2) with it, or sin where
-    /// the angle is from the top.
-    pub(super) fn mirrors(&self, curve: &Curve, task: &Task) -> bool {
-        self.output != Output::Position || curve.mirrors(task.turning)
-    }
-
     /// Puts the polynomials together.
     fn kernel(&self, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
-        if task.direction < 0.0 {
-            let both = polynomials.iter_mut().zip(&self.curves);
-            both.filter(|(_, curve)| self.mirrors(curve, task)).for_each(|(polynomial, _)| polynomial.negate());
-        }
+        self.mirror(task, &mut polynomials, Polynomial::negate);
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok(factors) => Core::Circle(Box::new(factors)).into(),
             Err(mut single) => self.finished(task, Core::Polynomial(Box::new(single.swap_remove(0))), Some(reduction)),

@@ -226,11 +226,11 @@ impl Passage {
         // Before the lowest point a swing is on the positive side, of a passage downwards; a rotation still on the
         // negative.
         let direction = self.orbit.direction * if self.orbit.alternates() { 1.0 } else { -1.0 };
-        let mut values = match self.output {
-            Output::Theta | Output::Wrapped => vec![self.angle(b, &quotient, direction)],
-            Output::Velocity => vec![self.velocity(b, &quotient)],
-            Output::Acceleration => vec![self.acceleration(b, &quotient, direction)],
-            Output::Position => Self::position(b, &quotient, direction).to_vec(),
+        let mut values = match (&self.arctangent, self.output) {
+            (Some(arctangent), _) => vec![Self::angle(b, arctangent, &quotient, direction)],
+            (None, Output::Velocity) => vec![self.velocity(b, &quotient)],
+            (None, Output::Position) => Self::position(b, &quotient, direction).to_vec(),
+            (None, _) => vec![self.acceleration(b, &quotient, direction)],
         };
         for value in &mut values {
             *value = b.convert(*value, float);

@@ -2,21 +2,19 @@
 
 use super::quotient::{Parts, Quotient, linear, near};
 use super::{Images, Passage};
+use crate::plan::fit::Fit;
 use crate::power::{power, two_to};
 use crate::program::{Builder, Id};
 use pendulum_runtime::double::Double;
 
 impl Passage {
     /// sign·(π − 4 arctan(Q/P)).
-    pub(super) fn angle(&self, b: &mut Builder, quotient: &Quotient, sign: f64) -> Id {
+    pub(super) fn angle(b: &mut Builder, arctangent: &Fit, quotient: &Quotient, sign: f64) -> Id {
         let numerator = quotient.numerator;
         let tangent = quotient.denominator.map_or(numerator, |denominator| b.div(numerator, denominator));
         b.name(tangent, "tangent");
         let square = b.mul(tangent, tangent);
-        let ratio = match &self.arctangent {
-            Some(fit) => fit.times(4.0 * sign).lower(b, square, &["r", "r2", "r4", "r8", "r16", "r32"]),
-            None => square,
-        };
+        let ratio = arctangent.times(4.0 * sign).lower(b, square, &["r", "r2", "r4", "r8", "r16", "r32"]);
         let angle = b.mul(tangent, ratio);
         let pi = b.rounded(Double::PI.scale(sign));
         b.sub(pi, angle)

@@ -34,7 +34,7 @@ pub(crate) struct Piecewise {
 }
 
 impl Piecewise {
-    /// The numbers of pieces that are tried for whole outputs: a table of up to 16 kB for each.
+    /// The numbers of pieces that are tried for whole outputs: a table of up to 16 KiB for each.
     pub(crate) const COUNTS: [usize; 2] = [64, 128];
     /// With more terms than this smaller pieces are tried.
     pub(crate) const MOST_TERMS: usize = 16;
@@ -155,7 +155,7 @@ mod tests {
     use crate::plan::reduction::Clock;
     use crate::program::Builder;
     use crate::program::rounding::UNDERFLOW;
-    use crate::testing::scene;
+    use crate::testing::{scene, swing};
 
     /// To the nearest of so many pieces of an anchor, which takes that time.
     fn to_pieces(pieces: usize, time: f64, horizon: f64) -> Reduction {
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn pieces_that_are_met() {
         let scene = scene("theta0 = π - 1e-6");
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let curve = SwingCurves::new(swing, &scene.motion.omega).angle();
         let reduction = to_pieces(64, 2.0, 2.0);
         let whole = Piecewise::new(&curve, 64, 1e-14).unwrap();
@@ -282,7 +282,7 @@ mod tests {
             }
         }
         let scene = scene("theta0 = π - 1e-9");
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
         assert!(Piecewise::new(&theta, 16, 1e-14).is_none(), "few pieces take many points");
     }

@@ -10,7 +10,7 @@ use crate::fuzz::setting;
 use crate::parse::Float;
 use crate::plan::curve::{Curves as _, SwingCurves};
 use crate::plan::*;
-use crate::testing::{Random, scene};
+use crate::testing::{Random, scene, swing};
 use pendulum_runtime::double::Double;
 
 /// From 1e-9 to π − 1e-9, and as near to the separatrix from above; launched anywhere; for any time or a short one.
@@ -172,7 +172,7 @@ fn finer_promises_serve() {
 
 /// The largest error of a swing's θ, velocity or acceleration at so many random times, by series of two words.
 fn margin(scene: &Scene, plan: &Plan, random: &mut Random, times: usize) -> f64 {
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let swing = swing(scene);
     let curves = SwingCurves::new(swing, &scene.motion.omega);
     let curve = match plan.parts[0].output {
         Output::Theta => curves.angle(),
@@ -250,7 +250,7 @@ fn the_first_passages_keep_their_digits() {
     ] {
         for output in ["theta", "velocity", "acceleration", "position"] {
             let scene = scene(&format!("struct Motion; {start}, float = {}, outputs = [{output}]", float.word()));
-            let Regime::Swing(swing) = &scene.motion.regime else { panic!("{start} is no swing") };
+            let swing = swing(&scene);
             let plan = plan(&scene).unwrap();
             let mut probe = Probe::new(&scene, &plan);
             let (half, launch) = (swing.period.to_f64() / 2.0, swing.launch.to_f64());
@@ -310,7 +310,7 @@ fn releases_are_even() {
             for output in ["theta", "velocity", "acceleration", "position"] {
                 let text = format!("struct Motion; theta0 = {theta0}, float = {}, outputs = [{output}]", float.word());
                 let scene = scene(&text);
-                let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+                let swing = swing(&scene);
                 let plan = plan(&scene).unwrap();
                 let run = |t: f64| plan.functions[0].program.run(t);
                 let sign = if output == "velocity" { -1.0 } else { 1.0 };

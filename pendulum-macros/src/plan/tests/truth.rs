@@ -155,7 +155,7 @@ fn amplitude(elliptic: &Elliptic, s: &Real) -> Real {
                 other = other + signed(power.scale(1), negative);
             }
         }
-        if n > 3 && power.exponent() < -700 {
+        if n > 3 && power.exponent_above() < -700 {
             break;
         }
     }
@@ -170,7 +170,7 @@ fn passed(separatrix: &Separatrix, omega: &Real, t: &Real) -> State {
     let context = omega.context();
     let z = omega * t + &separatrix.launch;
     let one = context.integer(1);
-    let far = z.exponent() > 12;
+    let far = z.exponent_above() > 12;
     let e = if far { context.integer(0) } else { (-z.abs()).exp() };
     let theta = (&one - &e).atan2(&(&one + &e)).scale(2);
     let theta = signed(theta, z.is_negative() ^ separatrix.mirrored);

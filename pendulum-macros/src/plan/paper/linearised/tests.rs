@@ -1,15 +1,8 @@
 use super::*;
-use crate::motion::Regime;
 use crate::plan::curve::{Curves, SwingCurves};
-use crate::scene::Scene;
-use crate::testing::scene;
+use crate::testing::{scene, swing};
 use pendulum_runtime::Pendulum;
 use std::f64::consts::PI;
-
-fn swing(scene: &Scene) -> &Swing {
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-    swing
-}
 
 /// At t = 0 angle and velocity are those of the start, whichever way it goes.
 #[test]

@@ -2,9 +2,8 @@
 
 use super::super::tests::{planned, truncation};
 use super::super::*;
-use crate::motion::Regime;
 use crate::plan::tests::probe::largest_error;
-use crate::testing::{Random, scene};
+use crate::testing::{Random, scene, swing};
 
 /// The error of the series is the supremum of its tail, here from samples of it. (It isn't θ0 less the sum, which is the
 /// error at t = 0: elsewhere it is larger by twice the nome.)
@@ -13,7 +12,7 @@ fn the_error_of_the_series_is_that_of_its_tail() {
     for (theta0, tol) in [("1", 1e-5), ("7π/8", 1e-4), ("0.999π", 1e-3), ("0.99π", 1e-9)] {
         let text = format!("theta0 = {theta0}, tol = {tol}, method = series");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let terms = SwingCurves::new(swing, &scene.motion.omega).angle().terms().to_vec();
         let error = |kept: usize| {
             let at = |i: u32| {
@@ -33,7 +32,7 @@ fn the_error_of_the_series_is_that_of_its_tail() {
 fn the_series_takes_no_term_too_many() {
     let text = |tol: f64| format!("theta0 = 1, tol = {tol:e}, method = series");
     let scene = scene(&text(1.0));
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let swing = swing(&scene);
     for (left_out, &(_, a)) in
         SwingCurves::new(swing, &scene.motion.omega).angle().terms().iter().enumerate().skip(1).take(3)
     {
@@ -47,7 +46,7 @@ fn the_series_at_full_precision() {
     for (theta0, float) in [("1e-5", "f64"), ("1", "f64"), ("7π/8", "f64"), ("7π/8", "f32")] {
         let text = format!("theta0 = {theta0}, method = series, float = {float}");
         let (scene, plan) = (scene(&text), planned(&text).unwrap());
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let aim = scene.float.rounding_unit() * swing.amplitude.to_f64();
         let (stated, nome) = (truncation(&plan), swing.elliptic.nome.to_f64());
         assert!(stated <= aim && stated >= 0.9 * nome * aim, "{text}: {stated:e} of {aim:e}");

@@ -82,7 +82,7 @@ fn within_a_moment_only_what_is_met_counts() {
 fn phases_of_small_angles_over_a_moment() {
     let scene =
         scene("struct A; theta0 = 1, velocity0 = 1.5, method = small_angle, outputs = [velocity], t_max = 0.01");
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let swing = swing(&scene);
     let sum = Sum::new(&scene, swing, Method::SmallAngle, 1).ok().unwrap();
     let [least, farthest] = sum.wanted()[0].met.unwrap();
     let is_met = [&sum.launch, &swing.launch].map(|launch| {

@@ -137,25 +137,17 @@ impl Piece<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::weights_from;
     use super::*;
-    use crate::motion::Regime;
     use crate::parse::Float;
     use crate::plan::reduction::Reduction;
-    use crate::testing::scene;
-
-    /// Of a release from θ0.
-    fn weights(theta0: &str, terms: usize) -> Vec<Double> {
-        let scene = scene(&format!("theta0 = {theta0}"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        super::super::tests::weights(swing, terms)
-    }
 
     /// The numbers of pieces and of terms for an error of 2⁻⁵²; nearer to an overshoot there are no pieces.
     #[test]
     fn pieces_and_terms() {
         let time = Reduction::time(1.0, false, Float::F64).unwrap();
         let found = |theta0: &str, terms: usize| {
-            let piecewise = approximation(&weights(theta0, terms), 1e-16, 0)?;
+            let piecewise = approximation(&weights_from(theta0, terms), 1e-16, 0)?;
             Some((piecewise.pieces(), piecewise.terms_for(2e-16, &time)?))
         };
         assert_eq!(found("1", 1), Some((32, 9)));
@@ -168,7 +160,7 @@ mod tests {
     /// A series that is wrong by ε anywhere is seen to be: by ε/2·cos(θ̂/2), times Lebesgue's constant.
     #[test]
     fn errors_are_seen() {
-        let sum = Wave::harmonics(&weights("7π/8", 4));
+        let sum = Wave::harmonics(&weights_from("7π/8", 4));
         let table = CosineTable::new(POINTS);
         for index in [0, 5, 16] {
             let piece = Piece { sum: &sum, pieces: 32, index };

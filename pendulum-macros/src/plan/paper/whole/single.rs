@@ -164,19 +164,15 @@ impl Chart<'_> {
 mod tests {
     use super::*;
     use crate::chebyshev::{lebesgue, value};
-    use crate::motion::Regime;
-    use crate::plan::paper::whole::tests::weights;
+    use crate::plan::paper::whole::tests::weights_from;
     use crate::supremum::worst;
-    use crate::testing::scene;
 
     /// The bound of the whole series is next to nothing, and that of a series that is wrong by ε at the lowest point is
     /// εΛ/√(1 − y²), y being the largest.
     #[test]
     fn errors_are_seen() {
         for (theta0, terms) in [("1e-3", 1), ("1", 2), ("π/2", 3), ("7π/8", 4), ("7π/8", 8)] {
-            let scene = scene(&format!("theta0 = {theta0}"));
-            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-            let sum = Wave::harmonics(&weights(swing, terms));
+            let sum = Wave::harmonics(&weights_from(theta0, terms));
             let largest = sum.at(Double::ZERO).hi;
             let epsilon = 1e-9 * largest;
             for map in [None, Some(Moebius::new(0.14))] {
@@ -208,9 +204,7 @@ mod tests {
     /// What is left out over a shorter reach, which in the image of s² is a longer one.
     #[test]
     fn reaches_of_moments() {
-        let scene = scene("theta0 = 2");
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let sum = Wave::harmonics(&weights(swing, 3));
+        let sum = Wave::harmonics(&weights_from("2", 3));
         for map in [None, Some(Moebius::new(0.25)), Some(Moebius::new(0.0625))] {
             let chart = Chart { sum: &sum, map };
             let series = chart.interpolant(60).unwrap();
@@ -233,9 +227,7 @@ mod tests {
     fn distances_grow_beyond_the_lowest_point() {
         let mut grown = 0;
         for (theta0, terms, points, beyond) in [("1", 2, 12, 0.05), ("7π/8", 4, 24, 0.01), ("2", 3, 16, 0.03)] {
-            let scene = scene(&format!("theta0 = {theta0}"));
-            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-            let sum = Wave::harmonics(&weights(swing, terms));
+            let sum = Wave::harmonics(&weights_from(theta0, terms));
             for map in [None, Some(Moebius::new(0.25))] {
                 let chart = Chart { sum: &sum, map };
                 let series = chart.interpolant(points).unwrap();
@@ -255,9 +247,7 @@ mod tests {
     /// Of a series that is right, few points see nothing but their own error.
     #[test]
     fn errors_of_few_points() {
-        let scene = scene("theta0 = 2");
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let sum = Wave::harmonics(&weights(swing, 3));
+        let sum = Wave::harmonics(&weights_from("2", 3));
         let largest = sum.at(Double::ZERO).hi;
         let chart = Chart { sum: &sum, map: Some(Moebius::new(0.25)) };
         let series = chart.interpolant(90).unwrap();
@@ -272,9 +262,7 @@ mod tests {
     /// the lowest point, times Λ.
     #[test]
     fn large_errors_bring_the_sum_nearer_to_one() {
-        let scene = scene("theta0 = 7π/8");
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
-        let sum = Wave::harmonics(&weights(swing, 8));
+        let sum = Wave::harmonics(&weights_from("7π/8", 8));
         let chart = Chart { sum: &sum, map: Some(Moebius::new(0.14)) };
         let mut series = chart.interpolant(90).unwrap();
         let epsilon = 2e-3;

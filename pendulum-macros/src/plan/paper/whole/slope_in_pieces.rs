@@ -51,10 +51,10 @@ fn in_pieces(sum: &Wave, pieces: usize, rate: Double, limit: f64) -> Option<Piec
 mod tests {
     use super::super::tests::weights;
     use super::*;
-    use crate::motion::Regime;
+
     use crate::parse::Float;
     use crate::plan::reduction::Reduction;
-    use crate::testing::scene;
+    use crate::testing::{scene, swing};
 
     /// The numbers of pieces and of terms for an error of 2⁻⁵² where θ̂ itself takes a term less; nearer to an overshoot there
     /// are no pieces.
@@ -63,7 +63,7 @@ mod tests {
         let time = Reduction::time(1.0, false, Float::F64).unwrap();
         let found = |theta0: &str, terms: usize| {
             let scene = scene(&format!("theta0 = {theta0}"));
-            let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+            let swing = swing(&scene);
             let piecewise = approximation(&weights(swing, terms), swing.rate().to_double(), 1e-16, 0)?;
             Some((piecewise.pieces(), piecewise.terms_for(2e-16, &time)?))
         };

@@ -4,17 +4,22 @@ use super::conditioning;
 use super::residual::twice_arcsine;
 use crate::chebyshev::sin_pi;
 use crate::exact::Real;
-use crate::motion::{Regime, Swing};
+use crate::motion::Swing;
 use crate::plan::{Bound, plan};
 use crate::program::rounding::half_ulp;
 use crate::scene::Scene;
 use crate::series::Wave;
-use crate::testing::{Random, scene};
+use crate::testing::{Random, scene, swing};
 use pendulum_runtime::double::Double;
 
 /// (−1)ⁿ⁻¹ k b₂ₙ₋₁.
 pub(super) fn weights(swing: &Swing, terms: usize) -> Vec<Double> {
     swing.half_sine_weights(&swing.fourier_coefficients(terms))
+}
+
+/// Those of a release from θ0.
+pub(super) fn weights_from(theta0: &str, terms: usize) -> Vec<Double> {
+    weights(swing(&scene(&format!("theta0 = {theta0}"))), terms)
 }
 
 /// Against the arcsine of the sum, for swings of all amplitudes, released and launched, to either side, and any
@@ -60,7 +65,7 @@ fn plans_compute_twice_the_arcsine() {
                 continue;
             }
         };
-        let Regime::Swing(swing) = &scene.motion.regime else { unreachable!() };
+        let swing = swing(&scene);
         planned += 1;
         complements += u32::from(plan.parts[0].description.contains("less than 1"));
         let sum = Wave::harmonics(&weights(swing, plan.terms));
@@ -104,7 +109,7 @@ fn plans_compute_the_slope_of_twice_the_arcsine() {
         );
         let scene = scene(&text);
         let Ok(plan) = plan(&scene) else { continue };
-        let Regime::Swing(swing) = &scene.motion.regime else { unreachable!() };
+        let swing = swing(&scene);
         let (part, program) = (&plan.parts[0], &plan.functions[0].program);
         if !part.description.contains("the slope of") {
             continue;
@@ -136,7 +141,7 @@ fn in_other_units() {
         ("theta0 = -7π/8, n = 4, omega = 7, t_max = 2", "32 polynomials"),
     ] {
         let (scene, plan) = (scene(text), plan(&scene(text)).unwrap());
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let (part, sum) = (&plan.parts[0], Wave::harmonics(&weights(swing, 4)));
         let found = (plan.reduction.unit != Double::ONE, part.description.contains(how), plan.coefficients.len());
         assert_eq!(found, (true, true, 4), "{text}: {}", part.description);
@@ -160,7 +165,7 @@ fn conditioning_next_to_an_overshoot() {
         [("0.684436π", 1, 1.8109), ("0.904π", 2, 2.1768), ("0.9138π", 3, 2.0124), ("0.9546π", 4, 1.6112)]
     {
         let scene = scene(&format!("struct A; theta0 = {theta0}, n = {n}"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let found = conditioning(&weights(swing, n));
         assert!(known <= found && found <= 1.05 * known, "{theta0}, {n}: {found} for {known}");
     }

@@ -1,11 +1,11 @@
 //! Next to the arcsine's edge, against two words.
 
 use crate::chebyshev::{cos_pi, sin_pi};
-use crate::motion::{Regime, Swing};
+use crate::motion::Swing;
 use crate::parse::Output;
 use crate::plan::curve::Curves;
 use crate::plan::plan;
-use crate::testing::scene;
+use crate::testing::{scene, swing};
 use pendulum_runtime::double::Double;
 
 /// θ̂ = 2 arcsin y differentiated with respect to the phase, in two words.
@@ -26,7 +26,7 @@ fn derivative(swing: &Swing, terms: usize, s: Double) -> Double {
 fn velocities_next_to_the_edge_of_the_arcsine_keep_their_bounds() {
     for (theta0, terms) in [("π - 5.52933e-2", 9), ("0.7308281024197π", 1), ("0.730828103425899196π", 1)] {
         let scene = scene(&format!("struct Motion; theta0 = {theta0}, n = {terms}, outputs = [velocity]"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = swing(&scene);
         let plan = plan(&scene).unwrap();
         let part = &plan.parts[0];
         assert_eq!(part.output, Output::Velocity);

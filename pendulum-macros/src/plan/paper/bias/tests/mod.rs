@@ -3,10 +3,9 @@
 mod edges;
 
 use super::*;
-use crate::motion::Regime;
 use crate::scene::Scene;
 use crate::supremum::worst;
-use crate::testing::scene;
+use crate::testing::{self, scene};
 use std::f64::consts::PI;
 
 /// Twice the derivative of the arcsine of Σ a cos ms, and its derivative.
@@ -47,7 +46,7 @@ struct Case {
 impl Case {
     /// The bound, and what is seen of it.
     fn bounds(&self) -> (f64, f64) {
-        let Regime::Swing(swing) = &self.scene.motion.regime else { panic!("a swing") };
+        let swing = testing::swing(&self.scene);
         let curves = SwingCurves::new(swing, &self.scene.motion.omega);
         let weights: Vec<Double> = match self.method {
             Method::Harmonic | Method::SmallAngle => vec![swing.amplitude.to_double()],
@@ -118,7 +117,7 @@ fn of_angles_within_a_moment() {
         [("theta0 = 1", 0.3), ("theta0 = 2, velocity0 = 0.5", 0.4), ("theta0 = 2.6, velocity0 = -0.4", 1.0)]
     {
         let scene = scene(&format!("{start}, t_max = {t_max}"));
-        let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+        let swing = testing::swing(&scene);
         let (theta, rate) = (SwingCurves::new(swing, &scene.motion.omega).angle(), swing.rate());
         for (method, terms) in [(Method::Harmonic, 1), (Method::Series, 3), (Method::Series, 5), (Method::Fourier, 5)] {
             let weights: Vec<Double> = match method {
@@ -192,7 +191,7 @@ fn of_another_rate_or_phase() {
 #[test]
 fn near_the_top() {
     let motion = swing("pi - 1e-300", Method::Harmonic, 1);
-    let Regime::Swing(swinging) = &motion.scene.motion.regime else { panic!("a swing") };
+    let swinging = testing::swing(&motion.scene);
     let expected = PI * PI * swinging.rate().to_f64() + 6.0;
     let rate = swinging.rate();
     let theta = SwingCurves::new(swinging, &motion.scene.motion.omega).angle();
@@ -311,7 +310,7 @@ fn suprema_of_sums() {
 #[test]
 fn what_is_left_out() {
     let scene = scene("theta0 = 0.999π");
-    let Regime::Swing(swing) = &scene.motion.regime else { panic!("a swing") };
+    let swing = testing::swing(&scene);
     let theta = SwingCurves::new(swing, &scene.motion.omega).angle().omitting(0.125);
     let all = theta.terms().len();
     for left in [0, 3, 40, 41, 50] {

@@ -1,0 +1,156 @@
+use super::*;
+use crate::motion::Regime;
+use crate::plan::{Plan, plan};
+use crate::testing::scene;
+use std::f64::consts::PI;
+
+fn rotation(text: &str) -> (Turning, Plan) {
+    let plan = plan(&scene(&format!("struct Motion; velocity0 = 3, {text}"))).unwrap();
+    let Finish::Turning(turning) = &plan.parts[0].kernel.finish else { panic!("{text}: no turning angle") };
+    (turning.clone(), plan)
+}
+
+#[track_caller]
+fn assert_near(found: f64, expected: f64, relative: f64) {
+    assert!((found / expected - 1.0).abs() <= relative, "{found:e}, not {expected:e}");
+}
+
+/// Half units in the last place are 2⁻⁵² up to 4 (2⁻²³ in `f32`), 2⁻⁵¹ up to 8; of 7·1001 + 1 they are 2⁻⁴¹ and 2⁻¹².
+/// The `f64` of 2π is 2.449·10⁻¹⁶ below it, the `f32` 1.7485·10⁻⁷ above. From the top the mean is a product, the sums
+/// with it and with half a turn.
+#[test]
+fn rounding_of_turns() {
+    let [single, double] = [1.7485e-7, 2.4493e-16];
+    for (text, origin, expected) in [
+        ("tol = 1e-6, t_max = 10, float = f64", Origin::Anchor, 4.0 * 2f64.powi(-52) + double + 3.0 * 2f64.powi(-41)),
+        (
+            "tol = 1e-2, t_max = 10, float = f32",
+            Origin::Anchor,
+            4.0 * 2f64.powi(-23) + single + 2.0 * 2f64.powi(-41) + 2f64.powi(-12),
+        ),
+        ("tol = 1e-6, t_max = 10, outputs = [wrapped]", Origin::Anchor, 3.0 * 2f64.powi(-52) + 2.0 * double),
+        ("tol = 1e-2, t_max = 10, outputs = [wrapped], float = f32", Origin::Anchor, 5.0 * 2f64.powi(-23) + single),
+        ("outputs = [wrapped], float = f32", Origin::Lowest, 4.0 * 2f64.powi(-23) + 0.5 * single),
+    ] {
+        let (turning, plan) = rotation(text);
+        assert_eq!(plan.reduction.origin, origin, "{text}");
+        let turning = Turning { turns: 1000.0, ..turning };
+        assert_near(turning.own_rounding(&plan.reduction), expected, 1e-3);
+    }
+}
+
+/// Of an angle of which next to nothing is periodic no more than that is lost in the sum with the mean.
+#[test]
+fn rounding_of_next_to_uniform_rotations() {
+    let (turning, plan) = rotation("outputs = [wrapped], float = f32");
+    let uniform = Turning { from_top: Some(1e-12), ..turning.clone() };
+    let lost = turning.own_rounding(&plan.reduction) - uniform.own_rounding(&plan.reduction);
+    assert_near(lost, 2f64.powi(-23), 1e-3);
+}
+
+/// Phases that overshoot by much lead to angles above 4, whose units in the last place are twice as large.
+#[test]
+fn rounding_of_large_overshoots() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10, outputs = [wrapped]");
+    let near = |overshoot| {
+        let reduction = Reduction { overshoot, ..plan.reduction.clone() };
+        turning.own_rounding(&reduction)
+    };
+    let (largest, constant) = (PI + 0.2 * turning.slope, 0.2 * 2.4493e-16);
+    assert!((4.0..8.0).contains(&largest), "{largest}");
+    assert_near(near(0.2) - near(0.0), 3.0 * 2f64.powi(-52) + constant, 1e-3);
+}
+
+/// The numbers next to half a turn.
+fn next_to_half_a_turn(float: Float) -> impl Iterator<Item = f64> {
+    let ulp = 2.0 * half_ulp(PI, float);
+    (-20..=20).flat_map(move |i| [1.0, -1.0].map(|sign| sign * (float.round(PI) + f64::from(i) * ulp)))
+}
+
+fn finished(finish: &Finish, float: Float, angle: f64) -> Double {
+    let mut b = Builder::new(float);
+    let t = b.input();
+    let result =
+        if *finish == Finish::Wrapped { modulo_turn(&mut b, t) } else { held(&mut b, t, below_half_turn(float)) };
+    let result = b.finish(vec![result]).run(angle)[0];
+    assert!(is_wrapped(result), "{result} of {angle}");
+    Double::new(result)
+}
+
+/// A turn more or less changes an angle by no more than is said, and some by as much.
+#[test]
+fn what_turns_change() {
+    for (float, most) in [(Float::F64, 2.4493e-16), (Float::F32, 2f64.powi(-22))] {
+        let changes = next_to_half_a_turn(float).map(|angle| {
+            let change = finished(&Finish::Wrapped, float, angle) - Double::new(angle);
+            let turns = (change.hi / (2.0 * PI)).round();
+            (change - Double::PI * (2.0 * turns)).hi.abs()
+        });
+        let change = changes.fold(0.0, f64::max);
+        assert_near(change, most, 1e-4);
+        assert_near(change, Finish::Wrapped.rounding(0.0, float), 1e-4);
+    }
+}
+
+/// So does what holds an angle within half a turn, that is itself as far beyond as it may be.
+#[test]
+fn what_staying_within_half_a_turn_changes() {
+    for (float, most) in [(Float::F64, 5.6655e-16), (Float::F32, 1.5099e-7)] {
+        let mut largest = 0_f64;
+        let finish = Finish::Within { largest: Double::PI };
+        for angle in next_to_half_a_turn(float) {
+            let beyond = (Double::new(angle.abs()) - Double::PI).hi > 0.0;
+            let exact = if beyond { Double::PI * angle.signum() } else { Double::new(angle) };
+            let before = (exact - Double::new(angle)).hi.abs();
+            let after = (exact - finished(&finish, float, angle)).hi.abs();
+            assert!(after <= finish.rounding(before, float), "{angle}");
+            let finish = Finish::Within { largest: exact.abs() };
+            assert!(after <= finish.rounding(before, float), "{angle} {finish:?}");
+            largest = largest.max(after);
+        }
+        assert_near(largest, most, 1e-4);
+    }
+}
+
+/// After so many turns, whole ones and halves, it is 2π times their number, in every way of computing it.
+#[test]
+fn turns_are_counted() {
+    for (text, direction) in [("velocity0 = 2.5", 1.0), ("velocity0 = -2.5", -1.0), ("velocity0 = -2.01", -1.0)] {
+        let scene = scene(&format!("struct Motion; {text}, tol = 1e-6, t_max = 1e4"));
+        let Regime::Rotation(rotation) = &scene.motion.regime else { panic!("a rotation") };
+        let plans = crate::plan::search::every(&scene);
+        assert!(plans.len() > 4);
+        let between = |plan: &Plan| plan.functions[0].program.run(0.2 * rotation.period.to_f64())[0];
+        let first = between(&plans[0]);
+        for plan in plans {
+            assert!((between(&plan) - first).abs() <= 2.1e-6, "{text}: {}", plan.reduction.describe());
+            for turns in [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, 3.0, 1000.0, -1000.5] {
+                let t = turns * rotation.period.to_f64();
+                let error = plan.functions[0].program.run(t)[0] - direction * turns * 2.0 * PI;
+                assert!(error.abs() <= 1.1e-6, "{text} {turns}: {error}, {}", plan.reduction.describe());
+            }
+        }
+    }
+}
+
+/// Motions that come closer to the top than their errors are.
+#[test]
+fn angles_of_swings_stay_within_half_a_turn() {
+    for (text, times) in [
+        ("theta0 = π - 0.0000000082218, tol = 0.00249, float = f32", [0.0, 1.0]),
+        ("theta0 = π - 0.0000018052, omega = 0.1, tol = 0.000227", [0.0, 588.461_959_353_386_5]),
+        ("theta0 = π - 2e-9, float = f32", [0.0, 0.5]),
+        ("theta0 = 2e-9 - π, tol = 1e-3, t_max = 40", [0.0, -1.0]),
+        ("velocity0 = 2, tol = 1e-3", [40.0, -1e300]),
+        ("theta0 = π - 3.8190685071550958e-6, tol = 0.000025, t_max = 6.1e9", [0.0, 1.0]),
+    ] {
+        let plan = plan(&scene(&format!("struct Motion; {text}, outputs = [wrapped]"))).unwrap();
+        for t in times {
+            let angle = plan.functions[0].program.run(t)[0];
+            assert!(is_wrapped(angle) && angle.abs() > 3.1, "{text}: {angle}");
+            let mirrored = text.replace("0 = ", "0 = -(").replacen(',', "),", 1);
+            let mirrored = self::plan(&scene(&format!("struct Motion; {mirrored}, outputs = [wrapped]"))).unwrap();
+            assert_eq!(mirrored.functions[0].program.run(t)[0], -angle, "{text}");
+        }
+    }
+}
