@@ -36,9 +36,11 @@ impl Aim {
     ) -> Result<Part, f64> {
         let orbit = task.passage_by(reduction).ok_or(f64::INFINITY)?.in_units(reduction.unit);
         let factor = orbit.factor(self.output).hi;
-        let mut limit = self.passage_limit(&orbit);
         let distances = task.distances_from_lowest(reduction);
         let phase = self.passage_error(reduction, orbit.rounding_of_exponent());
+        let all = self.passage_limit(&orbit);
+        // What the phase leaves, as far as a round is worth it.
+        let mut limit = ((self.limit - phase) / factor).clamp(0.125 * all, all);
         self.first_kept(reduction, phase, most, |_| {
             let left = limit;
             limit *= 0.125;
