@@ -6,7 +6,7 @@
 //!
 //! | | error at most |
 //! |---|---|
-//! | K, K′, q, F | 1 ulp |
+//! | K, K′, q, F | 1 ulp (of q a subnormal one 1.5) |
 //! | sn, dn | 6 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K; sn also 8 · 2⁻⁵³ \|sn\| near u = 0, down to 10⁻²⁹⁰ |
 //! | cn | 9 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K, the most where it vanishes |
 //! | am | 6 · 2⁻⁵³ max(1, \|am\|); also 8 · 2⁻⁵³ \|am\| near u = 0, down to 10⁻²⁹⁰ |

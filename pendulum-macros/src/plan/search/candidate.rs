@@ -120,8 +120,8 @@ impl Candidate<'_> {
         }
     }
 
-    /// Whether it is for where no other serves: at full precision the angle of a rotation is to be as good as it can be where
-    /// it is small, if another output can be had from there.
+    /// Whether it is for where no other leaves room for the promise: at full precision the angle of a rotation is to be as
+    /// good as it can be where it is small, if all outputs can be had from there.
     pub(super) fn is_late(&self, scene: &Scene) -> bool {
         let angle = scene.outputs.iter().any(|output| output.is_angle());
         let turning = self.prospect.task.turning && scene.goal == Goal::Full && angle;

@@ -74,8 +74,9 @@ impl<T> Choice<T> {
         })
     }
 
-    pub(super) fn has_any(&self) -> bool {
-        self.best.is_some()
+    /// Whether there is one that is at least tolerable.
+    pub(super) fn has_room(&self) -> bool {
+        self.best.as_ref().is_some_and(|best| best.room != Room::Little)
     }
 
     /// The share of its limit that one of that cost may have to be taken: with more it may as well not be looked at.

@@ -106,7 +106,7 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
     for (index, candidate) in candidates.iter().enumerate() {
         let Candidate { reduction, cost, .. } = *candidate;
         let dear = choice.dear();
-        if cost >= dear || candidate.is_late(scene) && choice.has_any() {
+        if cost >= dear || candidate.is_late(scene) && choice.has_room() {
             break;
         }
         let limits = Limits::of(scene.goal, reduction);

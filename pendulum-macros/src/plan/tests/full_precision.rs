@@ -152,6 +152,31 @@ fn half_is_not_exceeded() {
     }
 }
 
+/// Beside the angle of a fast rotation its acceleration, which is a sine of the phase, leaves little room: it had up to 1.33
+/// times 2⁻⁵⁰, at these times, where the first plan that kept 2⁻⁴⁹ was taken.
+#[test]
+fn accelerations_beside_angles_of_fast_rotations() {
+    let mut random = Random::new(21);
+    for (start, outputs, t) in [
+        ("theta0 = -2, velocity0 = 123.8, t_max = 50.756", "theta, acceleration", 0.016_215_864_472_490_92),
+        ("theta0 = 1, velocity0 = 13.94, t_max = 0.317154", "theta, acceleration", -0.071_253_166_345_114_61),
+        ("theta0 = -2, velocity0 = 10.1, t_max = 0.439834", "acceleration, wrapped", 0.214_072_291_768_057_34),
+        ("velocity0 = 388.6, t_max = 16168.9", "acceleration, wrapped", 3_698.173_271_190_751),
+    ] {
+        let scene = scene(&format!("struct Motion; {start}, outputs = [{outputs}]"));
+        let plan = plan(&scene).unwrap();
+        let place = plan.parts.iter().position(|part| part.output == Output::Acceleration).unwrap();
+        let mut probe = Probe::of(&scene, &plan, place);
+        probe.at(t);
+        let horizon = probe.horizon;
+        for _ in 0..100 {
+            probe.at(horizon * (2.0 * random.unit() - 1.0));
+        }
+        let (t, error) = probe.worst;
+        assert!(error <= 2f64.powi(-50) * plan.parts[place].largest, "{start}: {error:e} at {t:e}");
+    }
+}
+
 /// Where no plan of full precision's own is to be had, one of a finer tolerance is one.
 #[test]
 fn finer_promises_serve() {
