@@ -15,23 +15,23 @@ use core::marker::PhantomData;
 ///
 /// # Accuracy (`f64`)
 /// The numbers given are taken as exact. Released from rest, θ is within 2⁻⁵⁰·|θ0| for |θ0| from 1e-9 to π − 1e-12 and
-/// |t| up to 2⁴⁵ periods; from any other state within 2⁻⁴⁹·max(|θ|, 1), of which more than half is hardly ever met; velocity
-/// within 2⁻⁵⁰ of its largest value, acceleration within 2⁻⁴⁹ of its largest, position within 2⁻⁴⁹. Beyond 2⁴⁵ periods accuracy falls off, yet for every
-/// finite t results are finite (of a rotation whose angle would overflow, the largest number) and swings stay within
-/// their amplitude. NaN and ±∞ give NaN. Released from rest, θ(−t) = θ(t), and −θ0 gives −θ(t), to the bit. The bits,
-/// those of NaN excepted, do not depend on platform or optimisation.
+/// |t| up to 2⁴⁵ periods; from any other state within 2⁻⁴⁹·max(|θ|, 1), of which more than half is hardly ever met;
+/// velocity within 2⁻⁵⁰ of its largest value, acceleration within 2⁻⁴⁹ of its largest, position within 2⁻⁴⁹. Beyond 2⁴⁵
+/// periods accuracy falls off, yet for every finite t results are finite (of a rotation whose angle would overflow, the
+/// largest number) and swings stay within their amplitude. NaN and ±∞ give NaN. Released from rest, θ(−t) = θ(t), and
+/// −θ0 gives −θ(t), to the bit. The bits, those of NaN excepted, do not depend on platform or optimisation.
 ///
 /// # Conditioning near the top
-/// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is
-/// (2/ω) ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in
-/// π − θ0 and of 7.5e-6 in the period, so after n periods the phase is off by n · 7.5e-6 periods. The same holds for a
-/// velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state beside the separatrix. Of a state in
-/// motion 1 − k² is a difference, carried to 2⁻¹⁰² of the smaller of cos(θ/2) and 1 − cos(θ/2), down to 10⁻²⁹⁰: θ is
+/// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is (2/ω)
+/// ln(8/(π − θ0)) per half swing, so half an ulp (2.2e-16) of θ0 = π − 1e-12 is a relative change of 2.2e-4 in π − θ0
+/// and of 7.5e-6 in the period, so after n periods the phase is off by n · 7.5e-6 periods. The same holds for a
+/// velocity v0 = 2ω(1 ± δ) through the bottom, whose k′ is √(2δ), and for any state beside the separatrix. Of a state
+/// in motion 1 − k² is a difference, carried to 2⁻¹⁰² of the smaller of cos(θ/2) and 1 − cos(θ/2), down to 10⁻²⁹⁰: θ is
 /// then within the promise plus 2⁻⁴⁵·|∂θ/∂v|·ulp(v), v being the initial velocity (to first order, which is all there
-/// is to say where an ulp crosses the separatrix, or many have passed); so are the other outputs, the period, K, k′ and q. It counts next to the separatrix
-/// alone, where `period` has been seen 65 ulp off, `complementary_modulus` 1370. What this type computes is the motion
-/// of the number it was given, not of the one that was meant; where that is a formula such as π − 10⁻¹², the macro
-/// `pendulum!` takes it exactly.
+/// is to say where an ulp crosses the separatrix, or many have passed); so are the other outputs, the period, K, k′ and
+/// q. It counts next to the separatrix alone, where `period` has been seen 65 ulp off, `complementary_modulus` 1370.
+/// What this type computes is the motion of the number it was given, not of the one that was meant; where that is a
+/// formula such as π − 10⁻¹², the macro `pendulum!` takes it exactly.
 ///
 /// ```
 /// # use pendulum_runtime::{Error, Pendulum};
