@@ -73,8 +73,7 @@ fn elliptic(elliptic: &Elliptic, modulus: &str) -> String {
 
 fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     let goal = match scene.goal {
-        Goal::Terms(1) => "the paper's θ̂ with 1 term (Eq. 22)".to_owned(),
-        Goal::Terms(n) => format!("the paper's θ̂ with {n} terms (Eq. 22)"),
+        Goal::Terms(n) => format!("the paper's θ̂ with {n} {} (Eq. 22)", if n == 1 { "term" } else { "terms" }),
         Goal::Tolerance(_) => "an error of at most `tol`".to_owned(),
         Goal::Full => format!("the full precision of `{}`", scene.float.word()),
     };

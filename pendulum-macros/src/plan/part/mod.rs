@@ -82,9 +82,7 @@ impl Aim {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        // What evaluates a passage is mostly wrong by what its series leave out.
-        let of_series = matches!(kernel.core, Core::Passage(_));
-        let doubt = if !of_series && self.is_mostly_rounding(&judged, reduction) { self.limit } else { 0.0 };
+        let doubt = if self.is_mostly_rounding(&kernel.core, &judged, reduction) { self.limit } else { 0.0 };
         let share = (judged.total() + self.beyond_bound(reduction, bound.phase) + doubt) / self.limit;
         Ok(Part {
             output,
@@ -107,13 +105,15 @@ impl Aim {
 
     /// Whether rounding takes much of a tolerance and more of the bound than the rest does, as with coefficients that are
     /// many times as large as what they add up to, or with times of which most of the digits are before the point. Then it
-    /// counts as more than the whole of its limit, which serves where nothing else does.
-    fn is_mostly_rounding(&self, bound: &Bound, reduction: &Reduction) -> bool {
+    /// counts as more than the whole of its limit, which serves where nothing else does. Evaluating a passage is mostly
+    /// wrong by what its series leave out.
+    fn is_mostly_rounding(&self, core: &Core, bound: &Bound, reduction: &Reduction) -> bool {
         const MUCH: f64 = 0.125;
         let Goal::Tolerance(tolerance) = self.goal else { return false };
         let of_phase = if reduction.is_rounded_late() { bound.phase } else { 0.0 };
         let rounding = bound.evaluation + of_phase;
-        tolerance >= close_from(reduction.float)
+        !matches!(core, Core::Passage(_))
+            && tolerance >= close_from(reduction.float)
             && rounding > MUCH * self.limit
             && rounding > MOSTLY_ROUNDING * (bound.truncation + bound.phase - of_phase)
     }

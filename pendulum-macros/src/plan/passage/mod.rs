@@ -120,17 +120,20 @@ impl Images {
     }
 }
 
-/// What the series of the exponential may be off by, and the arctangent's ratio, in units of what all may leave out. Of
-/// |w| ≤ ½, series that are off by ε change E, which is 0.7 at least, by (¼ + ½)ε < 1.07ε of it; and that changes an angle,
-/// which is ±2 gd of ln E, the position and sin θ by at most twice, and the velocity by at most half as much. The ratio's
-/// error counts four times. So all takes 0.8 or less, and images that are left out the rest.
-fn shares(output: Output) -> [f64; 2] {
+/// What the series of the exponential may be off by, in units of what all may leave out. Of |w| ≤ ½, series that are off by
+/// ε change E, which is 0.7 at least, by (¼ + ½)ε < 1.07ε of it; and that changes an angle, which is ±2 gd of ln E, the
+/// position and sin θ by at most twice, and the velocity by at most half as much. With [`OF_ARCTANGENT`] all takes 0.8 or
+/// less, and images that are left out the rest.
+fn of_series(output: Output) -> f64 {
     match output {
-        Output::Theta | Output::Wrapped => [1.0 / 16.0, 1.0 / 6.0],
-        Output::Velocity => [1.0, 0.0],
-        Output::Acceleration | Output::Position => [1.0 / 3.0, 0.0],
+        Output::Theta | Output::Wrapped => 1.0 / 16.0,
+        Output::Velocity => 1.0,
+        Output::Acceleration | Output::Position => 1.0 / 3.0,
     }
 }
+
+/// The same of the arctangent's ratio, which counts four times.
+const OF_ARCTANGENT: f64 = 1.0 / 6.0;
 
 /// E below 2 to minus this is nothing beside the roundings of 1.
 const NEGLIGIBLE_BINADE: i32 = 24;
@@ -192,7 +195,7 @@ impl Passage {
         // The coefficients of both series are positive, so on the ellipse that reaches −2 and 9/4 they are largest at
         // 9/4, and there at most sinh(ln 2 · 3/2)/(3/2) < 0.83: less than the bound that is given.
         let domain = Domain::reaching(0.25, -2.0, libm::cosh(0.5 * Double::LN_2.hi) * 2.0);
-        let [of_series, of_arctangent] = shares(output).map(|share| limit * share);
+        let of_series = limit * of_series(output);
         let even = Fit::new(&domain, of_series, |v| series(v, 2));
         let odd = Fit::new(&domain, of_series, |v| series(v, 1));
         let (images, truncation) = Images::that_matter(output, q, limit);
@@ -205,9 +208,9 @@ impl Passage {
             _ => 1.0,
         };
         let largest = lowest * lowest;
-        let arctangent = output
-            .is_angle()
-            .then(|| Fit::new(&Domain::reaching(largest * 1.000_1, -0.9, 20.0), of_arctangent, arctangent_ratio));
+        let arctangent = output.is_angle().then(|| {
+            Fit::new(&Domain::reaching(largest * 1.000_1, -0.9, 20.0), limit * OF_ARCTANGENT, arctangent_ratio)
+        });
         let careful = images.ask_for_care(output, limit);
         Self { output, orbit, distances, half, images, careful, even, odd, arctangent, factor, truncation }
     }

@@ -108,14 +108,12 @@ impl<'a> Clock<'a> {
         };
         // The launch phase is added in two words where there are any. Where it is a rounded time, that has been
         // counted.
-        let exact = self.starts_on_half() || matches!(scheme, Scheme::AnyTime { .. });
-        let counted = exact || matches!(scheme, Scheme::CodyWaite { .. });
+        let counted = self.starts_on_half() || matches!(scheme, Scheme::AnyTime { .. } | Scheme::CodyWaite { .. });
         let wide = matches!(scheme, Scheme::Wide { .. } | Scheme::WideAnyTime { .. });
         let added_in = if wide { Float::F64 } else { self.float };
         let launch_error = if counted { 0.0 } else { 2.0 * half_ulp(0.5, added_in) };
-        // Added last, it is rounded, too, and so is the remainder then.
-        let overshoot = overshoot + launch_error;
-        let error = error + launch_error;
+        // Added last, it takes the remainder beyond half an anchor by what it is rounded by.
+        let [error, overshoot] = [error, overshoot].map(|of_time| of_time + launch_error);
         let without_error = Reduction::exact(scheme, origin, self.float);
         Reduction { launch: self.launch, error, relative_error, overshoot, unit, scale, cap, ..without_error }
     }
