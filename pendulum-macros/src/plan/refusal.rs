@@ -108,16 +108,16 @@ fn with_fewer_turns(best: f64, scene: &Scene) -> Option<String> {
         return None;
     }
     let over_a_period = scene.over_a_period();
-    if best.is_infinite() {
-        let helps = scene.method.is_some() && is_planned(&over_a_period.by_any_method());
-        return helps.then(|| format!("leave `method` out, and give a short `t_max`, {GROWS}"));
-    }
-    let give = if scene.t_max.is_none() { "give a `t_max`" } else { "give a shorter `t_max`" };
+    let (free, unlimited) = (scene.method.is_none(), scene.t_max.is_none());
+    let give = if unlimited { "give a `t_max`" } else { "give a shorter `t_max`" };
     match (is_planned(&over_a_period), is_planned(&scene.wrapped())) {
         (true, true) => Some(format!("{give}, {GROWS}, or use the output `wrapped`")),
         (true, false) => Some(format!("{give}, {GROWS}")),
         (false, true) => Some(format!("use the output `wrapped`, {GROWS}")),
-        (false, false) if scene.t_max.is_none() => Some(format!("{give}, which comes closer, {GROWS}")),
+        (false, false) if free && unlimited && best.is_finite() => Some(format!("{give}, which comes closer, {GROWS}")),
+        (false, false) if !free && is_planned(&over_a_period.by_any_method()) => {
+            Some(format!("leave `method` out, and give a short `t_max`, {GROWS}"))
+        }
         (false, false) => None,
     }
 }

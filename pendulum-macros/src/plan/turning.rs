@@ -59,9 +59,7 @@ impl Finish {
 /// What is added to the angle of the latest passage.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turning {
-    /// The largest of the angle, if it is the periodic part of that from the top, which 2π·phase completes, not that from
-    /// the lowest point.
-    pub(crate) from_top: Option<f64>,
+    pub(crate) start: Start,
     /// Anchors per unit of the reduced phase.
     pub(crate) unit: Double,
     /// Whether the result is wrapped; otherwise the turns are added.
@@ -74,17 +72,28 @@ pub(crate) struct Turning {
     pub(crate) turns: f64,
 }
 
+/// What is computed of the phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Start {
+    /// The angle from the lowest point of the latest passage.
+    Lowest,
+    /// The periodic part of that from the top, of which that is the largest; 2π·phase completes it.
+    Top { largest: f64 },
+    /// If wrapped, as [`Self::Lowest`]; otherwise what 2π times the number of turns to the middle of a piece leaves.
+    Piece,
+}
+
 /// An arc that leads no farther beyond π counts as at the top: some more than a curve in two words is wrong by.
 pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
 
-/// Below this, 2⁵², the number of turns is exact, halves of them included.
+/// Below this, 2⁵², the number of turns is exact, halves of them included; that of pieces of a turn is below 2⁵².
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
-        let angle = match (self.from_top, variables.side) {
-            (None, _) => angle,
-            (Some(_), Some(side)) => {
+        let angle = match (self.start, variables.side) {
+            (Start::Lowest | Start::Piece, _) => angle,
+            (Start::Top { .. }, Some(side)) => {
                 // Uniform rotation from the lowest point is 2πz, without any half turn to be taken off.
                 let opposite = b.constant(-1.0);
                 let opposite = b.mul(opposite, variables.magnitude);
@@ -92,15 +101,23 @@ impl Turning {
                 let mean = self.mean(b, z);
                 b.add(mean, angle)
             }
-            (Some(_), None) if self.wrapped => self.other_side(b, variables, angle),
-            (Some(_), None) => {
+            (Start::Top { .. }, None) if self.wrapped => self.other_side(b, variables, angle),
+            (Start::Top { .. }, None) => {
                 let mean = self.mean(b, variables.distance);
                 let angle = b.add(mean, angle);
                 let half = b.rounded(Double::PI.scale(self.direction));
                 b.sub(angle, half)
             }
         };
-        if self.wrapped { modulo_turn(b, angle) } else { self.with_turns(b, variables.count, angle) }
+        match self.start {
+            _ if self.wrapped => modulo_turn(b, angle),
+            Start::Piece => {
+                let half = b.constant(0.5);
+                let from_lowest = b.sub(variables.count, half);
+                self.with_turns(b, from_lowest, angle)
+            }
+            _ => self.with_turns(b, variables.count, angle),
+        }
     }
 
     /// 2π·phase.
@@ -149,7 +166,11 @@ impl Turning {
         // round by is more than those two.
         let largest = 7.0 * (self.turns + 1.0) + 1.0;
         // So many are a rounded sum of a multiple of 8, the others, and the first number.
-        let counted = if self.turns < EXACT_TURNS { 0.0 } else { 14.0 * half_ulp(self.turns + 1.0, Float::F64) };
+        let counted = if self.turns < EXACT_TURNS / reduction.pieces {
+            0.0
+        } else {
+            14.0 * half_ulp(self.turns + 1.0, Float::F64)
+        };
         let second = if float == Float::F32 { 2.0 * half_ulp(7.0, Float::F64) } else { 0.0 };
         let turns = 2.0 * half_ulp(largest, Float::F64) + counted + half_ulp(largest, float) + second;
         self.rounding_from_lowest(reduction) + turns
@@ -160,7 +181,7 @@ impl Turning {
     /// more than four times as large (above Lebesgue's constant of a hundred points); from the top itself half a turn, too,
     /// and the sum with that, which turns may leave as it is.
     fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
-        let Some(periodic) = self.from_top else { return 0.0 };
+        let Start::Top { largest: periodic } = self.start else { return 0.0 };
         let float = reduction.float;
         // Phases, in anchors, and angles overshoot half a turn; both rounded.
         let overshoot = reduction.overshoot.max(0.0);
@@ -179,8 +200,13 @@ impl Turning {
     }
 
     /// A turn per unit of the phase.
-    fn turn(&self) -> Double {
-        Double::PI * self.unit * (2.0 * self.direction)
+    pub(super) fn turn(&self) -> Double {
+        self.of_turns(self.unit)
+    }
+
+    /// So many turns.
+    pub(super) fn of_turns(&self, turns: Double) -> Double {
+        Double::PI * turns * (2.0 * self.direction)
     }
 }
 

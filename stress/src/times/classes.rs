@@ -202,7 +202,7 @@ fn rotations(all: &mut Vec<Class>) {
     plan!(all: "rotation, any time", [0 (2.5) 1]; wrapped velocity position);
     plan!(all: "rotation, any time", [1 (-3) 1]; wrapped);
     plan!(all: "rotation, any time", [0 (2.00001) 1]; wrapped velocity);
-    plan!(all: "rotation in pieces, any time", [0 (-2.0001) 1]; velocity acceleration);
+    plan!(all: "rotation in pieces, any time", [0 (-2.0001) 1]; wrapped velocity acceleration);
     plan!(all: "positions in pieces of a rotation, any time", [0 (-2.00000000000001) 1] by polynomial; position);
 }
 

@@ -26,7 +26,7 @@ const POWERS: f64 = 3.0;
 impl AllInPieces {
     /// By few pieces and by many; none where an output has no pieces, or no reduction counts pieces.
     pub(in crate::plan) fn all(task: &Task, reductions: &[Reduction]) -> Vec<Self> {
-        let serves = task.aims.iter().all(|aim| aim.has_pieces(task));
+        let serves = task.aims.iter().all(Aim::has_pieces);
         let all = |pieces: usize| {
             let reductions: Vec<Reduction> =
                 reductions.iter().filter_map(|reduction| reduction.in_pieces(pieces as f64)).collect();

@@ -13,7 +13,7 @@ use super::kernel::{Core, Kernel};
 use super::observed::observed;
 use super::reduction::Reduction;
 use super::task::Task;
-use super::turning::{AT_TOP, Finish, Turning};
+use super::turning::{AT_TOP, Finish, Start, Turning};
 use super::{Bound, MOSTLY_ROUNDING, Part};
 use crate::parse::{Float, Output};
 use crate::program::rounding::half_ulp;
@@ -135,19 +135,20 @@ impl Aim {
 
     /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
     /// as it is.
-    fn finished(&self, task: &Task, core: Core, from_top: Option<&Reduction>) -> Kernel {
-        let wrapped = self.output == Output::Wrapped;
-        let finish = if task.turning && self.output.is_angle() {
-            let (direction, turns) = (task.direction, task.turns);
-            let unit = from_top.map_or(Double::ONE, |reduction| reduction.unit);
-            let from_top = from_top.map(|_| self.curves[0].bound(0.0));
-            Finish::Turning(Turning { from_top, unit, wrapped, slope: self.size.slope, direction, turns })
-        } else if wrapped {
-            self.finished_near_top()
-        } else {
-            Finish::Nothing
+    fn finished(&self, core: Core, turning: Option<Turning>) -> Kernel {
+        let finish = match turning {
+            Some(turning) => Finish::Turning(turning),
+            None if self.output == Output::Wrapped => self.finished_near_top(),
+            None => Finish::Nothing,
         };
         Kernel { core, finish }
+    }
+
+    /// What completes the angle of a rotation that is computed from there.
+    fn turning(&self, task: &Task, reduction: &Reduction, start: Start) -> Option<Turning> {
+        let Task { turning, direction, turns, .. } = *task;
+        let (unit, wrapped, slope) = (reduction.unit, self.output == Output::Wrapped, self.size.slope);
+        (turning && self.output.is_angle()).then_some(Turning { start, unit, wrapped, slope, direction, turns })
     }
 
     /// An arc may lead over the top; a whole swing doesn't, but its largest angle is rounded.

@@ -7,6 +7,7 @@ use crate::plan::kernel::Core;
 use crate::plan::passage::{Orbit, Passage};
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
+use crate::plan::turning::Start;
 use std::rc::Rc;
 
 /// How much more operations of a passage count than those of polynomials, since each waits for the one before: 1.4 to 1.8
@@ -47,7 +48,8 @@ impl Aim {
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
                 let kernel = Passage::new(self.output, orbit.clone(), distances, reduction.half(), left);
                 let truncation = kernel.truncation * factor;
-                let kernel = self.finished(task, Core::Passage(Box::new(kernel)), None);
+                let kernel =
+                    self.finished(Core::Passage(Box::new(kernel)), self.turning(task, reduction, Start::Lowest));
                 Ok(Rc::new(Draft::new(kernel, truncation)))
             })
         })

@@ -10,14 +10,14 @@ use crate::plan::kernel::Core;
 use crate::plan::pieces::{Halves, Pieces, Piecewise};
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
+use crate::plan::turning::Start;
 use crate::supremum::norm;
 use std::rc::Rc;
 
 impl Aim {
     /// Whether it can be had in pieces: curves all of which is met.
-    pub(in crate::plan) fn has_pieces(&self, task: &Task) -> bool {
-        let whole = !self.curves.is_empty() && !self.curves.iter().any(Curve::is_arc);
-        whole && !(task.turning && self.output.is_angle())
+    pub(in crate::plan) fn has_pieces(&self) -> bool {
+        !self.curves.is_empty() && !self.curves.iter().any(Curve::is_arc)
     }
 
     /// About how many terms each of so many pieces of each curve takes; `None` where the phase leaves nothing.
@@ -61,7 +61,11 @@ impl Aim {
             self.mirror(task, &mut pieces, Pieces::negate);
             let kernel = match <[Pieces; 2]>::try_from(pieces) {
                 Ok([sine, cosine]) => Core::Halves(Box::new(Halves { sine, cosine })).into(),
-                Err(mut single) => self.finished(task, Core::Pieces(Box::new(single.swap_remove(0))), None),
+                Err(mut single) => {
+                    let (mut angle, turning) = (single.swap_remove(0), self.turning(task, reduction, Start::Piece));
+                    turning.iter().for_each(|turning| angle.complete(turning));
+                    self.finished(Core::Pieces(Box::new(angle)), turning)
+                }
             };
             Ok(Rc::new(Draft::new(kernel, self.error(norm(truncations.into_iter())))))
         })

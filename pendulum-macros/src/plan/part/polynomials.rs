@@ -11,6 +11,7 @@ use crate::plan::memo::Memo;
 use crate::plan::polynomial::{Approximation, Leeway, Numerator, Pole, Polynomial, pade};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
+use crate::plan::turning::Start;
 use crate::power::two_to;
 use crate::program::cost::{AGAINST, CLAMP};
 use crate::series::Parity;
@@ -253,7 +254,11 @@ impl Aim {
         self.mirror(task, &mut polynomials, Polynomial::negate);
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok(factors) => Core::Circle(Box::new(factors)).into(),
-            Err(mut single) => self.finished(task, Core::Polynomial(Box::new(single.swap_remove(0))), Some(reduction)),
+            Err(mut single) => {
+                let start = Start::Top { largest: self.curves[0].bound(0.0) };
+                let turning = self.turning(task, reduction, start);
+                self.finished(Core::Polynomial(Box::new(single.swap_remove(0))), turning)
+            }
         }
     }
 }

@@ -14,6 +14,7 @@ pub(crate) use piecewise::{Piecewise, half, phase};
 
 use super::estrin::estrin;
 use super::reduction::Reduction;
+use super::turning::Turning;
 use super::variables::clamp;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Node, Op, Program};
@@ -53,6 +54,19 @@ impl Pieces {
 
     pub(crate) fn negate(&mut self) {
         self.rows.iter_mut().flatten().for_each(|c| *c = -*c);
+    }
+
+    /// Of the periodic part of a rotation's angle from the top that from the lowest point, or what turns to the middle of a
+    /// piece leave of it. The rate of both is that of the whole.
+    pub(crate) fn complete(&mut self, turning: &Turning) {
+        let pieces = self.rows.len();
+        let from_lowest = |piece: usize| Double::new(piece as f64 / pieces as f64 - 0.5);
+        for (piece, row) in self.rows.iter_mut().enumerate() {
+            row[1] = row[1] + turning.turn();
+            if turning.wrapped {
+                row[0] = row[0] + turning.of_turns(from_lowest(piece));
+            }
+        }
     }
 
     pub(crate) fn count(&self) -> usize {

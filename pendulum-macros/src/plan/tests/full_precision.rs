@@ -177,6 +177,35 @@ fn accelerations_beside_angles_of_fast_rotations() {
     }
 }
 
+/// Near the separatrix angles of rotations are made in pieces, launched anywhere, in either direction and type: wrapped as
+/// good as those of swings, with their turns as what is promised of those.
+#[test]
+fn angles_of_rotations_in_pieces() {
+    let mut random = Random::new(22);
+    for (start, outputs) in [
+        ("velocity0 = 2 + 1e-10", "wrapped"),
+        ("velocity0 = -2 - 1e-10, t_max = 1e3", "theta, acceleration"),
+        ("velocity0 = 2.0001, omega = 1, t_max = 1e6", "theta, acceleration"),
+        ("theta0 = 2, velocity0 = -1.080605, t_max = 1e4", "theta, acceleration"),
+        ("theta0 = -3, velocity0 = 0.141475", "wrapped, acceleration"),
+        ("velocity0 = -2 - 1e-9, float = f32, method = polynomial", "wrapped, acceleration"),
+        ("velocity0 = 3, t_max = 1e3", "theta, acceleration"),
+    ] {
+        let scene = scene(&format!("struct Motion; {start}, outputs = [{outputs}]"));
+        let plan = plan(&scene).unwrap();
+        let angle = plan.parts.iter().position(|part| part.output.is_angle()).unwrap();
+        let part = &plan.parts[angle];
+        assert_eq!(part.kernel.core.word(), "pieces", "{start}");
+        let mut probe = Probe::of(&scene, &plan, angle);
+        probe.everywhere(&mut random, 70);
+        let (t, error) = probe.worst;
+        assert!(error <= probe.bound, "{start}: {error:e} at {t:e}");
+        if part.output == Output::Wrapped {
+            assert!(error <= 8.0 * scene.float.rounding_unit() * part.largest, "{start}: {error:e} at {t:e}");
+        }
+    }
+}
+
 /// Where no plan of full precision's own is to be had, one of a finer tolerance is one.
 #[test]
 fn finer_promises_serve() {

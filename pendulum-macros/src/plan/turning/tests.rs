@@ -39,11 +39,22 @@ fn rounding_of_turns() {
     }
 }
 
+/// Pieces of a turn are counted, whose number is exact as long as it has no more than 53 bits.
+#[test]
+fn rounding_of_turns_in_pieces() {
+    let (turning, plan) = rotation("outputs = [theta, acceleration]");
+    let Turning { start: Start::Piece, .. } = turning else { panic!("{turning:?}") };
+    for (turns, counted) in [(1000.0, 0.0), (2f64.powi(45), 0.0), (2f64.powi(47), 14.0)] {
+        let of_turns = half_ulp(7.0 * turns, Float::F64) * 3.0 + half_ulp(turns, Float::F64) * counted;
+        assert_near(Turning { turns, ..turning.clone() }.own_rounding(&plan.reduction), of_turns, 1e-6);
+    }
+}
+
 /// Of an angle of which next to nothing is periodic no more than that is lost in the sum with the mean.
 #[test]
 fn rounding_of_next_to_uniform_rotations() {
     let (turning, plan) = rotation("outputs = [wrapped], float = f32");
-    let uniform = Turning { from_top: Some(1e-12), ..turning.clone() };
+    let uniform = Turning { start: Start::Top { largest: 1e-12 }, ..turning.clone() };
     let lost = turning.own_rounding(&plan.reduction) - uniform.own_rounding(&plan.reduction);
     assert_near(lost, 2f64.powi(-23), 1e-3);
 }
