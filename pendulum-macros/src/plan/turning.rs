@@ -109,15 +109,7 @@ impl Turning {
                 b.sub(angle, half)
             }
         };
-        match self.start {
-            _ if self.wrapped => modulo_turn(b, angle),
-            Start::Piece => {
-                let half = b.constant(0.5);
-                let from_lowest = b.sub(variables.count, half);
-                self.with_turns(b, from_lowest, angle)
-            }
-            _ => self.with_turns(b, variables.count, angle),
-        }
+        if self.wrapped { modulo_turn(b, angle) } else { self.with_turns(b, variables.count, angle) }
     }
 
     /// 2π·phase.

@@ -45,10 +45,21 @@ impl Reduction {
         b.name(capped, "time")
     }
 
-    /// Phase of t = 0 from the origin nearest to it: where t is small nothing of it is lost.
+    /// Phase of t = 0 from the origin nearest to it: where t is small nothing of it is lost. What pieces count of it is left
+    /// out.
     fn offset(&self) -> Double {
+        let offset = self.from_nearest();
+        offset - Double::new(self.counted(offset))
+    }
+
+    fn from_nearest(&self) -> Double {
         let offset = self.whole_offset();
         if self.is_linear() { offset } else { offset - Double::new(offset.hi.round_ties_even()) }
+    }
+
+    /// A half is a number of pieces: part of the constant that rounds, it costs nothing.
+    fn counted(&self, offset: Double) -> f64 {
+        if self.pieces > 1.0 && is_half(offset) { offset.hi } else { 0.0 }
     }
 
     /// Phase of t = 0 from the origin numbered 0.
@@ -67,7 +78,8 @@ impl Reduction {
     /// The magic sum of x + offset, and the nearest integer.
     fn round(&self, b: &mut Builder, t: Id, x: Id) -> (Id, Id) {
         let x = b.offset(x, self.offset() * self.scale);
-        let constant = b.float().magic() * self.scale / self.pieces;
+        let counted = self.counted(self.from_nearest());
+        let constant = (b.float().magic() / self.pieces + counted) * self.scale;
         let constant = self.mirrored(b, t, constant);
         let magic = b.add(x, constant);
         b.name(magic, "magic");
@@ -85,10 +97,12 @@ impl Reduction {
         b.name(constant, "rounder")
     }
 
-    /// The phase, origins counted from the one numbered 0.
+    /// The phase, origins counted from the one numbered 0; pieces from the lowest point after it.
     fn numbered(&self, b: &mut Builder, remainder: Id, magic: Id, count: Id) -> Phase {
-        let first = Double::new(self.first_number() * self.scale);
-        let [magic, count] = [magic, count].map(|sum| b.offset(sum, first));
+        let first = self.first_number();
+        let pieces = if self.pieces > 1.0 { self.counted(self.from_nearest()) - 0.5 } else { 0.0 };
+        let magic = b.offset(magic, Double::new(first * self.scale));
+        let count = b.offset(count, Double::new((first + pieces) * self.scale));
         if self.scale == 1.0 {
             return Phase { remainder, magic, count };
         }

@@ -123,7 +123,7 @@ pub(crate) struct Phase {
     /// The sum whose lowest bit is the parity of n. Of a phase that isn't reduced neither this nor the number means
     /// anything: it is the time.
     pub(crate) magic: Id,
-    /// The number n of anchors passed.
+    /// The number n of anchors passed; of n in pieces, of lowest points.
     pub(crate) count: Id,
 }
 

@@ -53,10 +53,12 @@ impl Trial {
             let residue = (anchors.to_f64() * 2.0 * self.reduction.pieces) as i64;
             let modulus = 2 * self.reduction.pieces as i64;
             assert_eq!((bits as i64 - residue) % modulus, 0, "{count}: {}", about());
-            let off = (number - real(count)).abs().to_f64();
+            // Pieces are counted from a lowest point.
+            let in_pieces = self.reduction.pieces > 1.0;
+            let off = (number - context.ratio(i64::from(in_pieces), 2) - real(count)).abs().to_f64();
             // The multiple of 8 and the rest, and where numbers don't begin with 0 the first besides.
             let first = self.reduction.first_number();
-            let sums = if first == 0.0 { 1.0 } else { 2.0 };
+            let sums = if first == 0.0 && !in_pieces { 1.0 } else { 2.0 };
             let rounded =
                 ((count.abs() + first.abs()) * self.reduction.pieces * 2f64.powi(-53)).floor() / self.reduction.pieces;
             assert!(off <= sums * rounded, "{off}, {count}: {}", about());
@@ -120,6 +122,22 @@ impl Scheme {
 
 pub(super) fn rate(random: &mut Random) -> Real {
     Context::for_digits(60).decimal(&format!("{:.17}123456789123456789", 0.05 + 3.0 * random.unit())).unwrap()
+}
+
+/// A launch from the lowest point is a number of pieces, which the constant that rounds has anyway.
+#[test]
+fn halves_cost_pieces_nothing() {
+    let rate = rate(&mut Random::new(12));
+    for (horizon, float) in [30.0, f64::INFINITY].map(|h| [(h, Float::F64), (h, Float::F32)]).concat() {
+        let operations = |launch: f64| {
+            let clock = Clock { rate: &rate, launch: Double::new(launch), horizon, float };
+            let in_pieces = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64.0));
+            in_pieces.unwrap().operations()
+        };
+        let on_anchor = operations(0.0);
+        assert_eq!([0.5, -0.5].map(operations), [on_anchor; 2]);
+        assert!(operations(0.3) > on_anchor);
+    }
 }
 
 /// For horizons of less than an anchor, of 2⁵⁴, and between; launched on an anchor, between two, and elsewhere.
