@@ -63,7 +63,9 @@ impl Aim {
                 Ok([sine, cosine]) => Core::Halves(Box::new(Halves { sine, cosine })).into(),
                 Err(mut single) => {
                     let (mut angle, turning) = (single.swap_remove(0), self.turning(task, reduction, Start::Piece));
-                    turning.iter().for_each(|turning| angle.complete(turning));
+                    if let Some(turning) = &turning {
+                        angle.complete(turning);
+                    }
                     self.finished(Core::Pieces(Box::new(angle)), turning)
                 }
             };

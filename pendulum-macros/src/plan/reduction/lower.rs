@@ -45,20 +45,20 @@ impl Reduction {
         b.name(capped, "time")
     }
 
-    /// Phase of t = 0 from the origin nearest to it: where t is small nothing of it is lost. What pieces count of it is left
-    /// out.
+    /// What is added of the phase of t = 0: all but what is counted.
     fn offset(&self) -> Double {
-        let offset = self.from_nearest();
-        offset - Double::new(self.counted(offset))
+        self.nearest_offset() - Double::new(self.counted())
     }
 
-    fn from_nearest(&self) -> Double {
+    /// Phase of t = 0 from the origin nearest to it: where t is small nothing of it is lost.
+    fn nearest_offset(&self) -> Double {
         let offset = self.whole_offset();
         if self.is_linear() { offset } else { offset - Double::new(offset.hi.round_ties_even()) }
     }
 
     /// A half is a number of pieces: part of the constant that rounds, it costs nothing.
-    fn counted(&self, offset: Double) -> f64 {
+    fn counted(&self) -> f64 {
+        let offset = self.nearest_offset();
         if self.pieces > 1.0 && is_half(offset) { offset.hi } else { 0.0 }
     }
 
@@ -78,8 +78,7 @@ impl Reduction {
     /// The magic sum of x + offset, and the nearest integer.
     fn round(&self, b: &mut Builder, t: Id, x: Id) -> (Id, Id) {
         let x = b.offset(x, self.offset() * self.scale);
-        let counted = self.counted(self.from_nearest());
-        let constant = (b.float().magic() / self.pieces + counted) * self.scale;
+        let constant = (b.float().magic() / self.pieces + self.counted()) * self.scale;
         let constant = self.mirrored(b, t, constant);
         let magic = b.add(x, constant);
         b.name(magic, "magic");
@@ -100,7 +99,7 @@ impl Reduction {
     /// The phase, origins counted from the one numbered 0; pieces from the lowest point after it.
     fn numbered(&self, b: &mut Builder, remainder: Id, magic: Id, count: Id) -> Phase {
         let first = self.first_number();
-        let pieces = if self.pieces > 1.0 { self.counted(self.from_nearest()) - 0.5 } else { 0.0 };
+        let pieces = if self.pieces > 1.0 { self.counted() - 0.5 } else { 0.0 };
         let magic = b.offset(magic, Double::new(first * self.scale));
         let count = b.offset(count, Double::new((first + pieces) * self.scale));
         if self.scale == 1.0 {
