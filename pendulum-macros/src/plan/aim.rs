@@ -86,6 +86,6 @@ impl Aim {
 
     /// As [`Size::phase_error`] for a passage, which rounds w = phase·rate besides, by so much of itself.
     pub(super) fn passage_error(&self, reduction: &Reduction, rounding: f64) -> f64 {
-        self.size.phase_error(reduction) + self.size.conditioning * rounding
+        self.size.phase_error(reduction) + self.size.conditioning(reduction) * rounding
     }
 }

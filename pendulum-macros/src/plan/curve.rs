@@ -44,12 +44,21 @@ impl Size {
     /// to the computed one, which is at most e + r|z| long for every z on it if it is for both its ends. A reduction's r is
     /// a thousandth more than for the true one, which is enough for the computed one but for what e adds to it.
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
-        let relative = match (reduction.relative_error, reduction.origin) {
-            (0.0, _) => 0.0,
-            (error, Origin::Lowest) => self.conditioning * error,
-            (_, Origin::Anchor) => f64::INFINITY,
+        let relative = match reduction.relative_error {
+            0.0 => 0.0,
+            error => self.conditioning(reduction) * error,
         };
         self.slope * reduction.error * (1.0 + reduction.relative_error) + relative
+    }
+
+    /// The largest |z f′(z)| up to where phases z from the lowest point go. Beyond half an anchor f′ is as large as it is
+    /// as far before it, where the conditioning holds for a smaller z.
+    pub(crate) fn conditioning(&self, reduction: &Reduction) -> f64 {
+        let beyond = reduction.overshoot.max(0.0);
+        match reduction.origin {
+            Origin::Lowest if beyond < 0.5 => self.conditioning * ((0.5 + beyond) / (0.5 - beyond)),
+            _ => f64::INFINITY,
+        }
     }
 
     /// The largest error in the function's own unit that is at most `tol` in units of the tolerance.

@@ -148,10 +148,24 @@ fn errors_of_phases() {
     let mut curve = Curve::sine();
     (curve.size.slope, curve.size.conditioning) = (3.0, 5.0);
     let cost = |origin, error, relative_error| {
-        curve.size.phase_error(&Reduction { origin, error, relative_error, ..reductions[0].clone() })
+        curve.size.phase_error(&Reduction { origin, error, relative_error, overshoot: 0.0, ..reductions[0].clone() })
     };
     assert_eq!(cost(Origin::Lowest, 0.5, 0.25), 1.5 * 1.25 + 1.25);
     assert_eq!([cost(Origin::Anchor, 0.5, 0.0), cost(Origin::Anchor, 0.5, 0.25)], [1.5, f64::INFINITY]);
+}
+
+/// Phases that overshoot half an anchor go where a phase times the slope there is more than it is anywhere before: of a
+/// velocity below 90° it is largest there.
+#[test]
+fn conditioning_beyond_half_an_anchor() {
+    let scene = scene("theta0 = 1");
+    let velocity = SwingCurves::new(swing(&scene), &scene.motion.omega).velocity();
+    let reductions = Task::new(&scene).reductions(&scene);
+    let beyond = Reduction { origin: Origin::Lowest, overshoot: 0.01, ..reductions[0].clone() };
+    let relative = |z: f64| z * velocity.steepness(0.5 - z);
+    let met = (0..=510).map(|index| relative(f64::from(index) / 1000.0)).fold(0.0, f64::max);
+    let Size { conditioning, .. } = velocity.size;
+    assert!(met > conditioning && met <= velocity.size.conditioning(&beyond), "{met} {conditioning}");
 }
 
 /// What a tolerance comes to is no more than that again.

@@ -11,7 +11,8 @@ impl Orbit {
     /// 7π/8 to π − 10⁻²⁰, of rotations and of the separatrix, from 10⁻² to full precision, it is with the phase 0.87 to 1.08
     /// times the cost of the plan, of nine in ten 0.9 to 1.035 times.
     pub(in crate::plan) fn cost(&self, output: Output, limit: f64, float: Float) -> f64 {
-        let (images, _) = Images::that_matter(output, self.q(), limit);
+        let q = self.q();
+        let (images, _) = Images::that_matter(output, q, q.sqrt(), limit);
         let bits = -libm::log2(limit).min(-6.0);
         let bits_of = |share: f64| bits - libm::log2(share);
         let of_powers = 0.6 + bits_of(of_series(output)) / 5.0;

@@ -96,14 +96,14 @@ impl Images {
     /// Those that matter to an output that is to be right within `limit`, and what leaving out the others changes.
     ///
     /// With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at most
-    /// √q′, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by q′F·2E(1 −
+    /// `outermost`, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by q′F·2E(1 −
     /// E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. No level has the last q′⁶
     /// of P (with M ≤ 1 + q′², E⁴ + G⁴ is), which changes θ by twice as much, and the velocity by as much where it is and
     /// again at E = 1: less than 5q′⁶ with the q′⁹ of its numerator and the q′¹⁰ of Q.
-    fn that_matter(output: Output, q: f64, limit: f64) -> (Self, f64) {
+    fn that_matter(output: Output, q: f64, outermost: f64, limit: f64) -> (Self, f64) {
         let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 1.1 + 25.0 * q] } else { [4.01, 2.3] };
         let levels = [
-            (Self::Sum, by_sum * q.sqrt()),
+            (Self::Sum, by_sum * outermost),
             (Self::Denominator, by_ratio * q),
             (Self::Correction, by_ratio * power(q, 3)),
         ];
@@ -184,6 +184,11 @@ impl Orbit {
     fn q(&self) -> f64 {
         self.image.hi * two_to(self.image_exponent)
     }
+
+    /// G at that phase: √q′ half an anchor from the lowest point.
+    fn image_at(&self, phase: f64) -> f64 {
+        libm::exp2(libm::log2(self.image.hi) + f64::from(self.image_exponent) + self.rate.hi * phase)
+    }
 }
 
 impl Passage {
@@ -198,7 +203,8 @@ impl Passage {
         let of_series = limit * of_series(output);
         let even = Fit::new(&domain, of_series, |v| series(v, 2));
         let odd = Fit::new(&domain, of_series, |v| series(v, 1));
-        let (images, truncation) = Images::that_matter(output, q, limit);
+        let outermost = orbit.image_at(distances[1]).max(q.sqrt());
+        let (images, truncation) = Images::that_matter(output, q, outermost, limit);
         // At the lowest point A = (1 + q′)/(1 + q′M) in a swing, of which the divisor may not matter, and 1 + q′³ in a
         // rotation, of which the correction may not. On the ellipse that reaches −0.9, |1 + vt²| ≥ 1/20 for 0 ≤ t ≤ 1, of
         // whose inverse the arctangent is a mean.

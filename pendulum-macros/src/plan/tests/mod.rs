@@ -274,6 +274,33 @@ fn a_spoilt_plan_is_seen_by_the_planner_itself() {
     assert_eq!(verify::broken(&scene, &task, &plan), Some(Output::Theta));
 }
 
+/// Results that are exact below the largest number, but may be rounded beyond it, are refused.
+#[test]
+fn nothing_overflows_within_a_promise() {
+    let mut refused = 0;
+    for text in [
+        "theta0 = 1.6420435595868863, omega = 1.844673374775e19, tol = 2.95e-3, t_max = 3.524e-20, outputs = [acceleration]",
+        "theta0 = 1.7180980377296755, omega = 1.844673893567e19, tol = 0.0712, t_max = 5.7853e-20, outputs = [acceleration]",
+        "velocity0 = 3.40282344729e38, omega = 2.856225489713e37, tol = 0.96, t_max = 3.5011e-36, outputs = [velocity]",
+    ] {
+        match plan(&scene(&format!("struct Motion; {text}, float = f32"))) {
+            Ok(plan) => {
+                let most = scene(&format!("struct Motion; {text}")).t_max.map_or(0.0, |most| most.to_f64());
+                for step in 0..=2000 {
+                    let t = plan.reduction.float.round_down(most * f64::from(step) / 2000.0);
+                    let values = [t, -t].map(|t| plan.functions[0].program.run(t)[0]);
+                    assert!(values.into_iter().all(f64::is_finite), "{text} at ±{t:e}: {values:?}");
+                }
+            }
+            Err(refusal) => {
+                assert!(matches!(refusal, Refusal::Unreachable { .. }), "{text}: {refusal:?}");
+                refused += 1;
+            }
+        }
+    }
+    assert_eq!(refused, 2);
+}
+
 /// On the other side of the top a wrapped angle is a turn away, to its last place: rounded, it would be off by more than
 /// truncation leaves here.
 #[test]

@@ -213,13 +213,18 @@ fn extreme(limit: Known, x: Known, choose: fn(f64, f64) -> f64) -> Known {
 }
 
 /// The operands are numbers of the type themselves: none is nearer to the sum than either, so that what is lost is at
-/// most the smaller one.
+/// most the smaller one, unless it overflows.
 fn sum(a: Known, b: Known, float: Float) -> Known {
     let (low, high) = rounded((a.low + b.low, a.high + b.high), float);
     let ends = [(a.low, b.low), (a.high, b.high)];
     let reach = |most| ends.into_iter().all(|(x, y)| is_within(two_sum(x, y), most));
     let of_intervals = || rounding(low, high, reach, float).min(a.magnitude()).min(b.magnitude());
-    Known::result((low, high), a.error + b.error, of_numbers(a, b, two_sum, float).unwrap_or_else(of_intervals))
+    let local = if overflows(low, high) {
+        f64::INFINITY
+    } else {
+        of_numbers(a, b, two_sum, float).unwrap_or_else(of_intervals)
+    };
+    Known::result((low, high), a.error + b.error, local)
 }
 
 fn product(a: Known, b: Known, float: Float) -> Known {
@@ -228,6 +233,7 @@ fn product(a: Known, b: Known, float: Float) -> Known {
     let reach = |most| ends.into_iter().all(|(x, y)| is_within(two_prod(x, y), most));
     let power = |x: Known| x.is_number() && is_power_of_two(x.low.abs());
     let local = match (power(a), power(b)) {
+        _ if overflows(low, high) => f64::INFINITY,
         (false, false) => of_numbers(a, b, two_prod, float).unwrap_or_else(|| rounding(low, high, reach, float)),
         (true, _) if a.low.abs() >= 1.0 => 0.0,
         (_, true) if b.low.abs() >= 1.0 => 0.0,
@@ -237,6 +243,11 @@ fn product(a: Known, b: Known, float: Float) -> Known {
     let lost = if a.error > 0.0 || b.error > 0.0 { LOST } else { 0.0 };
     let inherited = a.magnitude() * b.error + b.magnitude() * a.error + a.error * b.error + lost;
     Known::result((low, high), inherited, local)
+}
+
+/// Whether results within these bounds may be no numbers, of which nothing is known but that.
+fn overflows(low: f64, high: f64) -> bool {
+    !(low.is_finite() && high.is_finite())
 }
 
 /// The rounding of an operation on two numbers, if they are that, by one that tells it.

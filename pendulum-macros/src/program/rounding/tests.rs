@@ -305,6 +305,23 @@ fn products_rounded_to_a_power_of_two_from_beyond() {
     }
 }
 
+/// What overflows is wrong by more than any number: a sum by more than its smaller term, a product with a power of two though
+/// that rounds nothing.
+#[test]
+fn overflow_is_no_small_error() {
+    for (float, most) in [(Float::F32, f64::from(f32::MAX)), (Float::F64, f64::MAX)] {
+        let large = Known::between(0.5 * most, 0.9 * most);
+        let small = Known::between(0.0, 0.2 * most);
+        let two = Known::within(2.0, 2.0, 0.0);
+        let opposite = |Known { low, high, .. }| Known::between(-high, -low);
+        for (op, other) in [(Op::Add(0, 1), small), (Op::Sub(0, 1), opposite(small)), (Op::Mul(0, 1), two)] {
+            let found = [large, opposite(large)].map(|large| after(op, float, &[large, other]).error);
+            let overflows = [true, matches!(op, Op::Mul(..))];
+            assert_eq!(found.map(|error| error == f64::INFINITY), overflows, "{op:?} {float:?}: {found:?}");
+        }
+    }
+}
+
 /// Of numbers below all normal ones a root is next to 0, whatever it is.
 #[test]
 fn roots_next_to_zero() {
