@@ -78,8 +78,8 @@ impl<'a> Clock<'a> {
                     .collect::<Vec<_>>()
             }
             Float::F32 => {
-                let any_time = [self.wide_any_time(Anchor), self.wide_any_time(Lowest), self.fine_any_time()];
-                [self.wide(Anchor), self.wide(Lowest)].into_iter().flatten().chain(any_time).collect()
+                let any_time = [Anchor, Lowest].map(|origin| [self.wide_any_time(origin), self.fine_any_time(origin)]);
+                [self.wide(Anchor), self.wide(Lowest)].into_iter().flatten().chain(any_time.concat()).collect()
             }
         };
         let unsure = common.into_iter().chain(cody_waite).flatten();

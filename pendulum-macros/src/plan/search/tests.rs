@@ -285,7 +285,7 @@ fn velocities_beside_theta() {
 fn many_pieces_are_the_last_resort() {
     for (text, pieces) in [
         ("theta0 = π - 1e-6", "64"),
-        ("theta0 = π - 2.13312e-9, float = f32, method = polynomial, outputs = [acceleration]", "128"),
+        ("theta0 = π - 1e-25, float = f32, method = polynomial, outputs = [acceleration]", "128"),
         ("velocity0 = 1e-60 - 2, tol = 7.1e-9, method = polynomial", "128"),
     ] {
         let (scene, prospects) = prospects(text);

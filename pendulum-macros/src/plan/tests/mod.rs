@@ -158,7 +158,7 @@ fn the_best_that_is_found() {
         ("theta0 = 1, float = f32, tol = 1e-9", 0.97),
         ("theta0 = 1.78, omega = 0.0736, float = f32, t_max = 2.6e5, outputs = [acceleration], tol = 1e-10", 0.97),
         ("theta0 = 0.476, float = f32, method = series, outputs = [theta, velocity], tol = 1e-10", 0.6),
-        ("theta0 = π - 1e-6, omega = 0.147, float = f32, method = series, outputs = [acceleration], tol = 5e-7", 0.6),
+        ("theta0 = π - 1e-6, omega = 0.147, float = f32, method = series, outputs = [acceleration], tol = 1e-7", 0.6),
         ("theta0 = π - 1e-40, method = series, tol = 1e-12", 0.1),
     ] {
         let scene = scene(&format!("struct Motion; {text}"));
@@ -223,7 +223,7 @@ fn nothing_finer_than_what_is_offered() {
         ("velocity0 = 2, t_max = 1e4, outputs = [theta, velocity, position]", "1e-15"),
         ("theta0 = 0.7, velocity0 = 3, float = f32, outputs = [wrapped, acceleration]", "1e-7"),
         ("theta0 = π - 1e-20, method = polynomial, outputs = [position]", FULL),
-        ("theta0 = π - 1e-30, method = polynomial, outputs = [acceleration], float = f32", FULL),
+        ("theta0 = π - 1e-50, method = polynomial, outputs = [acceleration], float = f32", FULL),
         ("theta0 = 1e-300, omega = 1e-5, outputs = [velocity]", FULL),
         ("theta0 = 1e-200, omega = 1e-107, outputs = [velocity]", FULL),
         ("theta0 = 1e-10, float = f32, outputs = [position]", "1e-20"),

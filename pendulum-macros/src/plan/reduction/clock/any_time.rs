@@ -70,11 +70,12 @@ impl Clock<'_> {
         self.wide_words(origin, words, error)
     }
 
-    /// The same for motions that pass the lowest point within a thousandth of the time between anchors: of three words
-    /// the second product is exact, too, and the third below 2⁻³; what they leave is below 2⁻⁵⁶, and that product and two
-    /// sums are rounded to 2⁻⁵⁴ at most.
-    pub(super) fn fine_any_time(&self) -> Reduction {
-        self.wide_words(Origin::Lowest, split_down(self.rate, 29, 3, Float::F64), two_to(-52))
+    /// The same for motions that pass the lowest point within a thousandth of the time between anchors, and for pieces of
+    /// such, which round remainders by less than a product with the second of two words: of three words the second product
+    /// is exact, too, and the third below 2⁻³; what they leave is below 2⁻⁵⁶, and that product and two sums are rounded to
+    /// 2⁻⁵⁴ at most.
+    pub(super) fn fine_any_time(&self, origin: Origin) -> Reduction {
+        self.wide_words(origin, split_down(self.rate, 29, 3, Float::F64), two_to(-52))
     }
 
     fn wide_words(&self, origin: Origin, words: Vec<f64>, error: f64) -> Reduction {

@@ -326,8 +326,8 @@ fn remainders_in_pieces_are_rounded_less() {
         (Float::F64, "0.5", f64::INFINITY, 2f64.powi(-59), 2f64.powi(-57)),
         (Float::F64, "0.3", f64::INFINITY, 2f64.powi(-58), 2f64.powi(-56)),
         (Float::F32, "0", 100.0, 2f64.powi(-32), 2f64.powi(-30)),
-        // Three words from the lowest point have none, and products with two are rounded to 2⁻²⁸ as ever.
-        (Float::F32, "0", f64::INFINITY, 2f64.powi(-30), 2f64.powi(-26)),
+        // Of three words; products with two are rounded to 2⁻²⁸ as ever.
+        (Float::F32, "0", f64::INFINITY, 2f64.powi(-32), 2f64.powi(-30)),
     ] {
         let (rate, phase) = (rate(&mut random), Context::for_digits(60).decimal(launch).unwrap());
         let clock = Clock { rate: &rate, launch: phase.to_double(), horizon, float };
