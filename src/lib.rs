@@ -168,7 +168,7 @@ struct Readme;
 /// | `theta(t)`, `velocity(t)`, `acceleration(t)` | θ, θ̇, θ̈ = −ω² sin θ, in rad and the unit of t |
 /// | `position(t) -> (x, y)` | (sin θ, −cos θ) in lengths, y upwards, computed without θ; beyond ±1 by no more than `MAX_POSITION_ERROR` |
 /// | `wrapped(t)` | θ less its whole turns, in [−π, π) |
-/// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase |
+/// | `state(t) -> (θ, θ̇)` | if both are outputs, with one reduction of the phase; the same bits, except perhaps for the sign of a zero |
 ///
 /// * NaN and ±∞ in t give NaN, every other t a finite result (the angle of a rotation that would overflow, ±∞).
 /// * Released from rest, for every finite t: θ(−t) = θ(t) to the bit; −θ0 gives the mirror image to the bit, except
@@ -224,9 +224,9 @@ struct Readme;
 /// # Errors
 /// Every mistake is a compile error at the token to blame, which names the parameter, the value and a remedy; several
 /// mistakes are reported together. A `tol` that can't be promised is refused with the best that is found to be: of one
-/// output without a forced `method` within some per cent of what can be had. One mistake is mathematics rather than
-/// syntax: with few terms the argument of the arcsine in Eq. 22 exceeds 1 at large amplitudes (from 0.7308π for N = 1,
-/// 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂ would be NaN.
+/// output without a forced `method` mostly within some per cent of what can be had, seldom a quarter above it. One mistake
+/// is mathematics rather than syntax: with few terms the argument of the arcsine in Eq. 22 exceeds 1 at large amplitudes
+/// (from 0.7308π for N = 1, 0.9046π for 2, 0.9139π for 3, 0.9547π for 4), where θ̂ would be NaN.
 ///
 /// ```compile_fail
 /// // the smallest number of terms that works is `n = 4`

@@ -139,6 +139,24 @@ fn outside_the_domain_all_is_nan() {
     }
 }
 
+/// What is odd is so to the bit, zeros among it, and what is even, too.
+#[test]
+fn parity() {
+    for k in [0.0, 0.3, 0.999_999, 1.0] {
+        let jacobi = Jacobi::from_modulus(k).expect("in [0, 1]");
+        for u in [0.0, 1e-300, 1e-17, 0.3, 2.0, 7.5, 1e10] {
+            let [(sn, cn, dn), (of_minus, cn_of_minus, dn_of_minus)] = [u, -u].map(|u| jacobi.sn_cn_dn(u));
+            assert_eq!(
+                [of_minus, cn_of_minus, dn_of_minus].map(f64::to_bits),
+                [-sn, cn, dn].map(f64::to_bits),
+                "{u} {k}"
+            );
+            assert_eq!(jacobi.am(-u).to_bits(), (-jacobi.am(u)).to_bits(), "{u} {k}");
+            assert_eq!(jacobi.incomplete(-u).to_bits(), (-jacobi.incomplete(u)).to_bits(), "{u} {k}");
+        }
+    }
+}
+
 /// F is odd to the bit, and next to the quarter turn it is K less what Legendre's F(φ) + F(ψ) = K leaves, where
 /// k′ tan φ tan ψ = 1: both angles are near π/2 for a small k′, and each needs its small cosine to the last digit.
 #[test]

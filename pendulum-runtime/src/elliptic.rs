@@ -79,6 +79,9 @@ impl Jacobi {
     /// (sn u, cn u, dn u), the first two in [−1, 1], the last in [k′, 1]. NaN for NaN and ±∞.
     #[must_use]
     pub fn sn_cn_dn(&self, u: f64) -> (f64, f64, f64) {
+        if u == 0.0 {
+            return (u, 1.0, 1.0); // of either sign
+        }
         let phase = self.reduce(u);
         let (sine, cosine) = self.rotation.half_angle(phase);
         // Each turn of θ = 2 am changes the sign of sn and cn.
@@ -92,6 +95,9 @@ impl Jacobi {
     /// ±∞.
     #[must_use]
     pub fn am(&self, u: f64) -> f64 {
+        if u == 0.0 {
+            return u;
+        }
         let phase = self.reduce(u);
         if phase.turns.abs() > LARGEST {
             // What is left of a turn is nothing beside so many.
@@ -124,6 +130,9 @@ impl Jacobi {
     pub fn incomplete(&self, phi: f64) -> f64 {
         if !phi.is_finite() {
             return f64::NAN;
+        }
+        if phi == 0.0 {
+            return phi;
         }
         let (_, rest) = nearest_period(reduce(phi).angle, Double::PI);
         let partial = if rest.hi < 0.0 { -self.partial(-rest) } else { self.partial(rest) };

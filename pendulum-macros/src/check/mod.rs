@@ -72,8 +72,10 @@ impl Checker<'_> {
     fn evaluated(&mut self, given: &Given<Number>) -> Checked<Real> {
         // What the motion doesn't depend on (`tol`, `t_max`) may be longer than what it does.
         let context = self.context.at_least(Context::for_digits(given.value.digits()));
-        given.value.evaluate(context).map_err(|error| {
-            self.report.at(error.span(), format!("`{given}`: {error}"));
+        given.value.evaluate(context).map_err(|mistakes| {
+            for error in mistakes {
+                self.report.at(error.span(), format!("`{given}`: {error}"));
+            }
             Reported
         })
     }

@@ -38,11 +38,24 @@ pub(crate) fn value(tokens: &TokenStream) -> String {
             }
             operand => {
                 text.extend(after_operand.then_some(' '));
-                text.push_str(&operand.to_string());
+                text.push_str(&shortened(operand.to_string()));
                 after_operand = true;
             }
         }
     }
     text.truncate(text.trim_end().len());
     text
+}
+
+/// A literal of so many characters that nobody reads them, by its first and last: the sign and the exponent are there.
+fn shortened(word: String) -> String {
+    const MOST: usize = 100;
+    const FIRST: usize = 60;
+    const LAST: usize = 10;
+    let characters: Vec<char> = word.chars().collect();
+    if characters.len() <= MOST {
+        return word;
+    }
+    let text = |part: &[char]| part.iter().collect::<String>();
+    format!("{}…{}", text(&characters[..FIRST]), text(&characters[characters.len() - LAST..]))
 }

@@ -105,3 +105,13 @@ fn refuses_empty_and_repeated_outputs() {
     assert_eq!(without_brackets.clone().into_iter().count(), 2, "`n` is another mistake");
     assert!(without_brackets.to_string().contains("`outputs = [theta, velocity]`"));
 }
+
+/// Nobody reads ten thousand digits in a message.
+#[test]
+fn long_literals_are_shortened() {
+    let long = format!("-1.{}e-9", "123456789".repeat(1000));
+    let shown = source::value(&long.parse().unwrap());
+    assert!(shown.starts_with("-1.123456789") && shown.ends_with("…3456789e-9"), "{shown}");
+    let short = format!("1.{}", "5".repeat(90));
+    assert_eq!(source::value(&short.parse().unwrap()), short);
+}

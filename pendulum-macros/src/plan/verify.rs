@@ -50,7 +50,8 @@ pub(super) fn broken(scene: &Scene, task: &Task, plan: &Plan) -> Option<Output> 
     near.into_iter().chain(far).find_map(probe)
 }
 
-/// Whether the function of θ and velocity, if there is one, gives what the functions of either give, to the bit.
+/// Whether the function of θ and velocity, if there is one, gives what the functions of either give: to the bit, but
+/// for the sign of a zero.
 fn both_alike(plan: &Plan, t: f64) -> bool {
     let values = |output: Option<Output>| {
         let function = plan.functions.iter().find(|function| function.output == output);
@@ -58,7 +59,7 @@ fn both_alike(plan: &Plan, t: f64) -> bool {
     };
     let both = values(None).into_iter().flatten();
     let each = [Output::Theta, Output::Velocity].into_iter().filter_map(|output| values(Some(output))).flatten();
-    both.zip(each).all(|(one, other)| one.to_bits() == other.to_bits())
+    both.zip(each).all(|(one, other)| one == other)
 }
 
 impl Aim {

@@ -67,6 +67,9 @@ impl Evaluation {
                 Value { real: -real, wrong }
             }
             Tree::Root(inner, span) => {
+                if inner.angles() != 0 {
+                    return Err(Error::new(*span, "the root of an angle is no angle: leave out its unit"));
+                }
                 let Value { real, wrong } = self.of(inner)?;
                 if real.is_negative() {
                     let shown = real.to_f64();
@@ -82,7 +85,11 @@ impl Evaluation {
                     let message = "an angle times an angle is no angle: leave out one of the units";
                     return Err(Error::new_spanned(blame, message));
                 }
-                let (left, mut right) = (self.of(left)?, self.of(right)?);
+                if *operator == Operator::Divide && right.angles() > left.angles() {
+                    let message = "a number over an angle is no angle: leave out the unit of this divisor";
+                    return Err(Error::new_spanned(blame, message));
+                }
+                let (left, mut right) = both(self.of(left), self.of(right))?;
                 match operator {
                     Operator::Add => self.sum(&left, &right),
                     Operator::Subtract => {
@@ -122,6 +129,18 @@ impl Evaluation {
         }
         self.is_doubtful |= !(left.real.is_zero() && right.real.is_zero());
         Value { real: self.context.integer(0), wrong: 0 }
+    }
+}
+
+/// Both values, or the mistakes of both.
+fn both<T>(left: Result<T>, right: Result<T>) -> Result<(T, T)> {
+    match (left, right) {
+        (Ok(left), Ok(right)) => Ok((left, right)),
+        (Err(mut first), Err(second)) => {
+            first.combine(second);
+            Err(first)
+        }
+        (Err(error), _) | (_, Err(error)) => Err(error),
     }
 }
 

@@ -284,7 +284,7 @@ mod tests {
         assert_eq!(value("1e-3π"), 1e-3 * PI);
         assert_eq!(value("sqrt(2) * sqrt(2) - 2"), 0.0);
         assert_eq!(value("90deg/45deg*2rad"), 4.0);
-        assert_eq!(value("sqrt(2rad)*sqrt(2rad)"), 2.0);
+        assert_eq!(value("sqrt(90deg/45deg)*2rad"), 2.0 * std::f64::consts::SQRT_2);
     }
 
     #[test]
@@ -386,9 +386,19 @@ mod tests {
         assert!(error("TAU").contains("write `2π`"));
         assert!(error("90deg*2deg").contains("an angle times an angle"));
         assert!(error("2*(90deg*(1 + 2rad))").contains("an angle times an angle"));
+        assert!(error("1/90deg").contains("a number over an angle"));
+        assert!(error("sqrt(4deg)*2").contains("the root of an angle"));
         assert!(error("sqrt(1 - 2)").contains("negative"));
         assert!(error("1e100000").contains("exponent"));
         assert!(error("").contains("expected a number"));
         assert!(error("1 2").contains("expected `+`"));
+    }
+
+    /// All that an expression can't be evaluated for is reported, of both sides of every operator.
+    #[test]
+    fn several_mistakes_in_one_expression() {
+        let number = parse("(1/0) + (2deg*3deg)*sqrt(-1) + 4").unwrap();
+        let error = number.evaluate(Context::for_digits(20)).unwrap_err();
+        assert_eq!(error.into_iter().count(), 3);
     }
 }

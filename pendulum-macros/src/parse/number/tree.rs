@@ -62,9 +62,9 @@ impl Tree {
     pub(super) fn angles(&self) -> i32 {
         match self {
             Self::Literal { unit, .. } => i32::from(matches!(unit, Unit::Degree | Unit::Radian)),
-            Self::Pi => 0,
+            // What has a root has no unit.
+            Self::Pi | Self::Root(..) => 0,
             Self::Negative(inner) => inner.angles(),
-            Self::Root(inner, _) => inner.angles() / 2,
             Self::Binary { left, operator, right, .. } => match operator {
                 Operator::Add | Operator::Subtract => left.angles().max(right.angles()),
                 Operator::Multiply => left.angles() + right.angles(),
