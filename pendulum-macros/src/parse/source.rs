@@ -52,10 +52,10 @@ fn shortened(word: String) -> String {
     const MOST: usize = 100;
     const FIRST: usize = 60;
     const LAST: usize = 10;
-    let characters: Vec<char> = word.chars().collect();
-    if characters.len() <= MOST {
+    if word.len() <= MOST {
         return word;
     }
-    let text = |part: &[char]| part.iter().collect::<String>();
-    format!("{}…{}", text(&characters[..FIRST]), text(&characters[characters.len() - LAST..]))
+    let first: String = word.chars().take(FIRST).collect();
+    let last = word.char_indices().rev().nth(LAST - 1).map_or("", |(start, _)| &word[start..]);
+    format!("{first}…{last}")
 }
