@@ -66,8 +66,9 @@ fn in_any_depth(tokens: &TokenStream) -> Box<dyn Iterator<Item = (Literal, Optio
 
 fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
     let (units, _) = meaning(&name.to_string());
-    let known = suffix.is_empty() || suffix == "π" || units.contains(&suffix);
-    let shown = source::value(value);
+    if suffix.is_empty() || suffix == "π" || units.contains(&suffix) {
+        return None;
+    }
     let remedy = match suffix {
         "pi" | "PI" | "Pi" => "write it `π`, as in `2π`, or as a factor, `2*PI`".to_owned(),
         "f32" | "f64" | "i32" | "i64" | "u32" | "u64" | "usize" | "isize" => {
@@ -75,7 +76,7 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
         }
         _ => meant(suffix, units).map_or_else(|| unknown(name, suffix), |unit| format!("write it `{unit}`")),
     };
-    (!known).then(|| format!("`{name} = {shown}` has the suffix `{suffix}`: {remedy}"))
+    Some(format!("`{name} = {}` has the suffix `{suffix}`: {remedy}", source::value(value)))
 }
 
 /// Of the units that there are, the one that was written otherwise.
