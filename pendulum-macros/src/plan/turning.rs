@@ -59,6 +59,7 @@ impl Finish {
 /// What is added to the angle of the latest passage.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turning {
+    /// What is completed.
     pub(crate) start: Start,
     /// Anchors per unit of the reduced phase.
     pub(crate) unit: Double,
@@ -72,7 +73,7 @@ pub(crate) struct Turning {
     pub(crate) turns: f64,
 }
 
-/// What is computed of the phase.
+/// Where the angle begins that is computed of the phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Start {
     /// The angle from the lowest point of the latest passage.

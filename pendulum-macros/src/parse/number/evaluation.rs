@@ -55,6 +55,7 @@ struct Evaluation {
 
 impl Evaluation {
     fn of(&mut self, tree: &Tree) -> Result<Value> {
+        tree.check_unit()?;
         let value = match tree {
             Tree::Literal { digits, unit, span } => {
                 let value = self.context.decimal(digits);
@@ -67,9 +68,6 @@ impl Evaluation {
                 Value { real: -real, wrong }
             }
             Tree::Root(inner, span) => {
-                if inner.angles() != 0 {
-                    return Err(Error::new(*span, "the root of an angle is no angle: leave out its unit"));
-                }
                 let Value { real, wrong } = self.of(inner)?;
                 if real.is_negative() {
                     let shown = real.to_f64();
@@ -81,14 +79,6 @@ impl Evaluation {
                 Value { real: real.sqrt(), wrong: wrong + 2 }
             }
             Tree::Binary { left, operator, right, blame } => {
-                if *operator == Operator::Multiply && left.angles() > 0 && right.angles() > 0 {
-                    let message = "an angle times an angle is no angle: leave out one of the units";
-                    return Err(Error::new_spanned(blame, message));
-                }
-                if *operator == Operator::Divide && right.angles() > left.angles() {
-                    let message = "a number over an angle is no angle: leave out the unit of this divisor";
-                    return Err(Error::new_spanned(blame, message));
-                }
                 let (left, mut right) = both(self.of(left), self.of(right))?;
                 match operator {
                     Operator::Add => self.sum(&left, &right),

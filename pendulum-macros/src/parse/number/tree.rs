@@ -1,6 +1,7 @@
 //! The tree of an expression: how many digits it has, and its unit.
 
 use proc_macro2::{Span, TokenStream};
+use syn::{Error, Result};
 
 /// An expression; `blame` are the tokens of the right operand.
 #[derive(Clone, Debug)]
@@ -70,6 +71,26 @@ impl Tree {
                 Operator::Multiply => left.angles() + right.angles(),
                 Operator::Divide => left.angles() - right.angles(),
             },
+        }
+    }
+
+    /// Refuses a power of an angle that is neither an angle nor a number, where its operands are one or the other.
+    pub(super) fn check_unit(&self) -> Result<()> {
+        match self {
+            Self::Root(inner, span) if inner.angles() != 0 => {
+                Err(Error::new(*span, "the root of an angle is no angle: leave out its unit"))
+            }
+            Self::Binary { left, operator, right, blame } => match (operator, left.angles(), right.angles()) {
+                (Operator::Multiply, 1.., 1..) => {
+                    Err(Error::new_spanned(blame, "an angle times an angle is no angle: leave out one of the units"))
+                }
+                (Operator::Divide, left, right) if right > left => Err(Error::new_spanned(
+                    blame,
+                    "a number over an angle is no angle: leave out the unit of this divisor",
+                )),
+                _ => Ok(()),
+            },
+            _ => Ok(()),
         }
     }
 }

@@ -96,10 +96,10 @@ impl Images {
     /// Those that matter to an output that is to be right within `limit`, and what leaving out the others changes.
     ///
     /// With A = Q/P, θ changes by at most 4 ΔA and by 4A/(1 + A²) ≤ 2 times ΔA/A; sin θ and e^{iθ} by no more. G is at most
-    /// `outermost`, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by q′F·2E(1 −
-    /// E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. No level has the last q′⁶
-    /// of P (with M ≤ 1 + q′², E⁴ + G⁴ is), which changes θ by twice as much, and the velocity by as much where it is and
-    /// again at E = 1: less than 5q′⁶ with the q′⁹ of its numerator and the q′¹⁰ of Q.
+    /// `outermost`, M at most 1 + q′², and q′ at most 0.05. The velocity, exact at E = 1, changes by 2FG, and without P by
+    /// q′F·2E(1 − E²)(2 + E²)/(1 + E²)² ≤ 1.094 q′F, up to terms of 25 q′²F; by less without the correction. No level has
+    /// the last q′⁶ of P (with M ≤ 1 + q′², E⁴ + G⁴ is), which changes θ by twice as much, and the velocity by as much where
+    /// it is and again at E = 1: less than 5q′⁶ with the q′⁹ of its numerator and the q′¹⁰ of Q.
     fn that_matter(output: Output, q: f64, outermost: f64, limit: f64) -> (Self, f64) {
         let [by_sum, by_ratio] = if output == Output::Velocity { [2.5, 1.1 + 25.0 * q] } else { [4.01, 2.3] };
         let levels = [

@@ -33,7 +33,7 @@ impl Reduction {
             }
         };
         let remainder = b.convert(phase.remainder, self.float);
-        let name = if self.pieces > 1.0 { "apart" } else { self.origin.phase() };
+        let name = if self.counts_pieces() { "apart" } else { self.origin.phase() };
         Phase { remainder: b.name(remainder, name), ..phase }
     }
 
@@ -59,7 +59,7 @@ impl Reduction {
     /// A half is a number of pieces: part of the constant that rounds, it costs nothing.
     fn counted(&self) -> f64 {
         let offset = self.nearest_offset();
-        if self.pieces > 1.0 && is_half(offset) { offset.hi } else { 0.0 }
+        if self.counts_pieces() && is_half(offset) { offset.hi } else { 0.0 }
     }
 
     /// Phase of t = 0 from the origin numbered 0.
@@ -99,9 +99,9 @@ impl Reduction {
     /// The phase, origins counted from the one numbered 0; pieces from the lowest point after it.
     fn numbered(&self, b: &mut Builder, remainder: Id, magic: Id, count: Id) -> Phase {
         let first = self.first_number();
-        let pieces = if self.pieces > 1.0 { self.counted() - 0.5 } else { 0.0 };
+        let from_lowest = if self.counts_pieces() { self.counted() - 0.5 } else { 0.0 };
         let magic = b.offset(magic, Double::new(first * self.scale));
-        let count = b.offset(count, Double::new((first + pieces) * self.scale));
+        let count = b.offset(count, Double::new((first + from_lowest) * self.scale));
         if self.scale == 1.0 {
             return Phase { remainder, magic, count };
         }

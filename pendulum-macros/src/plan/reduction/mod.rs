@@ -252,7 +252,12 @@ impl Reduction {
 
     /// Whether the remainder is in anchors, from one of them.
     pub(crate) fn counts_anchors(&self) -> bool {
-        self.unit == Double::ONE && self.scale == 1.0 && self.pieces == 1.0
+        self.unit == Double::ONE && self.scale == 1.0 && !self.counts_pieces()
+    }
+
+    /// Whether the remainder is from the nearest of several pieces of an anchor.
+    fn counts_pieces(&self) -> bool {
+        self.pieces > 1.0
     }
 
     /// Whether it is that of an arc without symmetry.

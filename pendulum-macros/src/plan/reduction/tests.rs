@@ -54,7 +54,7 @@ impl Trial {
             let modulus = 2 * self.reduction.pieces as i64;
             assert_eq!((bits as i64 - residue) % modulus, 0, "{count}: {}", about());
             // Pieces are counted from a lowest point.
-            let in_pieces = self.reduction.pieces > 1.0;
+            let in_pieces = self.reduction.counts_pieces();
             let off = (number - context.ratio(i64::from(in_pieces), 2) - real(count)).abs().to_f64();
             // The multiple of 8 and the rest, and where numbers don't begin with 0 the first besides.
             let first = self.reduction.first_number();

@@ -283,11 +283,12 @@ fn nothing_overflows_within_a_promise() {
         "theta0 = 1.7180980377296755, omega = 1.844673893567e19, tol = 0.0712, t_max = 5.7853e-20, outputs = [acceleration]",
         "velocity0 = 3.40282344729e38, omega = 2.856225489713e37, tol = 0.96, t_max = 3.5011e-36, outputs = [velocity]",
     ] {
-        match plan(&scene(&format!("struct Motion; {text}, float = f32"))) {
+        let scene = scene(&format!("struct Motion; {text}, float = f32"));
+        match plan(&scene) {
             Ok(plan) => {
-                let most = scene(&format!("struct Motion; {text}")).t_max.map_or(0.0, |most| most.to_f64());
+                let most = scene.t_max.as_ref().map_or(0.0, Real::to_f64);
                 for step in 0..=2000 {
-                    let t = plan.reduction.float.round_down(most * f64::from(step) / 2000.0);
+                    let t = scene.float.round_down(most * f64::from(step) / 2000.0);
                     let values = [t, -t].map(|t| plan.functions[0].program.run(t)[0]);
                     assert!(values.into_iter().all(f64::is_finite), "{text} at ±{t:e}: {values:?}");
                 }
