@@ -77,6 +77,7 @@ impl Request {
 
     /// Whether the parameter was written at all, with or without a mistake.
     pub(crate) fn mentions(&self, name: &str) -> bool {
+        debug_assert!(is_a_parameter(name), "{name} is no parameter");
         self.written.iter().any(|written| written.name == name)
     }
 

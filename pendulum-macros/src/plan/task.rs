@@ -26,7 +26,7 @@ pub(super) struct Task {
     passage: Option<Orbit>,
     /// Whether turns are added to an angle, or taken off: of all of a rotation, not of an arc.
     pub(super) turning: bool,
-    /// The most turns within the horizon, each from one anchor to the next.
+    /// The most turns within the horizon, each from one anchor to the next, from half-way between those numbered 0 and 1.
     pub(super) turns: f64,
     /// The first and the last phase within the horizon, where that is less than from one anchor to the next.
     pub(super) met: Option<Met>,
@@ -85,7 +85,8 @@ impl Task {
     }
 
     fn whole(scene: &Scene, aims: Vec<Aim>, rate: Real, launch: Real, direction: f64) -> Self {
-        let (met, turns) = (Met::within(scene, &rate, &launch), scene.horizon() * rate.to_f64() + 2.0);
+        let met = Met::within(scene, &rate, &launch);
+        let turns = scene.horizon() * rate.to_f64() + (launch.to_f64() - 0.5).abs();
         Self { aims, rate, launch, direction, passage: None, turning: false, turns, met, unreduced: None }
     }
 

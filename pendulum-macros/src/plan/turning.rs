@@ -7,7 +7,7 @@ use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
 use crate::supremum::larger;
 use pendulum_runtime::double::Double;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// What becomes of what is computed of the phase.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,9 +50,10 @@ impl Finish {
         }
     }
 
-    /// What the turns of a rotation's angle, and the mean that completes it, are rounded by.
-    pub(crate) fn rounding_of_turns(&self, reduction: &Reduction) -> f64 {
-        if let Self::Turning(turning) = self { turning.own_rounding(reduction) } else { 0.0 }
+    /// What the turns of a rotation's angle, and the mean that completes it, are rounded by, if all else is wrong by up to
+    /// `error`.
+    pub(crate) fn rounding_of_turns(&self, reduction: &Reduction, error: f64) -> f64 {
+        if let Self::Turning(turning) = self { turning.own_rounding(reduction, error) } else { 0.0 }
     }
 }
 
@@ -69,7 +70,7 @@ pub(crate) struct Turning {
     pub(crate) slope: f64,
     /// −1 where θ decreases.
     pub(crate) direction: f64,
-    /// The most turns within the horizon.
+    /// The most turns within the horizon, of the mean rotation from the lowest point numbered 0.
     pub(crate) turns: f64,
 }
 
@@ -148,25 +149,31 @@ impl Turning {
         b.convert(sum, float)
     }
 
-    /// What it rounds by: half an ulp of the largest values, and what constants stand for.
-    fn own_rounding(&self, reduction: &Reduction) -> f64 {
+    /// What it rounds by.
+    fn own_rounding(&self, reduction: &Reduction, error: f64) -> f64 {
+        let of_turns =
+            if self.wrapped { rounding_modulo(reduction.float) } else { self.rounding_of_sums(reduction, error) };
+        self.rounding_from_lowest(reduction) + of_turns
+    }
+
+    /// Of [`Self::with_turns`]: of the number of turns, the products with both words of 2π, the sum of the lesser one with
+    /// the angle, the last sum, and its conversion to `f32`.
+    fn rounding_of_sums(&self, reduction: &Reduction, error: f64) -> f64 {
         let float = reduction.float;
-        if self.wrapped {
-            return self.rounding_from_lowest(reduction) + rounding_modulo(float);
-        }
-        // The product of the turns with the first word of 2π, and the last sum. At last the conversion to `f32`, beside which
-        // the product with the second word and its sum count as below 8; in `f64`, which needs none, as much as it would
-        // round by is more than those two.
-        let largest = 7.0 * (self.turns + 1.0) + 1.0;
-        // So many are a rounded sum of a multiple of 8, the others, and the first number.
-        let counted = if self.turns < EXACT_TURNS / reduction.pieces {
-            0.0
-        } else {
-            14.0 * half_ulp(self.turns + 1.0, Float::F64)
-        };
-        let second = if float == Float::F32 { 2.0 * half_ulp(7.0, Float::F64) } else { 0.0 };
-        let turns = 2.0 * half_ulp(largest, Float::F64) + counted + half_ulp(largest, float) + second;
-        self.rounding_from_lowest(reduction) + turns
+        let farthest = self.farthest(reduction);
+        let count = (self.turns + farthest + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);
+        // Beyond, it is a rounded sum of a multiple of 8, the others, and the first number.
+        let exact = self.turns < EXACT_TURNS / reduction.pieces;
+        let counted = if exact { 0.0 } else { 14.0 * half_ulp(count, Float::F64) };
+        // 1 and 2 are powers of two.
+        let is_power = reduction.pieces == 1.0 && count < 3.0;
+        let product = if is_power { 0.0 } else { half_ulp(TAU * count, Float::F64) };
+        let lesser = count * Float::F64.rest(Double::PI * 2.0).abs();
+        let small =
+            half_ulp(lesser, Float::F64) + half_ulp(self.largest_angle(farthest, reduction) + lesser, Float::F64);
+        let largest = (TAU * self.turns + PI) * (1.0 + ROUNDED) + error;
+        let converted = if float == Float::F32 { half_ulp(largest, float) } else { 0.0 };
+        counted + product + small + half_ulp(largest, Float::F64) + converted
     }
 
     /// That of the angle from the lowest point, made of that from the top: of the mean, up to half a turn, its constant and
@@ -176,20 +183,34 @@ impl Turning {
     fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
         let Start::Top { largest: periodic } = self.start else { return 0.0 };
         let float = reduction.float;
-        // Phases, in anchors, and angles overshoot half a turn; both rounded.
-        let overshoot = reduction.overshoot.max(0.0);
-        let farthest = (0.5 + overshoot) * (1.0 + ROUNDED);
-        let largest = (PI + self.slope * overshoot) * (1.0 + ROUNDED);
-        let of_half_turn = half_ulp(largest, float);
+        // Phases, in anchors, overshoot half a turn, as angles do; rounded.
+        let farthest = (0.5 + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);
+        let of_half_turn = half_ulp(self.largest_angle(0.5, reduction), float);
         let mean = of_half_turn + farthest * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = of_half_turn.min(4.0 * periodic);
         let half = match reduction.origin {
             Origin::Lowest => 0.0,
             Origin::Anchor => {
-                float.rest(Double::PI).abs() + half_ulp(if self.wrapped { largest } else { largest + PI }, float)
+                let farthest = if self.wrapped { 0.5 } else { 1.0 };
+                float.rest(Double::PI).abs() + half_ulp(self.largest_angle(farthest, reduction), float)
             }
         };
         mean + sum + half
+    }
+
+    /// Bounds the angle of so many turns, and as much farther as phases overshoot.
+    fn largest_angle(&self, turns: f64, reduction: &Reduction) -> f64 {
+        (TAU * turns + self.slope * reduction.overshoot.max(0.0)) * (1.0 + ROUNDED)
+    }
+
+    /// How far angles are from 2π times the number that is counted, in turns: of the nearest lowest point, of the next one
+    /// after the top that is nearest, or of the middle of a piece, where the periodic part leads up to half a turn away.
+    fn farthest(&self, reduction: &Reduction) -> f64 {
+        match (self.start, reduction.origin) {
+            (Start::Piece, _) => 0.5 + 0.5 / reduction.pieces,
+            (_, Origin::Lowest) => 0.5,
+            (_, Origin::Anchor) => 1.0,
+        }
     }
 
     /// A turn per unit of the phase.

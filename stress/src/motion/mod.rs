@@ -9,8 +9,8 @@
 //!
 //! θ = 2πφ + 4 Σ qⁿ/(n(1 + q²ⁿ)) sin(2πnφ).
 //!
-//! For m = 1, from the bottom, θ = 4 arctan(e^ωt) − π. The runtime and the tests of the workspace use theta quotients
-//! instead. The tests of [`truth`](crate::truth) compare with reference data by `mpmath`.
+//! For m = 1, from the bottom, θ = 4 arctan(e^ωt) − π. The runtime uses theta quotients instead. The tests of
+//! [`truth`](crate::truth) compare with reference data by `mpmath`.
 
 mod paper;
 mod start;

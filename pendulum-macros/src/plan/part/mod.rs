@@ -39,7 +39,7 @@ fn close_from(float: Float) -> f64 {
 
 /// Turns are rounded besides.
 fn with_turns(kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Bound {
-    Bound { evaluation: bound.evaluation + kernel.finish.rounding_of_turns(reduction), ..bound }
+    Bound { evaluation: bound.evaluation + kernel.finish.rounding_of_turns(reduction, bound.total()), ..bound }
 }
 
 impl Aim {

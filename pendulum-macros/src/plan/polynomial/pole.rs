@@ -1,4 +1,4 @@
-//! Nearest singularities, divided out.
+//! Poles at a curve's nearest singularities, or near them, divided out.
 
 use super::interval;
 use crate::parse::Float;

@@ -169,7 +169,7 @@ fn what_is_taken_of_limits() {
         let Prospect { task, reductions, .. } = prospects.last().unwrap();
         let (part, reduction) = (plan(&scene).unwrap().parts.remove(0), &reductions[0]);
         let limit = task.aims[0].limit;
-        let turns = part.kernel.finish.rounding_of_turns(reduction);
+        let turns = part.kernel.finish.rounding_of_turns(reduction, 0.5 * limit);
         assert_eq!(turns > 0.0, text.starts_with('v'), "{text}");
         let bound = Bound { truncation: 0.125 * limit, phase: 0.25 * limit, evaluation: 0.125 * limit };
         let accepted = task.aims[0].accept(&part.kernel, bound, reduction).unwrap();

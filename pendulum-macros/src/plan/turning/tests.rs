@@ -2,7 +2,7 @@ use super::*;
 use crate::motion::Regime;
 use crate::plan::{Plan, plan};
 use crate::testing::scene;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 fn rotation(text: &str) -> (Turning, Plan) {
     let plan = plan(&scene(&format!("struct Motion; velocity0 = 3, {text}"))).unwrap();
@@ -15,14 +15,14 @@ fn assert_near(found: f64, expected: f64, relative: f64) {
     assert!((found / expected - 1.0).abs() <= relative, "{found:e}, not {expected:e}");
 }
 
-/// Half units in the last place are 2⁻⁵² up to 4 (2⁻²³ in `f32`), 2⁻⁵¹ up to 8; of 7·1001 + 1 they are 2⁻⁴¹ and 2⁻¹².
+/// Half units in the last place are 2⁻⁵² up to 4 (2⁻²³ in `f32`), 2⁻⁵¹ up to 8; of 2π·1000 they are 2⁻⁴¹ and 2⁻¹².
 /// The `f64` of 2π is 2.449·10⁻¹⁶ below it, the `f32` 1.7485·10⁻⁷ above. From the top the mean is a product, the sums
 /// with it and with half a turn.
 #[test]
 fn rounding_of_turns() {
     let [single, double] = [1.7485e-7, 2.4493e-16];
     for (text, origin, expected) in [
-        ("tol = 1e-6, t_max = 10, float = f64", Origin::Anchor, 4.0 * 2f64.powi(-52) + double + 3.0 * 2f64.powi(-41)),
+        ("tol = 1e-6, t_max = 10, float = f64", Origin::Anchor, 4.0 * 2f64.powi(-52) + double + 2.0 * 2f64.powi(-41)),
         (
             "tol = 1e-2, t_max = 10, float = f32",
             Origin::Anchor,
@@ -35,7 +35,25 @@ fn rounding_of_turns() {
         let (turning, plan) = rotation(text);
         assert_eq!(plan.reduction.origin, origin, "{text}");
         let turning = Turning { turns: 1000.0, ..turning };
-        assert_near(turning.own_rounding(&plan.reduction), expected, 1e-3);
+        assert_near(turning.own_rounding(&plan.reduction, 0.0), expected, 1e-3);
+    }
+}
+
+/// One and two turns are exact products. Next to them the sums with up to a turn and of all count, 2⁻⁵¹ up to 8; an error of
+/// all else that leads beyond a power of two counts as well.
+#[test]
+fn rounding_of_few_turns() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
+    assert_eq!(plan.reduction.origin, Origin::Anchor);
+    let near = |turns, error| Turning { turns, ..turning.clone() }.own_rounding(&plan.reduction, error);
+    let none = near(0.0, 0.0);
+    for (turns, error, expected) in [
+        (0.6, 0.0, 2f64.powi(-51)),
+        (0.6, 1.2, 2f64.powi(-50)),
+        (1.9, 0.0, 2f64.powi(-50)),
+        (2.1, 0.0, 2.0 * 2f64.powi(-49)),
+    ] {
+        assert_near(near(turns, error) - none, expected - 2f64.powi(-52), 1e-3);
     }
 }
 
@@ -45,8 +63,8 @@ fn rounding_of_turns_in_pieces() {
     let (turning, plan) = rotation("outputs = [theta, acceleration]");
     let Turning { start: Start::Piece, .. } = turning else { panic!("{turning:?}") };
     for (turns, counted) in [(1000.0, 0.0), (2f64.powi(45), 0.0), (2f64.powi(47), 14.0)] {
-        let of_turns = half_ulp(7.0 * turns, Float::F64) * 3.0 + half_ulp(turns, Float::F64) * counted;
-        assert_near(Turning { turns, ..turning.clone() }.own_rounding(&plan.reduction), of_turns, 1e-6);
+        let of_turns = half_ulp(TAU * turns, Float::F64) * 2.0 + half_ulp(turns, Float::F64) * counted;
+        assert_near(Turning { turns, ..turning.clone() }.own_rounding(&plan.reduction, 0.0), of_turns, 1e-3);
     }
 }
 
@@ -55,7 +73,7 @@ fn rounding_of_turns_in_pieces() {
 fn rounding_of_next_to_uniform_rotations() {
     let (turning, plan) = rotation("outputs = [wrapped], float = f32");
     let uniform = Turning { start: Start::Top { largest: 1e-12 }, ..turning.clone() };
-    let lost = turning.own_rounding(&plan.reduction) - uniform.own_rounding(&plan.reduction);
+    let lost = turning.own_rounding(&plan.reduction, 0.0) - uniform.own_rounding(&plan.reduction, 0.0);
     assert_near(lost, 2f64.powi(-23), 1e-3);
 }
 
@@ -65,7 +83,7 @@ fn rounding_of_large_overshoots() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10, outputs = [wrapped]");
     let near = |overshoot| {
         let reduction = Reduction { overshoot, ..plan.reduction.clone() };
-        turning.own_rounding(&reduction)
+        turning.own_rounding(&reduction, 0.0)
     };
     let (largest, constant) = (PI + 0.2 * turning.slope, 0.2 * 2.4493e-16);
     assert!((4.0..8.0).contains(&largest), "{largest}");
