@@ -23,6 +23,11 @@ pub(crate) struct Context {
     bits: usize,
 }
 
+/// The parts of a decimal literal without suffix; the exponent is zero where none is written.
+pub(crate) fn mantissa_and_exponent(text: &str) -> (&str, &str) {
+    text.split_once(['e', 'E']).unwrap_or((text, "0"))
+}
+
 impl Context {
     /// Enough for numbers written with up to `digits` decimal digits: their differences (π − θ0, v0 − 2ω) may cancel
     /// all of them, log₂ 10 = 3.3 bits each, for which there are 4. Shorter ones count as of 35, more than the 32 of two
@@ -71,7 +76,7 @@ impl Context {
     /// A decimal literal without suffix or underscores; `None` if malformed. Its digits are read as an integer, which
     /// is fifty times faster than the library's conversion of a decimal to a binary float.
     pub(crate) fn decimal(self, text: &str) -> Option<Real> {
-        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let (mantissa, exponent) = mantissa_and_exponent(text);
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let digits = Big::from_parts([whole, fraction].concat().parse().ok()?, 0);
         let exponent = exponent.parse::<i64>().ok()? - fraction.len() as i64;

@@ -48,15 +48,15 @@ keywords! {
     /// How the motion is approximated.
     Method = "method" {
         /// Eq. 3 from any state: θ0 cos ωt + (θ̇0/ω) sin ωt.
-        SmallAngle = "small_angle",
+        SmallAngle = "small_angle" | "linear",
         /// Eq. 17: θ0 cos(2πt/T).
         Harmonic = "harmonic",
         /// Eq. 22: `2 arcsin(k sn_N)`.
-        Fourier = "fourier",
+        Fourier = "fourier" | "paper",
         /// The Fourier series of θ itself.
         Series = "series",
         /// A polynomial in the reduced phase.
-        Polynomial = "polynomial",
+        Polynomial = "polynomial" | "poly" | "pieces",
     }
 }
 
@@ -70,8 +70,8 @@ keywords! {
     Output = "output" {
         Theta = "theta" | "θ" | "angle",
         Velocity = "velocity" | "vel" | "speed" | "theta_dot" | "omega",
-        Acceleration = "acceleration",
-        Position = "position",
+        Acceleration = "acceleration" | "acc" | "accel" | "theta_ddot",
+        Position = "position" | "x" | "y" | "xy",
         Wrapped = "wrapped",
     }
 }

@@ -1,6 +1,7 @@
 //! Literals: what they may end in, and how long they may be.
 
-use super::tree::{Tree, Unit};
+use super::tree::{Tree, Unit, is_pi};
+use crate::exact::mantissa_and_exponent;
 use crate::parse::names::ascii;
 use crate::parse::source;
 use proc_macro2::{Literal, Span, TokenStream, TokenTree};
@@ -105,21 +106,25 @@ fn unit(name: &Ident, value: &TokenStream, next: TokenTree) -> Option<(Span, Str
     let TokenTree::Ident(word) = next else { return None };
     let (units, _) = meaning(&name.to_string());
     let text = word.to_string();
-    let known = matches!(text.as_str(), "π" | "PI" | "pi" | "sqrt" | "as") || units.contains(&text.as_str());
+    let known = is_pi(&text) || matches!(text.as_str(), "sqrt" | "as") || units.contains(&text.as_str());
     let message = || format!("`{name} = {}` has `{text}` in it: {}", source::value(value), unknown(name, &text));
     (!known).then(|| (word.span(), message()))
 }
 
 fn length(name: &Ident, digits: &str) -> Option<String> {
-    let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
+    let (_, exponent) = mantissa_and_exponent(digits);
     let exponent = exponent.trim_start_matches(['+', '-']).parse::<u64>().unwrap_or(u64::MAX);
-    if mantissa.bytes().filter(u8::is_ascii_digit).count() > MOST_DIGITS {
+    if digits_of_mantissa(digits) > MOST_DIGITS {
         return Some(format!(
             "`{name}` has a literal of more than {MOST_DIGITS} digits: no float needs so many, write fewer"
         ));
     }
     (exponent > LARGEST_EXPONENT)
         .then(|| format!("`{name}` has `{digits}` in it, beyond every float: exponents may go to ±{LARGEST_EXPONENT}"))
+}
+
+pub(super) fn digits_of_mantissa(literal: &str) -> usize {
+    mantissa_and_exponent(literal).0.bytes().filter(u8::is_ascii_digit).count()
 }
 
 /// A literal that passed [`check`].
@@ -140,11 +145,7 @@ pub(super) fn parse(literal: &Lit) -> Result<Tree> {
     if text.starts_with("0x") || text.starts_with("0o") || text.starts_with("0b") {
         return Err(Error::new(span, format!("`{text}` is not a decimal number: write its value in decimal digits")));
     }
-    let unit = match suffix {
-        "π" => Unit::Pi,
-        "deg" => Unit::Degree,
-        "rad" => Unit::Radian,
-        _ => Unit::None,
-    };
+    // Any other suffix is followed by a call, which is what is refused.
+    let unit = Unit::of_suffix(suffix).unwrap_or(Unit::None);
     Ok(Tree::Literal { digits, unit, span })
 }

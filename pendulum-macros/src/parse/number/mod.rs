@@ -11,7 +11,7 @@ use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use syn::buffer::Cursor;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Lit, Result, Token, token};
-use tree::{Operator, Tree};
+use tree::{Operator, Tree, Unit, is_pi};
 
 /// Expressions of more tokens are refused: their trees would be too deep for the compiler's stack.
 const MOST_TOKENS: usize = 500;
@@ -54,13 +54,13 @@ impl Number {
 
     /// Whether the first literal that is an angle is one in degrees.
     pub(crate) fn is_in_degrees(&self) -> bool {
-        self.tree.angle_unit() == Some(tree::Unit::Degree)
+        self.tree.angle_unit() == Some(Unit::Degree)
     }
 
     /// Whether it is one literal without a unit, with a minus before it or not.
     pub(crate) fn is_plain(&self) -> bool {
         let inner = if let Tree::Negative(inner) = &self.tree { inner } else { &self.tree };
-        matches!(inner, Tree::Literal { unit: tree::Unit::None, .. })
+        matches!(inner, Tree::Literal { unit: Unit::None, .. })
     }
 
     /// The value, in radians if it is an angle, to the precision of `context`.
@@ -206,26 +206,38 @@ fn no_operator(start: &Cursor, input: ParseStream, end: &str) -> Error {
             '^' => input.error(NO_POWERS),
             '.' => input.error(after_point(input)),
             ',' => input.error("parentheses hold one number: remove this comma and what follows it"),
-            _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
+            _ => no_sign(input, end),
         },
         Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
             Error::new(group.span_open(), "a product needs its sign: write `*` before `(`")
         }
-        _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
+        _ => no_sign(input, end),
     }
 }
 
-/// What is said of a point after a number: of a call, a range, or no more than a point.
+fn no_sign(input: ParseStream, end: &str) -> Error {
+    input.error(format!("expected `+`, `-`, `*`, `/` or {end}"))
+}
+
+/// What is said of a point after a number: before a unit or an exponent, of a call, a range, or no more than a point.
 fn after_point(input: ParseStream) -> &'static str {
     let mut rest = input.cursor().token_stream().into_iter().skip(1);
     match rest.next() {
-        Some(TokenTree::Ident(unit)) if ["deg", "rad", "π"].iter().any(|known| unit == known) => {
+        Some(TokenTree::Ident(unit)) if Unit::of_suffix(&unit.to_string()).is_some() => {
             "a unit follows a digit: leave this point out"
+        }
+        Some(TokenTree::Ident(word)) if is_exponent(&word.to_string()) => {
+            "an exponent follows a digit: leave this point out, as in `1e-3`"
         }
         Some(TokenTree::Ident(_)) => "nothing can be called here: write the value itself, such as `30deg` or `sqrt(2)`",
         Some(TokenTree::Punct(next)) if next.as_char() == '.' => "a range is no number: write one number",
         _ => "a number has one point, without spaces around it, and ends in a digit",
     }
+}
+
+/// Whether it begins an exponent, as in `1.e-3` and `1.e5`.
+fn is_exponent(word: &str) -> bool {
+    word.strip_prefix(['e', 'E']).is_some_and(|digits| digits.bytes().all(|digit| digit.is_ascii_digit()))
 }
 
 /// The same of a word; `read` stands before it.
@@ -235,15 +247,19 @@ fn no_operator_but_word(word: &str, read: &[TokenTree], input: ParseStream, end:
     let divides = |trees: &[TokenTree]| matches!(trees.last(), Some(TokenTree::Punct(sign)) if sign.as_char() == '/');
     match (word, read) {
         // In `7/8 π` it would be below the line.
-        ("deg" | "rad" | "π", [before @ .., TokenTree::Literal(literal)]) if plain(literal) && !divides(before) => {
+        (_, [before @ .., TokenTree::Literal(literal)])
+            if Unit::of_suffix(word).is_some() && plain(literal) && !divides(before) =>
+        {
             input.error(format!(
                 "`{word}` belongs to the number before it: leave out the space, as in `{literal}{word}`"
             ))
         }
         ("deg" | "rad", _) => input.error(format!("`{word}` ends literals only: write `*1{word}`")),
-        ("π" | "PI" | "pi" | "sqrt", _) => input.error(format!("a product needs its sign: write `*` before `{word}`")),
+        _ if is_pi(word) || word == "sqrt" => {
+            input.error(format!("a product needs its sign: write `*` before `{word}`"))
+        }
         ("as", _) => input.error("numbers have no type here, all their digits count: leave out the `as` and its type"),
-        _ => input.error(format!("expected `+`, `-`, `*`, `/` or {end}")),
+        _ => no_sign(input, end),
     }
 }
 
@@ -375,6 +391,8 @@ mod tests {
         assert!(error("30degrees").contains("write it `deg`"));
         assert!(error("2.0_f64.sqrt()").contains("nothing can be called here"));
         assert!(error("157.deg").contains("leave this point out"));
+        assert!(error("1.e-3").contains("leave this point out, as in `1e-3`"));
+        assert!(error("2.E5").contains("leave this point out, as in `1e-3`"));
         assert!(error("0..100").contains("a range is no number"));
         assert!(error("-π..π").contains("a range is no number"));
         for several in ["1.2.3", "1 .0", "1e-6."] {

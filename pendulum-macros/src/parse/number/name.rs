@@ -1,6 +1,6 @@
 //! Names in expressions: π and the root, and what else was probably meant.
 
-use super::tree::Tree;
+use super::tree::{Tree, is_pi};
 use super::{literal, whole};
 use crate::parse::source;
 use proc_macro2::{TokenStream, TokenTree};
@@ -58,7 +58,7 @@ pub(super) fn begins(input: ParseStream) -> bool {
 pub(super) fn parse(input: ParseStream) -> Result<Tree> {
     let ident = input.call(Ident::parse_any)?;
     match ident.to_string().as_str() {
-        "π" | "PI" | "pi" => Ok(Tree::Pi),
+        word if is_pi(word) => Ok(Tree::Pi),
         "sqrt" if input.peek(token::Paren) => {
             let inner;
             syn::parenthesized!(inner in input);

@@ -1,5 +1,7 @@
 //! The tree of an expression: how many digits it has, and its unit.
 
+use super::literal::digits_of_mantissa;
+use crate::exact::mantissa_and_exponent;
 use proc_macro2::{Span, TokenStream};
 use syn::{Error, Result};
 
@@ -22,6 +24,24 @@ pub(super) enum Unit {
     Radian,
 }
 
+impl Unit {
+    /// What a literal with that suffix carries, if there is such a one.
+    pub(super) fn of_suffix(suffix: &str) -> Option<Self> {
+        match suffix {
+            "" => Some(Self::None),
+            "π" => Some(Self::Pi),
+            "deg" => Some(Self::Degree),
+            "rad" => Some(Self::Radian),
+            _ => None,
+        }
+    }
+}
+
+/// Whether it is a name of π.
+pub(super) fn is_pi(word: &str) -> bool {
+    matches!(word, "π" | "PI" | "pi")
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Operator {
     Add,
@@ -34,9 +54,8 @@ impl Tree {
     pub(super) fn digits(&self, in_sum: bool) -> usize {
         match self {
             Self::Literal { digits, .. } => {
-                let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
-                let exponent = if in_sum { exponent.parse::<i64>().unwrap_or(0) } else { 0 };
-                mantissa.bytes().filter(u8::is_ascii_digit).count() + exponent.unsigned_abs() as usize
+                let exponent = if in_sum { mantissa_and_exponent(digits).1.parse::<i64>().unwrap_or(0) } else { 0 };
+                digits_of_mantissa(digits) + exponent.unsigned_abs() as usize
             }
             Self::Pi => 0,
             Self::Negative(inner) | Self::Root(inner, _) => inner.digits(in_sum),
