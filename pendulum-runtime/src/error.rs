@@ -1,6 +1,7 @@
 //! What can be wrong with a request.
 
 use crate::double::LARGEST;
+use crate::inverse::MOST_TURNS;
 use core::fmt;
 
 /// Why a motion, or something asked of it, does not exist. Values are given as `f64`, whatever the type of float.
@@ -78,8 +79,8 @@ impl fmt::Display for Error {
             Self::NeverReached { angle } => write!(
                 f,
                 "theta = {angle:?} rad is never reached at t >= 0; \
-                 a swing reaches at most its `amplitude`, a rotation only what lies ahead, within 1e15 turns, and t is \
-                 at most the largest number"
+                 a swing reaches at most its `amplitude`, a rotation only what lies ahead, within {MOST_TURNS:e} turns, and \
+                 t is at most the largest number"
             ),
             Self::Overshoot { terms, overshoot, smallest } => write!(
                 f,

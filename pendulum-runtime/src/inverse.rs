@@ -31,7 +31,7 @@ use core::f64::consts::{PI, TAU};
 const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
 
 /// Rotations reach angles within so many turns: of more an `f64` tells no part.
-const MOST_TURNS: f64 = 1e15;
+pub(crate) const MOST_TURNS: f64 = 1e15;
 
 /// The first t ≥ 0 at which θ(t) = `angle`, which is not where the motion starts; what a swing stays short of by at most
 /// `beyond` is its turning point.

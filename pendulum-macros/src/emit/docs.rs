@@ -135,8 +135,9 @@ fn part(part: &Part, plan: &Plan) -> String {
     let error = shown(part.error());
     let [truncation, phase, evaluation] =
         [bound.truncation, bound.phase, bound.evaluation].map(|error| shown(error / part.unit));
+    let series = if part.kernel.is_passage() { " with its series" } else { "" };
     format!(
-        "* {}: {}; error ≤ {error} {unit}, proven: {truncation} of truncation, {phase} of phase, {evaluation} of evaluation{operations}",
+        "* {}: {}; error ≤ {error} {unit}, proven: {truncation} of truncation, {phase} of phase, {evaluation} of evaluation{series}{operations}",
         part.output.word(),
         part.description,
     )

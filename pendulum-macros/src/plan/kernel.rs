@@ -47,6 +47,11 @@ impl From<Core> for Kernel {
 }
 
 impl Kernel {
+    /// Whether it is a passage, the errors of whose series count as of evaluation.
+    pub(crate) fn is_passage(&self) -> bool {
+        matches!(self.core, Core::Passage(_))
+    }
+
     /// The norm of the rounding of its results over the whole range of the phase, taken as exact, without that of turns;
     /// some number above `cap` as soon as it is known to be.
     pub(crate) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {

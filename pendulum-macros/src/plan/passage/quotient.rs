@@ -15,6 +15,9 @@ pub(super) const FRACTION: &str = "f";
 pub(super) const POWER: &str = "power";
 pub(super) const IMAGE_POWER: &str = "image_power";
 
+/// The square of the argument, and its powers.
+const POWERS: [&str; 4] = ["v", "v2", "v4", "v8"];
+
 /// What the outputs are made of.
 pub(super) struct Quotient {
     /// Q, or Q/P.
@@ -71,11 +74,11 @@ impl Passage {
         let square = b.mul(f, f);
         b.name(square, "v");
         // cosh − 1, small beside the 1 that is added last.
-        let even = self.even.lower(b, square, &["v", "v2", "v4", "v8"]);
+        let even = self.even.lower(b, square, &POWERS);
         let even = b.mul(square, even);
         b.name(even, "even");
         let one = b.constant(1.0);
-        let odd = self.odd.lower(b, square, &["v", "v2", "v4", "v8"]);
+        let odd = self.odd.lower(b, square, &POWERS);
         let odd = b.mul(f, odd);
         b.name(odd, "odd");
         let power = b.push(Op::PowerOfTwo { magic: integer });

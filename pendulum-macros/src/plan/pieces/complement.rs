@@ -10,6 +10,7 @@
 use super::{POWERS, Pieces, rounding_of_row};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
+use crate::plan::kernel::RESULT;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id};
 use crate::supremum::{by_halves, worst};
@@ -89,7 +90,7 @@ impl Complement {
     /// Bounds the rounding over the whole range of the remainder, taken as exact, and what the pieces are wrong by.
     pub(crate) fn rounding(&self) -> f64 {
         let mut b = Builder::new(self.sine.reduction.float);
-        let result = self.lower(&mut b, "result");
+        let result = self.lower(&mut b, RESULT);
         let program = b.finish(vec![result]);
         let (before, after) = (program.up_to(REST), program.after_named(&[REST]));
         let (pieces, half, unit) = (self.sine.rows.len(), self.sine.reduction.half(), self.sine.reduction.unit.hi);

@@ -13,6 +13,7 @@ pub(crate) use halves::Halves;
 pub(crate) use piecewise::{Piecewise, half, phase};
 
 use super::estrin::estrin;
+use super::kernel::RESULT;
 use super::reduction::Reduction;
 use super::turning::Turning;
 use super::variables::clamp;
@@ -115,7 +116,7 @@ impl Pieces {
     /// Bounds the rounding over the whole range of the remainder, taken as exact.
     pub(crate) fn rounding(&self) -> f64 {
         let mut b = Builder::new(self.reduction.float);
-        let result = self.lower(&mut b, "result");
+        let result = self.lower(&mut b, RESULT);
         self.rounding_of(&b.finish(vec![result]))
     }
 

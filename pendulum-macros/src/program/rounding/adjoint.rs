@@ -4,7 +4,7 @@
 //! derivatives taken somewhere between the computed and the exact values (mean value theorem). Intervals that hold both
 //! make the bound rigorous.
 
-use super::{INFLATION, Known, LOST, products};
+use super::{INFLATION, Known, LOST, magnitude, products};
 use crate::program::{Id, Op, Program};
 
 /// An interval of derivatives.
@@ -18,7 +18,7 @@ impl Slope {
     const ZERO: Self = Self { low: 0.0, high: 0.0 };
 
     fn magnitude(self) -> f64 {
-        self.low.abs().max(self.high.abs())
+        magnitude((self.low, self.high))
     }
 
     fn plus(self, other: Self) -> Self {

@@ -62,7 +62,7 @@ impl Known {
     }
 
     fn magnitude(self) -> f64 {
-        self.low.abs().max(self.high.abs())
+        magnitude((self.low, self.high))
     }
 
     /// The interval of an operation that is monotone in each operand, before it is rounded.
@@ -74,6 +74,11 @@ impl Known {
 /// The ends of an interval, rounded as the program rounds.
 fn rounded((low, high): (f64, f64), float: Float) -> (f64, f64) {
     (float.round(low), float.round(high))
+}
+
+/// The largest magnitude in an interval.
+fn magnitude((low, high): (f64, f64)) -> f64 {
+    low.abs().max(high.abs())
 }
 
 /// The least interval with all of them.
@@ -200,7 +205,7 @@ fn step(op: Op, float: Float, known: &[Known]) -> Known {
         Op::Widen(x) => known[x].passed_on(),
         Op::Narrow(x) => {
             let Known { low, high, error, .. } = known[x];
-            let within = |most| low.abs().max(high.abs()) <= most;
+            let within = |most| magnitude((low, high)) <= most;
             let (low, high) = rounded((low, high), float);
             Known::result((low, high), error, rounding(low, high, within, float))
         }
@@ -279,7 +284,7 @@ fn square(x: Known, float: Float) -> Known {
 /// The rounding to results between `low` and `high`. Up to a power of two the binade below counts, if the exact results
 /// are `within` it; else what may be rounded to it from above.
 fn rounding(low: f64, high: f64, within: impl FnOnce(f64) -> bool, float: Float) -> f64 {
-    let magnitude = low.abs().max(high.abs());
+    let magnitude = magnitude((low, high));
     half_ulp(if is_power_of_two(magnitude) && within(magnitude) { magnitude / 2.0 } else { magnitude }, float)
 }
 
@@ -289,11 +294,10 @@ fn quotient(a: Known, b: Known, float: Float) -> Known {
         return Known::nothing();
     }
     let exact = a.corners(b, |x, y| x / y);
-    let magnitude = exact.0.abs().max(exact.1.abs());
     let range = rounded(exact, float);
-    let local = half_ulp(range.0.abs().max(range.1.abs()), float);
+    let local = half_ulp(magnitude(range), float);
     let lost = if b.error > 0.0 { LOST } else { 0.0 };
-    Known::result(range, (a.error + (magnitude * b.error + lost)) / least, local)
+    Known::result(range, (a.error + (magnitude(exact) * b.error + lost)) / least, local)
 }
 
 /// |√a − √b| is at most both |a − b|/√a and √|a − b|. Just below 0 and of numbers below all normal ones what is computed is

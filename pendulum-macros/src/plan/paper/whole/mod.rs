@@ -20,7 +20,7 @@ use crate::plan::reduction::Reduction;
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
 use pendulum_runtime::double::Double;
-use slope_in_pieces::MOST_HARMONICS;
+use slope_in_pieces::MOST_OF_SLOPE;
 use std::cell::OnceCell;
 use sum_in_pieces::SumInPieces;
 
@@ -86,7 +86,7 @@ impl Whole {
             _ if sum.method != Method::Fourier => return None,
             Output::Theta => (None, sum.swing.amplitude.to_f64(), 8.0),
             // Within a moment a velocity may be far less than what rows with all of it are rounded by.
-            Output::Velocity if sum.weights.len() <= MOST_HARMONICS && sum.met().is_none() => {
+            Output::Velocity if sum.weights.len() <= MOST_OF_SLOPE && sum.met().is_none() => {
                 (Some(sum.rate.to_double()), size.largest, 16.0)
             }
             _ => return None,

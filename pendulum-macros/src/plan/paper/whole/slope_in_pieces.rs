@@ -19,7 +19,7 @@ const POINTS: usize = 24;
 const MOST_POINTS: usize = 52;
 
 /// More harmonics than this, next to the top, take too long, and hardly ever as few pieces as are tried.
-pub(super) const MOST_HARMONICS: usize = 24;
+pub(super) const MOST_OF_SLOPE: usize = 24;
 
 /// For these weights of harmonics of a phase that grows at that rate, in so many pieces at least, wrong by much less than
 /// `limit`; `None` if it bends too much.
