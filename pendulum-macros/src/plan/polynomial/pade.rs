@@ -98,7 +98,7 @@ impl Series {
 
     /// How many there may be.
     fn length(&self, pole: Pole) -> usize {
-        self.powers[2 * pole.pairs().len()].len()
+        self.powers[2 * pole.count()].len()
     }
 
     /// The poles, from these on, over which so many terms serve.

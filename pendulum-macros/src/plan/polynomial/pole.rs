@@ -11,9 +11,8 @@ use pendulum_runtime::double::Double;
 /// doesn't remove but which poles of other places stand for: see `pade.rs`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pole {
-    /// Of one pair the second is the same, and doesn't count.
-    pairs: [Pair; 2],
-    count: usize,
+    first: Pair,
+    second: Option<Pair>,
     /// The type of which its numbers are.
     float: Float,
 }
@@ -75,41 +74,46 @@ impl Pole {
     /// serve as well: all are exact.
     pub(crate) fn new(strip: f64, power: usize, float: Float) -> Self {
         let pair = Pair::rounded(0.25 - strip * strip, strip * strip, float);
-        Self { pairs: [pair; 2], count: power, float }
+        Self { first: pair, second: (power == 2).then_some(pair), float }
     }
 
     /// Of p² + `linear`·p + `constant`, given as [constant, linear], if its zeros are not real.
     pub(super) fn of(coefficients: [f64; 2], float: Float) -> Option<Self> {
-        Some(Self { pairs: [Pair::of(coefficients, float)?; 2], count: 1, float })
+        Some(Self { first: Pair::of(coefficients, float)?, second: None, float })
     }
 
     /// Of a product of two such polynomials.
     pub(super) fn of_two(factors: [[f64; 2]; 2], float: Float) -> Option<Self> {
         let [first, second] = factors.map(|coefficients| Pair::of(coefficients, float));
-        Some(Self { pairs: [first?, second?], count: 2, float })
+        Some(Self { first: first?, second: Some(second?), float })
     }
 
     pub(super) fn float(self) -> Float {
         self.float
     }
 
-    pub(super) fn pairs(&self) -> &[Pair] {
-        &self.pairs[..self.count]
+    pub(super) fn pairs(self) -> impl Iterator<Item = Pair> {
+        std::iter::once(self.first).chain(self.second)
+    }
+
+    /// How many pairs there are, the same ones as two.
+    pub(super) fn count(self) -> usize {
+        1 + usize::from(self.second.is_some())
     }
 
     /// Whether there are two different pairs.
     pub(super) fn is_of_two(&self) -> bool {
-        self.pairs[0] != self.pairs[1]
+        self.second.is_some_and(|second| second != self.first)
     }
 
     /// The coefficients of the first pair, p² + linear·p + constant, constant first.
     pub(super) fn coefficients(self) -> [f64; 2] {
-        self.pairs[0].coefficients()
+        self.first.coefficients()
     }
 
     /// The coefficients of the product of all, but for its sign: the lowest first, the highest 1.
     pub(super) fn powers(self) -> Vec<f64> {
-        self.pairs().iter().fold(vec![1.0], |product, pair| {
+        self.pairs().fold(vec![1.0], |product, pair| {
             let [constant, linear] = pair.coefficients();
             let mut next = vec![0.0; product.len() + 2];
             for (index, c) in product.into_iter().enumerate() {
@@ -127,18 +131,18 @@ impl Pole {
             place: place / area,
             height_squared: height_squared / (area * area),
         };
-        Self { pairs: self.pairs.map(scaled), ..self }
+        Self { first: scaled(self.first), second: self.second.map(scaled), ..self }
     }
 
     /// What its value in units of `area` is multiplied with.
     pub(super) fn unit(self, area: Double) -> Double {
-        (0..2 * self.count).fold(Double::ONE, |product, _| product * area)
+        (0..2 * self.count()).fold(Double::ONE, |product, _| product * area)
     }
 
     /// At 8p − 1 = u.
     pub(super) fn at(self, u: Double) -> Double {
         let p = interval::p_in_two_words(u);
-        self.pairs().iter().fold(Double::ONE, |product, pair| product * pair.at(p))
+        self.pairs().fold(Double::ONE, |product, pair| product * pair.at(p))
     }
 
     /// A lower bound of its magnitude for |s| ≤ `phase`, of one pair and of equal ones the least.
@@ -148,28 +152,27 @@ impl Pole {
 
     /// The same for p between these.
     pub(super) fn least_between(self, low: f64, high: f64) -> f64 {
-        self.pairs().iter().map(|pair| pair.least_between(low, high)).product()
+        self.pairs().map(|pair| pair.least_between(low, high)).product()
     }
 
     /// Bounds the magnitude for |s| ≤ `radius`.
     pub(super) fn most(self, radius: f64) -> f64 {
-        self.pairs().iter().map(|pair| pair.most(radius)).product()
+        self.pairs().map(|pair| pair.most(radius)).product()
     }
 
     /// Divides `value` by it.
     pub(super) fn divide(self, b: &mut Builder, value: Id, variables: &Variables) -> Id {
-        let [first, others @ ..] = self.pairs() else { return value };
-        let first = first.lower(b, variables);
-        let divisor = others.iter().fold(first, |product, pair| {
-            let factor = pair.lower(b, variables);
-            b.mul(product, factor)
+        let first = self.first.lower(b, variables);
+        let divisor = self.second.map_or(first, |second| {
+            let factor = second.lower(b, variables);
+            b.mul(first, factor)
         });
         b.div(value, divisor)
     }
 
     /// Divides a polynomial, given in powers of y = p + `shift`, by a single pair.
     pub(super) fn division(self, powers: &[Double], shift: Double) -> Quotient {
-        let Pair { place, height_squared } = self.pairs[0];
+        let Pair { place, height_squared } = self.first;
         let place = place + shift;
         let divisor = [-(place * place + height_squared), place * 2.0, -Double::ONE];
         let mut left = powers.to_vec();
@@ -198,21 +201,21 @@ impl Pole {
     /// for p > a.
     pub(super) fn falls(self, half: f64) -> bool {
         let [low, high] = [half, 2.0 * half].map(|s| s * s);
-        let Pair { place, height_squared } = self.pairs[0];
+        let Pair { place, height_squared } = self.first;
         let distance = high - place.hi;
         let falling = distance > 0.0 && distance * distance + height_squared.hi < 4.0 * high * distance;
-        let growing = self.count == 1 || self.grows(2.0 * half);
+        let growing = self.count() == 1 || self.grows(2.0 * half);
         falling && growing && 2.1 * self.least_between(low, low) < self.least_between(high, high)
     }
 
     /// Whether its magnitude grows from |s| = `half` on.
     pub(super) fn grows(self, half: f64) -> bool {
-        self.pairs().iter().all(|pair| pair.place.hi <= half * half)
+        self.pairs().all(|pair| pair.place.hi <= half * half)
     }
 
     /// Terms of the divisor, for the reader.
     pub(super) fn terms(self) -> usize {
-        2 * self.count + 1
+        2 * self.count() + 1
     }
 }
 
@@ -239,7 +242,7 @@ mod tests {
                 (least, most) = (least.min(value), most.max(value));
             }
             let bound = pole.least(0.5);
-            let Pair { place, height_squared } = pole.pairs[0];
+            let Pair { place, height_squared } = pole.first;
             assert!(bound <= least * (1.0 + 1e-12) && least < 1.001 * bound, "{strip}: {least} {pole:?}");
             // On the circle |s| = radius the magnitude is largest where p is real and negative, or positive.
             for radius in [0.5, 0.8] {
@@ -317,7 +320,7 @@ mod tests {
                 let at = |powers: &[Double]| {
                     powers.iter().rev().fold(Double::ZERO, |sum, &c| sum * (shift + Double::new(p)) + c)
                 };
-                let divisor = pole.pairs[0].at(Double::new(p));
+                let divisor = pole.first.at(Double::new(p));
                 let error = at(&quotient) * divisor + at(&remainder) - at(&powers);
                 assert!((error + at(&lost)).hi.abs() < 1e-29, "{terms} {p}: {error:?}");
                 assert!(at(&lost).hi.abs() < 1e-29, "{terms} {p}: {lost:?}");

@@ -72,7 +72,7 @@ fn no_poles() {
     assert_eq!(Pole::of([f64::NAN, 1.0], Float::F64), None);
     assert_eq!(Pole::of([0.25, f64::INFINITY], Float::F64), None);
     let pole = Pole::of([0.5, -0.25], Float::F64).unwrap();
-    let pair = pole.pairs()[0];
+    let pair = pole.pairs().next().unwrap();
     assert_eq!((pair.place.hi, pair.height_squared.hi), (0.125, f64::from(0.484_375_f32)));
     let (curves, plain) = curves("theta0 = 1");
     assert_eq!(best(&plain, Pole::new(curves[0].strip(), 1, Float::F64), 0.0), None);
