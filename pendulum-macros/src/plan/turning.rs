@@ -153,7 +153,7 @@ impl Turning {
     fn own_rounding(&self, reduction: &Reduction, error: f64) -> f64 {
         let of_turns =
             if self.wrapped { rounding_modulo(reduction.float) } else { self.rounding_of_sums(reduction, error) };
-        self.rounding_from_lowest(reduction) + of_turns
+        self.rounding_from_lowest(reduction, error) + of_turns
     }
 
     /// Of [`Self::with_turns`]: of the number of turns, the products with both words of 2π, the sum of the lesser one with
@@ -169,8 +169,8 @@ impl Turning {
         let is_power = reduction.pieces == 1.0 && count < 3.0;
         let product = if is_power { 0.0 } else { half_ulp(TAU * count, Float::F64) };
         let lesser = count * Float::F64.rest(Double::PI * 2.0).abs();
-        let small =
-            half_ulp(lesser, Float::F64) + half_ulp(self.largest_angle(farthest, reduction) + lesser, Float::F64);
+        let sum = self.largest_angle(farthest, reduction) + lesser + error;
+        let small = half_ulp(lesser, Float::F64) + half_ulp(sum, Float::F64);
         let largest = (TAU * self.turns + PI) * (1.0 + ROUNDED) + error;
         let converted = if float == Float::F32 { half_ulp(largest, float) } else { 0.0 };
         counted + product + small + half_ulp(largest, Float::F64) + converted
@@ -180,19 +180,19 @@ impl Turning {
     /// product, and the sum with it, in which no more than the periodic part is lost, of which what approximates it is no
     /// more than four times as large (above Lebesgue's constant of a hundred points); from the top itself half a turn, too,
     /// and the sum with that, which turns may leave as it is.
-    fn rounding_from_lowest(&self, reduction: &Reduction) -> f64 {
+    fn rounding_from_lowest(&self, reduction: &Reduction, error: f64) -> f64 {
         let Start::Top { largest: periodic } = self.start else { return 0.0 };
         let float = reduction.float;
         // Phases, in anchors, overshoot half a turn, as angles do; rounded.
         let farthest = (0.5 + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);
-        let of_half_turn = half_ulp(self.largest_angle(0.5, reduction), float);
-        let mean = of_half_turn + farthest * float.rest(self.turn()).abs() / self.unit.hi;
-        let sum = of_half_turn.min(4.0 * periodic);
+        let of_half_turn = self.largest_angle(0.5, reduction);
+        let mean = half_ulp(of_half_turn, float) + farthest * float.rest(self.turn()).abs() / self.unit.hi;
+        let sum = half_ulp(of_half_turn + error, float).min(4.0 * periodic);
         let half = match reduction.origin {
             Origin::Lowest => 0.0,
             Origin::Anchor => {
                 let farthest = if self.wrapped { 0.5 } else { 1.0 };
-                float.rest(Double::PI).abs() + half_ulp(self.largest_angle(farthest, reduction), float)
+                float.rest(Double::PI).abs() + half_ulp(self.largest_angle(farthest, reduction) + error, float)
             }
         };
         mean + sum + half

@@ -49,7 +49,7 @@ fn rounding_of_few_turns() {
     let none = near(0.0, 0.0);
     for (turns, error, expected) in [
         (0.6, 0.0, 2f64.powi(-51)),
-        (0.6, 1.2, 2f64.powi(-50)),
+        (0.6, 1.2, 2f64.powi(-50) + 2f64.powi(-52)),
         (1.9, 0.0, 2f64.powi(-50)),
         (2.1, 0.0, 2.0 * 2f64.powi(-49)),
     ] {
