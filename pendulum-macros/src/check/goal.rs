@@ -137,7 +137,7 @@ impl Checker<'_> {
     /// The horizon, at most the longest there is.
     pub(super) fn t_max(&mut self, motion: Option<&Motion>) -> Checked<Option<Real>> {
         let given = self.request.t_max.as_ref();
-        let why = "the promise holds for all |t| ≤ `t_max`; leave it out for 2⁵³ periods";
+        let why = "the promise holds for all |t| ≤ `t_max`; leave it out for the longest horizon";
         let (Some(given), Some(value)) = (given, self.positive(given, why)?) else {
             return Ok(None);
         };

@@ -77,7 +77,7 @@ fn a_second_struct_is_one_mistake() {
 #[test]
 fn words_are_left_out_for_defaults() {
     for value in ["inf", "INFINITY", "f64::INFINITY", "None", "std::f64::MAX"] {
-        refused(&format!("theta0 = 1, t_max = {value}"), &["leave `t_max` out for 2⁵³ periods"]);
+        refused(&format!("theta0 = 1, t_max = {value}"), &["leave `t_max` out for the longest horizon"]);
     }
     refused("theta0 = 1, tol = auto", &["leave `tol` out"]);
     refused("theta0 = 1, method = auto", &["or leave `method` out"]);

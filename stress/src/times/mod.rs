@@ -21,7 +21,8 @@ use moments::{BATCH, Moments};
 const BEYOND: u64 = 16;
 /// One batch in so many has a time that is compared with multiple precision.
 const DIRECT: u64 = 8;
-/// What fast truth and multiple precision may differ by, relative to the largest value; see [`Truth`].
+/// What fast truth and multiple precision may differ by, relative to the largest value: twice what its rounding is; see
+/// [`truth`](crate::truth).
 const AGREEMENT: f64 = 1.0 / (1_u64 << 57) as f64;
 
 /// All classes, or those with `only` in their name or output, each at `inputs` times within its horizon.

@@ -34,7 +34,7 @@ fn path(value: &TokenStream) -> Option<TokenStream> {
 /// What is the same as saying nothing is said by nothing.
 fn isnt_absence(parameter: &Ident, value: &TokenStream) -> Result<()> {
     let default = match parameter.to_string().as_str() {
-        "t_max" => "2⁵³ periods",
+        "t_max" => "the longest horizon",
         "tol" => "the full precision of the float",
         _ => return Ok(()),
     };
