@@ -166,7 +166,7 @@ impl Turning {
         let exact = self.turns < EXACT_TURNS / reduction.pieces;
         let counted = if exact { 0.0 } else { 14.0 * half_ulp(count, Float::F64) };
         // 1 and 2 are powers of two.
-        let is_power = reduction.pieces == 1.0 && count < 3.0;
+        let is_power = !reduction.counts_pieces() && count < 3.0;
         let product = if is_power { 0.0 } else { half_ulp(TAU * count, Float::F64) };
         let lesser = count * Float::F64.rest(Double::PI * 2.0).abs();
         let sum = self.largest_angle(farthest, reduction) + lesser + error;

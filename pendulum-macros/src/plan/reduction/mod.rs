@@ -256,7 +256,7 @@ impl Reduction {
     }
 
     /// Whether the remainder is from the nearest of several pieces of an anchor.
-    fn counts_pieces(&self) -> bool {
+    pub(super) fn counts_pieces(&self) -> bool {
         self.pieces > 1.0
     }
 
@@ -285,7 +285,7 @@ impl Reduction {
             Scheme::Wide { rate } => rate < two_to(50),
             _ => false,
         };
-        let exact = self.launch == Double::ZERO && self.overshoot == 0.0 && self.pieces == 1.0;
+        let exact = self.launch == Double::ZERO && self.overshoot == 0.0 && !self.counts_pieces();
         one_word && exact && self.origin == Origin::Anchor
     }
 
