@@ -45,6 +45,11 @@ impl Scene {
         Self { outputs: others.chain([Output::Wrapped]).collect(), ..self.clone() }
     }
 
+    /// The scene with that output alone.
+    pub(crate) fn of(&self, output: Output) -> Self {
+        Self { outputs: vec![output], ..self.clone() }
+    }
+
     /// The scene by whatever method serves.
     pub(crate) fn by_any_method(&self) -> Self {
         Self { method: None, ..self.clone() }

@@ -3,6 +3,7 @@
 use super::{cheapest, of_paper, paper};
 use crate::motion::{ALWAYS_OVERSHOOTS, Regime};
 use crate::parse::{Float, Method, Output, source};
+use crate::report::list;
 use crate::scene::{Goal, Scene};
 
 /// Why there is no plan.
@@ -60,8 +61,18 @@ fn unreachable(best: f64, scene: &Scene) -> String {
     if best.is_infinite() {
         format!("no error was found that {promise} here, neither {asked} nor another: {remedy}")
     } else {
-        format!("{asked} is finer than {promise} here: the best found is {best:.2e}; {offer}, or {remedy}")
+        let of_some = of_some(scene);
+        format!("{asked} is finer than {promise}{of_some} here: the best found is {best:.2e}; {offer}, or {remedy}")
     }
+}
+
+/// The outputs that can't be promised even alone, where others can.
+fn of_some(scene: &Scene) -> String {
+    let refused: Vec<Output> = scene.outputs.iter().copied().filter(|&output| !is_planned(&scene.of(output))).collect();
+    if refused.is_empty() || refused.len() == scene.outputs.len() {
+        return String::new();
+    }
+    format!(" of {}", list(&refused.into_iter().map(Output::word).collect::<Vec<_>>()))
 }
 
 /// What else than a larger tolerance would help.

@@ -387,6 +387,11 @@ fn refusals_are_explained() {
         ("velocity0 = 3, tol = 1e-17, t_max = 10", "or leave `tol` out for full precision"),
         ("theta0 = 1, tol = 1e-17", "`tol = 1e-17` is finer than can be promised here: the best found is "),
         ("theta0 = 1, tol = 1e-17", "ask for that, or leave `tol` out for full precision"),
+        (
+            "velocity0 = 3, tol = 1e-12, outputs = [theta, velocity, wrapped]",
+            "finer than can be promised of `theta` here: the best found is ",
+        ),
+        ("theta0 = 1, tol = 1e-17, outputs = [theta, velocity]", "finer than can be promised here"),
         ("theta0 = 1, tol = 1e-12, float = f32", "or use `float = f64`, which comes closer"),
         ("theta0 = 1, tol = 1e-20, method = series", "finer than `method = series` can promise here"),
         ("theta0 = 1, tol = 1e-9, method = harmonic", "or leave `method` out"),
