@@ -20,35 +20,48 @@ use crate::supremum::by_halves;
 use pendulum_runtime::double::Double;
 use recurrence::Recurrence;
 
-/// How one output is a sum of harmonics.
+/// How one output is made of sums of harmonics.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Harmonics {
     /// cos πs, without sign.
     pub(crate) cosine: Polynomial,
-    /// sin πs, where the output is a derivative.
-    pub(crate) sine: Option<Polynomial>,
-    /// Weights of cos((2n−1)πs).
-    pub(crate) cosines: Vec<Double>,
-    /// Weights of sin((2n−1)πs), where the output is a derivative; twice those of y′ if it is an arcsine's.
-    pub(crate) sines: Vec<Double>,
     pub(crate) made: Made,
-    /// −1 for a mirror image; the weights of a sum that is sin(θ̂/2) are never mirrored.
-    pub(crate) direction: f64,
 }
 
-/// What is made of the sums: of that of cosines, y, which in the paper's formula is sin(θ̂/2), and of its derivative.
+/// Of which sums, and what of them. The sum of cosines of the paper's formula is y = sin(θ̂/2).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Made {
-    /// The one sum that there is.
-    Sum,
-    /// θ̂′ = 2y′/√(1 − y²).
-    Velocity,
-    /// What follows from y alone. It may be one polynomial, where that is as accurate as the recurrence: its chain of
-    /// operations is the shorter.
-    OfSine { formula: Formula, folded: Option<Box<Polynomial>> },
+    /// Σ wₙ cos((2n−1)πs) with these weights.
+    Cosines(Vec<Double>),
+    /// Σ wₙ sin((2n−1)πs).
+    Sines(Sines),
+    /// θ̂′ = 2y′/√(1 − y²), of the weights of y and the sum 2y′.
+    Slope { cosines: Vec<Double>, sines: Sines },
+    /// What follows from y alone.
+    OfSine(OfSine),
 }
 
-/// What follows from y = sin(θ̂/2).
+/// A sum of sines.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Sines {
+    /// sin πs, without sign.
+    pub(crate) sine: Polynomial,
+    pub(crate) weights: Vec<Double>,
+}
+
+/// What follows from y = sin(θ̂/2) alone.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct OfSine {
+    /// Weights of the cosines.
+    pub(crate) cosines: Vec<Double>,
+    /// Their sum as one polynomial, where that is as accurate as the recurrence: its chain of operations is the shorter.
+    pub(crate) folded: Option<Polynomial>,
+    /// −1 for a mirror image, whose sum is not mirrored.
+    pub(crate) direction: f64,
+    pub(crate) formula: Formula,
+}
+
+/// The output, of y = sin(θ̂/2).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Formula {
     /// θ̂ = 2 arcsin y.
@@ -70,26 +83,47 @@ const SLOPE: &str = "slope";
 
 impl Harmonics {
     pub(super) fn is_odd(&self) -> bool {
-        self.sine.is_some()
+        self.sines().is_some()
     }
 
-    /// Whether the rounding has a narrow peak: where y comes near 1, of what a root of 1 − y² makes of it.
-    fn peaks(&self) -> bool {
-        !matches!(self.made, Made::Sum | Made::OfSine { formula: Formula::Angle(_), .. })
+    /// Weights of the cosines, where they are summed up.
+    fn cosines(&self) -> Option<&[Double]> {
+        match &self.made {
+            Made::Cosines(cosines) | Made::Slope { cosines, .. } | Made::OfSine(OfSine { cosines, .. }) => {
+                Some(cosines)
+            }
+            Made::Sines(_) => None,
+        }
+    }
+
+    fn sines(&self) -> Option<&Sines> {
+        match &self.made {
+            Made::Sines(sines) | Made::Slope { sines, .. } => Some(sines),
+            Made::Cosines(_) | Made::OfSine(_) => None,
+        }
     }
 
     /// The sum of cosines as one polynomial, where it is one.
     fn folded(&self) -> Option<&Polynomial> {
-        if let Made::OfSine { folded, .. } = &self.made { folded.as_deref() } else { None }
+        if let Made::OfSine(OfSine { folded, .. }) = &self.made { folded.as_ref() } else { None }
+    }
+
+    /// Whether the rounding has a narrow peak: where y comes near 1, of what a root of 1 − y² makes of it.
+    fn peaks(&self) -> bool {
+        match &self.made {
+            Made::Cosines(_) | Made::Sines(_) => false,
+            Made::Slope { .. } => true,
+            Made::OfSine(OfSine { formula, .. }) => !matches!(formula, Formula::Angle(_)),
+        }
     }
 
     /// Whether the sum of cosines is that of the paper's formula.
     fn is_of_paper(&self) -> bool {
-        self.made != Made::Sum
+        matches!(self.made, Made::Slope { .. } | Made::OfSine(_))
     }
 
     pub(super) fn terms(&self) -> usize {
-        self.cosines.len().max(self.sines.len())
+        self.cosines().or(self.sines().map(|sines| sines.weights.as_slice())).map_or(0, <[Double]>::len)
     }
 
     pub(super) fn describe(&self) -> String {
@@ -99,33 +133,39 @@ impl Harmonics {
             None => format!("{harmonics} by recurrence from one cosine of {} terms", self.cosine.terms()),
         };
         let made = match &self.made {
-            Made::Sum => String::new(),
-            Made::OfSine { formula: Formula::Angle(arcsine), .. } => {
+            Made::Cosines(_) | Made::Sines(_) => String::new(),
+            Made::OfSine(OfSine { formula: Formula::Angle(arcsine), .. }) => {
                 format!(", an arcsine by a polynomial of {} terms", arcsine.terms())
             }
-            Made::Velocity | Made::OfSine { .. } => ", a square root".to_owned(),
+            Made::Slope { .. } | Made::OfSine(_) => ", a square root".to_owned(),
         };
         sum + &made
     }
 
     /// Emits the output; a position has two results.
     pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
-        let signed = |b: &mut Builder, value: Id| {
-            let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
-            variables.signed(b, value, true, parity)
+        let (unsigned, height) = match &self.made {
+            Made::Cosines(_) => (self.argument(b, variables), None),
+            Made::Sines(sines) => {
+                let cosine = self.cosine(b, variables);
+                (sines.lower(b, variables, cosine), None)
+            }
+            Made::Slope { cosines, sines } => {
+                let cosine = self.cosine(b, variables);
+                let slope = sines.lower(b, variables, cosine);
+                let y = sum_of_cosines(b, cosine, cosines);
+                let root = root_of_rest(b, y);
+                (b.div(slope, root), None)
+            }
+            Made::OfSine(of_sine) => {
+                let y = self.argument(b, variables);
+                of_sine.lower(b, y)
+            }
         };
-        if let Made::OfSine { formula: Formula::Position, .. } = self.made {
-            let y = self.argument(b, variables);
-            let x = self.sine_of_angle(b, y, Double::ONE);
-            b.name(x, "x");
-            let (square, one) = (b.mul(y, y), b.constant(1.0));
-            let twice = b.add(square, square);
-            let height = b.sub(twice, one);
-            return vec![signed(b, x), b.name(height, "y")];
-        }
-        let value = self.value(b, variables);
-        b.name(value, name);
-        vec![signed(b, value)]
+        b.name(unsigned, if height.is_some() { "x" } else { name });
+        let parity = if self.is_odd() { Parity::Odd } else { Parity::Even };
+        let signed = variables.signed(b, unsigned, true, parity);
+        [signed].into_iter().chain(height).collect()
     }
 
     fn cosine(&self, b: &mut Builder, variables: &Variables) -> Id {
@@ -133,58 +173,14 @@ impl Harmonics {
         b.name(cosine, COSINE)
     }
 
-    /// A single result without the sign of the phase.
-    fn value(&self, b: &mut Builder, variables: &Variables) -> Id {
-        if let Some(sine) = &self.sine {
-            let cosine = self.cosine(b, variables);
-            let sine = sine.magnitude(b, variables);
-            b.name(sine, SINE);
-            return self.derivative(b, cosine, sine);
-        }
-        let sum = self.argument(b, variables);
-        match &self.made {
-            Made::OfSine { formula: Formula::Angle(arcsine), .. } => arcsine.lower(b, sum, self.direction),
-            Made::OfSine { formula: Formula::Acceleration(square), .. } => self.sine_of_angle(b, sum, -*square),
-            _ => sum,
-        }
-    }
-
-    /// The sum of cosines.
+    /// The sum of cosines, of which there is nothing else.
     fn argument(&self, b: &mut Builder, variables: &Variables) -> Id {
         if let Some(folded) = self.folded() {
             let sum = folded.magnitude(b, variables);
             return b.name(sum, ARGUMENT);
         }
         let cosine = self.cosine(b, variables);
-        self.sum_of_cosines(b, cosine)
-    }
-
-    /// The sum of sines; of an arcsine, where that is 2y′, over √((1 − y)(1 + y)).
-    fn derivative(&self, b: &mut Builder, cosine: Id, sine: Id) -> Id {
-        let (first, second) = clenshaw(b, cosine, &self.sines);
-        let sum = second.map_or(first, |second| b.add(first, second));
-        let slope = b.mul(sine, sum);
-        b.name(slope, SLOPE);
-        if !self.is_of_paper() {
-            return slope;
-        }
-        let y = self.sum_of_cosines(b, cosine);
-        let root = root_of_rest(b, y);
-        b.div(slope, root)
-    }
-
-    fn sum_of_cosines(&self, b: &mut Builder, cosine: Id) -> Id {
-        let (first, second) = clenshaw(b, cosine, &self.cosines);
-        let difference = second.map_or(first, |second| b.sub(first, second));
-        let sum = b.mul(cosine, difference);
-        b.name(sum, ARGUMENT)
-    }
-
-    /// factor·sin θ̂, mirrored or not.
-    fn sine_of_angle(&self, b: &mut Builder, y: Id, factor: Double) -> Id {
-        let twice = b.rounded(factor * (2.0 * self.direction));
-        let (root, twice) = (root_of_rest(b, y), b.mul(y, twice));
-        b.mul(twice, root)
+        sum_of_cosines(b, cosine, self.cosines().unwrap_or_default())
     }
 
     /// The rounding over the whole range of the phase; some number above `cap` as soon as it is known to be, but where it
@@ -214,7 +210,7 @@ impl Harmonics {
     /// What a sum that is the result is wrong by between two phases, operation by operation. What the polynomials of the
     /// cosine and the sine differ by from them is no rounding: it is added to their errors and passed on with these.
     fn by_steps(&self, program: &Program, phase: &'static str) -> impl Fn(f64, f64) -> f64 {
-        let sine = self.sine.as_ref().map(|sine| (SINE, sine));
+        let sine = self.sines().map(|Sines { sine, .. }| (SINE, sine));
         let all = [Some((COSINE, &self.cosine)), sine].into_iter().flatten();
         let waves: Vec<NamedWave> = all.filter_map(|(name, wave)| NamedWave::of(program, name, wave, phase)).collect();
         // The wave that the sum is a multiple of is the result itself, and has no other name, if its weight is 1.
@@ -235,7 +231,7 @@ impl Harmonics {
             Core::Polynomial(Box::new(polynomial.clone())).rounding(reduction, f64::INFINITY) + polynomial.truncation
         };
         let cosine = self.folded().unwrap_or(&self.cosine);
-        [error(cosine), self.sine.as_ref().map_or(0.0, error)]
+        [error(cosine), self.sines().map_or(0.0, |sines| error(&sines.sine))]
     }
 
     /// The sums that the program computes, given the errors of the cosine and the sine.
@@ -246,15 +242,55 @@ impl Harmonics {
             let error = if self.folded().is_some() { Error::Everywhere(cosine) } else { recurrence() };
             AnalysedSum { name, curve, order, error }
         };
-        let mut all = vec![];
-        if !self.cosines.is_empty() {
-            all.push(sum(ARGUMENT, Cosines::odd(&self.cosines), 0, &self.cosines, None));
-        }
-        if !self.sines.is_empty() {
-            all.push(sum(SLOPE, Cosines::integral_of_sines(&self.sines), 1, &self.sines, Some(sine)));
-        }
-        all
+        let of_cosines = self.cosines().map(|weights| sum(ARGUMENT, Cosines::odd(weights), 0, weights, None));
+        let of_sines = self
+            .sines()
+            .map(|Sines { weights, .. }| sum(SLOPE, Cosines::integral_of_sines(weights), 1, weights, Some(sine)));
+        of_cosines.into_iter().chain(of_sines).collect()
     }
+}
+
+impl Sines {
+    /// The sum, without the sign of the phase.
+    fn lower(&self, b: &mut Builder, variables: &Variables, cosine: Id) -> Id {
+        let sine = self.sine.magnitude(b, variables);
+        b.name(sine, SINE);
+        let (first, second) = clenshaw(b, cosine, &self.weights);
+        let sum = second.map_or(first, |second| b.add(first, second));
+        let slope = b.mul(sine, sum);
+        b.name(slope, SLOPE)
+    }
+}
+
+impl OfSine {
+    /// The result that takes the sign of the phase, and the height of a position.
+    fn lower(&self, b: &mut Builder, y: Id) -> (Id, Option<Id>) {
+        match &self.formula {
+            Formula::Angle(arcsine) => (arcsine.lower(b, y, self.direction), None),
+            Formula::Acceleration(square) => (self.sine_of_angle(b, y, -*square), None),
+            Formula::Position => {
+                let x = self.sine_of_angle(b, y, Double::ONE);
+                let (square, one) = (b.mul(y, y), b.constant(1.0));
+                let twice = b.add(square, square);
+                let height = b.sub(twice, one);
+                (x, Some(b.name(height, "y")))
+            }
+        }
+    }
+
+    /// factor·sin θ̂, mirrored or not.
+    fn sine_of_angle(&self, b: &mut Builder, y: Id, factor: Double) -> Id {
+        let twice = b.rounded(factor * (2.0 * self.direction));
+        let (root, twice) = (root_of_rest(b, y), b.mul(y, twice));
+        b.mul(twice, root)
+    }
+}
+
+fn sum_of_cosines(b: &mut Builder, cosine: Id, weights: &[Double]) -> Id {
+    let (first, second) = clenshaw(b, cosine, weights);
+    let difference = second.map_or(first, |second| b.sub(first, second));
+    let sum = b.mul(cosine, difference);
+    b.name(sum, ARGUMENT)
 }
 
 /// So many, for the reader.

@@ -61,12 +61,12 @@ fn intervals_hold(harmonics: &Harmonics, reduction: &Reduction, errors: [f64; 2]
     let from_anchor = |phase: f64| if reduction.origin == Origin::Anchor { phase } else { 0.5 - phase };
     let known = harmonics.sums(reduction, errors);
     let known: Vec<_> = known.iter().map(|sum| (sum.name, sum.known(reduction, low / unit, high / unit))).collect();
-    let sums = [&harmonics.cosines, &harmonics.sines];
-    assert_eq!(known.len(), sums.iter().filter(|weights| !weights.is_empty()).count());
+    let [cosines, sines] = [harmonics.cosines(), harmonics.sines().map(|sines| sines.weights.as_slice())];
+    assert_eq!(known.len(), [cosines, sines].into_iter().flatten().count());
     for (name, known) in known {
-        let of_sines = name == SLOPE || harmonics.cosines.is_empty();
+        let of_sines = name == SLOPE || cosines.is_none();
         let (weights, wave, error): (_, fn(f64) -> f64, _) =
-            if of_sines { (sums[1], f64::sin, errors[1]) } else { (sums[0], f64::cos, errors[0]) };
+            if of_sines { (sines.unwrap(), f64::sin, errors[1]) } else { (cosines.unwrap(), f64::cos, errors[0]) };
         let at = |part: f64| {
             let s = from_anchor(low + (high - low) * part);
             weights.iter().enumerate().map(|(n, w)| w.hi * wave((2 * n + 1) as f64 * PI * s)).sum::<f64>()
@@ -126,7 +126,8 @@ fn rounding_of_kernels() {
             let mut given = program.clone();
             given.nodes[phase].op = Op::Constant { value: s, rest: 0.0 };
             let found = given.run(0.0)[0];
-            let weights = if velocity { &harmonics.sines } else { &harmonics.cosines };
+            let weights =
+                if velocity { harmonics.sines().unwrap().weights.as_slice() } else { harmonics.cosines().unwrap() };
             let wave = |n: usize| {
                 let x = Double::new(s) * (2 * n + 1) as f64;
                 let turns = (0.5 * x.hi).round_ties_even() * 2.0;

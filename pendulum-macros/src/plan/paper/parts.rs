@@ -8,7 +8,7 @@ use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
 use crate::plan::curve::{Curve, Curves, SwingCurves};
 use crate::plan::form::Form;
-use crate::plan::harmonics::{Formula, Harmonics, Made, harmonics};
+use crate::plan::harmonics::{Formula, Harmonics, Made, OfSine, Sines, harmonics};
 use crate::plan::kernel::{Core, Kernel};
 use crate::plan::polynomial::{Approximation, Numerator, Polynomial};
 use crate::plan::reduction::Reduction;
@@ -184,25 +184,44 @@ impl Sum<'_> {
     }
 
     fn harmonics(&self, output: Output, reduction: &Reduction) -> Harmonics {
-        let direction = self.direction();
-        let derivative = output == Output::Velocity;
         let cosine = self.wave(&Curve::harmonics(&[Double::ONE]), reduction);
-        let sine = derivative.then(|| self.wave(&Curve::sine(), reduction));
-        let made = self.made(output, reduction);
-        let times = |weights: Vec<Double>, factor: f64| weights.into_iter().map(|weight| weight * factor).collect();
-        let mirrored = |weights| times(weights, direction);
-        let cosines = match (&made, output) {
-            (Made::Sum, Output::Velocity) => Vec::new(),
-            (Made::Sum, Output::Acceleration) => mirrored(self.bends()),
-            (Made::Sum, _) => mirrored(self.weights.clone()),
-            _ => self.weights.clone(),
+        let made = if self.method == Method::Fourier {
+            self.made_of_sine(output, reduction)
+        } else {
+            self.made_of_sum(output, reduction)
         };
-        let sines = match made {
-            Made::Velocity => times(self.slopes(), 2.0 * direction),
-            _ if derivative => mirrored(self.slopes()),
-            _ => Vec::new(),
+        Harmonics { cosine, made }
+    }
+
+    /// The sum itself, or a derivative of it.
+    fn made_of_sum(&self, output: Output, reduction: &Reduction) -> Made {
+        let direction = self.direction();
+        match output {
+            Output::Velocity => Made::Sines(self.sines(self.slopes(), direction, reduction)),
+            Output::Acceleration => Made::Cosines(times(self.bends(), direction)),
+            Output::Theta | Output::Wrapped | Output::Position => Made::Cosines(times(self.weights.clone(), direction)),
+        }
+    }
+
+    /// In the paper's formula the sum is sin(θ̂/2).
+    fn made_of_sine(&self, output: Output, reduction: &Reduction) -> Made {
+        let direction = self.direction();
+        let cosines = self.weights.clone();
+        let formula = match output {
+            Output::Theta | Output::Wrapped => Formula::Angle(self.arcsine(reduction)),
+            Output::Velocity => {
+                let sines = self.sines(self.slopes(), 2.0 * direction, reduction);
+                return Made::Slope { cosines, sines };
+            }
+            Output::Acceleration => Formula::Acceleration(self.scene.motion.omega.square().to_double()),
+            Output::Position => Formula::Position,
         };
-        Harmonics { cosine, sine, cosines, sines, made, direction }
+        Made::OfSine(OfSine { cosines, folded: self.folded(reduction), direction, formula })
+    }
+
+    /// The sum of sines with so many times those weights.
+    fn sines(&self, weights: Vec<Double>, factor: f64, reduction: &Reduction) -> Sines {
+        Sines { sine: self.wave(&Curve::sine(), reduction), weights: times(weights, factor) }
     }
 
     /// A cosine or a sine of the phase, as good as rounding.
@@ -211,20 +230,6 @@ impl Sum<'_> {
         let approximation = Approximation::entire(curve, precision / 16.0);
         let terms = approximation.terms_for(precision, reduction.overshoot).unwrap_or(approximation.terms());
         approximation.truncated(terms, reduction, true).in_powers(Form::Powers { shift: 0.0, largest_last: false })
-    }
-
-    /// What an output is made of: in the paper's formula the sum is sin(θ̂/2).
-    fn made(&self, output: Output, reduction: &Reduction) -> Made {
-        if self.method != Method::Fourier {
-            return Made::Sum;
-        }
-        let formula = match output {
-            Output::Theta | Output::Wrapped => Formula::Angle(self.arcsine(reduction)),
-            Output::Velocity => return Made::Velocity,
-            Output::Acceleration => Formula::Acceleration(self.scene.motion.omega.square().to_double()),
-            Output::Position => Formula::Position,
-        };
-        Made::OfSine { formula, folded: self.folded(reduction).map(Box::new) }
     }
 
     /// The argument of the arcsine as one polynomial, if its error is that of the recurrence or less.
@@ -252,6 +257,10 @@ impl Sum<'_> {
     fn size(&self) -> f64 {
         Cosines::odd(&self.weights).magnitude(0).min(1.0)
     }
+}
+
+fn times(weights: Vec<Double>, factor: f64) -> Vec<Double> {
+    weights.into_iter().map(|weight| weight * factor).collect()
 }
 
 /// Rounding of so many units in the last place is what evaluations come to.
