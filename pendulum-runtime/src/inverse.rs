@@ -20,22 +20,31 @@ use crate::angle::{nearest_period, reduce};
 use crate::carlson::carlson_rf;
 use crate::double::Double;
 use crate::double_trig::{half_angle, supplement};
+use crate::error::{Error, finite};
 use crate::kernel::round;
 use crate::launch::hypotenuse;
 use crate::motion::{Moduli, Motion};
 use crate::phase::unit_of;
 use crate::regime::Regime;
+use crate::rotation::MOST_TURNS;
 use core::f64::consts::{PI, TAU};
 
 /// Swings of an amplitude below this are linear to their last digit.
 const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
 
-/// Rotations reach angles within so many turns: of more an `f64` tells no part.
-pub(crate) const MOST_TURNS: f64 = 1e15;
+impl Motion {
+    /// The first t ≥ 0 at which θ(t) = `angle`; what a swing stays short of by at most `beyond` is its turning point.
+    pub(crate) fn time_at(&self, angle: f64, beyond: f64) -> Result<f64, Error> {
+        finite("theta", angle)?;
+        if angle == self.theta {
+            return Ok(0.0);
+        }
+        time_at(self, angle, beyond).ok_or(Error::NeverReached { angle })
+    }
+}
 
-/// The first t ≥ 0 at which θ(t) = `angle`, which is not where the motion starts; what a swing stays short of by at most
-/// `beyond` is its turning point.
-pub(crate) fn time_at(motion: &Motion, angle: f64, beyond: f64) -> Option<f64> {
+/// The same of an angle at which the motion doesn't start.
+fn time_at(motion: &Motion, angle: f64, beyond: f64) -> Option<f64> {
     let way = Way::new(motion, angle);
     let (r, k) = match motion.regime {
         Regime::Rest | Regime::Swing => (swing(motion, &way, beyond), Double::ONE),

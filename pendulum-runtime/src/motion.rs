@@ -8,8 +8,6 @@
 
 use crate::agm::complete;
 use crate::double::{Double, LARGEST, two_prod, two_sum};
-use crate::error::{Error, finite};
-use crate::inverse;
 use crate::kernel::sin_turns;
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced, unit_of};
@@ -182,15 +180,6 @@ impl Motion {
             }
             Shape::Rotation(..) | Shape::Separatrix(..) => f64::NAN,
         }
-    }
-
-    /// The first t ≥ 0 at which θ(t) = `angle`; what a swing stays short of by at most `beyond` is its turning point.
-    pub(crate) fn time_at(&self, angle: f64, beyond: f64) -> Result<f64, Error> {
-        finite("theta", angle)?;
-        if angle == self.theta {
-            return Ok(0.0);
-        }
-        inverse::time_at(self, angle, beyond).ok_or(Error::NeverReached { angle })
     }
 }
 

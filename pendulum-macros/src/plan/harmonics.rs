@@ -8,13 +8,12 @@ mod recurrence;
 
 use super::arcsine::Arcsine;
 use super::cosines::{Cosines, Local};
-use super::kernel::{Core, RESULT};
 use super::phases::{CELLS, over_phases};
 use super::polynomial::Polynomial;
 use super::reduction::{Origin, Reduction};
 use super::variables::Variables;
 use crate::program::rounding::Known;
-use crate::program::{Builder, Id, Op, Program};
+use crate::program::{Builder, Id, Op, Program, RESULT};
 use crate::series::Parity;
 use crate::supremum::by_halves;
 use pendulum_runtime::double::Double;
@@ -227,9 +226,7 @@ impl Harmonics {
 
     /// The errors of the cosine, or of the sum of cosines that is computed in its place, and of the sine.
     fn errors(&self, reduction: &Reduction) -> [f64; 2] {
-        let error = |polynomial: &Polynomial| {
-            Core::Polynomial(Box::new(polynomial.clone())).rounding(reduction, f64::INFINITY) + polynomial.truncation
-        };
+        let error = |polynomial: &Polynomial| polynomial.rounding(reduction, f64::INFINITY) + polynomial.truncation;
         let cosine = self.folded().unwrap_or(&self.cosine);
         [error(cosine), self.sines().map_or(0.0, |sines| error(&sines.sine))]
     }

@@ -2,16 +2,15 @@
 
 use super::harmonics::Harmonics;
 use super::passage::Passage;
-use super::phases::over_phases;
+use super::phases::rounding_of;
 use super::pieces::{Complement, Halves, Pieces};
 use super::polynomial::Polynomial;
-use super::reduction::{Mirror, Phase, Reduction};
+use super::reduction::{Mirror, Reduction};
 use super::turning::Finish;
 use super::variables::Variables;
 use super::{Function, Part};
 use crate::parse::Output;
-use crate::program::rounding::Known;
-use crate::program::{Builder, Id, Op, Program};
+use crate::program::{Builder, Id, Op, Program, RESULT};
 use crate::series::Parity;
 
 /// The computation of one output.
@@ -72,7 +71,7 @@ impl Core {
     fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
         match self {
             Self::Polynomial(polynomial) => vec![polynomial.lower(b, variables, name)],
-            Self::Circle(factors) => circle(b, variables, factors),
+            Self::Circle(factors) => circle(b, variables, factors).to_vec(),
             Self::Pieces(pieces) => vec![pieces.lower(b, name)],
             Self::Halves(halves) => halves.lower(b),
             Self::Complement(complement) => vec![complement.lower(b, name)],
@@ -172,38 +171,23 @@ impl Core {
             Self::Complement(complement) => complement.rounding(),
             Self::Passage(passage) => passage.rounding(&whole(), cap),
             Self::Harmonics(harmonics) => harmonics.rounding(&whole(), reduction, cap),
-            Self::Polynomial(_) | Self::Circle(_) => {
-                let program = self.of_phase(reduction);
-                let phase = program.named(reduction.origin.phase());
-                over_phases(reduction, cap, |low, high| {
-                    program.norm_of_rounding(phase.map(|phase| (phase, Known::between(low, high))).as_slice())
-                })
+            Self::Polynomial(polynomial) => polynomial.rounding(reduction, cap),
+            Self::Circle(factors) => {
+                rounding_of(reduction, self.is_odd(), cap, |b, variables| circle(b, variables, factors).to_vec())
             }
         }
-    }
-
-    /// What it computes of the phase as it is reduced, of which nothing else is known, but for the signs: of either the
-    /// rounding is the same, and bounded better where the sign is known.
-    fn of_phase(&self, reduction: &Reduction) -> Program {
-        let mut b = Builder::new(reduction.float);
-        let remainder = b.input();
-        b.name(remainder, reduction.origin.phase());
-        let phase = Phase { remainder, magic: remainder, count: remainder };
-        let variables = Variables::lower(&mut b, phase, reduction, self.is_odd()).unsigned();
-        let results = self.lower(&mut b, &variables, RESULT);
-        b.finish(results)
     }
 }
 
 /// The position without the signs of its factors' phase.
-fn circle(b: &mut Builder, variables: &Variables, [sine, cosine]: &[Polynomial; 2]) -> Vec<Id> {
+fn circle(b: &mut Builder, variables: &Variables, [sine, cosine]: &[Polynomial; 2]) -> [Id; 2] {
     let (half_sine, half_cosine) = (sine.one_of_two(b, variables), cosine.one_of_two(b, variables));
     b.name(half_sine, "half_sine");
     b.name(half_cosine, "half_cosine");
     let [x, y] = squared(b, half_sine, half_cosine);
     // Of factors one of which is odd the product is.
     let parity = if cosine.parity == Parity::Odd { Parity::Odd } else { sine.parity };
-    vec![variables.signed(b, x, sine.alternates, parity), y]
+    [variables.signed(b, x, sine.alternates, parity), y]
 }
 
 /// With S = sin(θ/2) and C = cos(θ/2): sin θ = 2SC and −cos θ = S² − C².
@@ -215,9 +199,6 @@ pub(super) fn squared(b: &mut Builder, half_sine: Id, half_cosine: Id) -> [Id; 2
     let y = b.sub(sine_squared, cosine_squared);
     [x, b.name(y, "y")]
 }
-
-/// The name of a single result, before it takes the sign of the phase if it does last.
-pub(super) const RESULT: &str = "result";
 
 /// One function of the time, the kernels' results its own.
 pub(super) fn function(reduction: &Reduction, kernels: &[&Kernel]) -> Program {

@@ -1,7 +1,32 @@
 //! Bounds over the range of phases.
 
-use super::reduction::{Origin, Reduction};
+use super::reduction::{Origin, Phase, Reduction};
+use super::variables::Variables;
+use crate::program::rounding::Known;
+use crate::program::{Builder, Id};
 use crate::supremum::{Halving, largest};
+
+/// The norm of the rounding of what is computed of the phase as it is reduced, of which nothing else is known, but for the
+/// signs: of either the rounding is the same, and bounded better where the sign is known. `odd` tells whether the sign
+/// matters.
+pub(super) fn rounding_of(
+    reduction: &Reduction,
+    odd: bool,
+    cap: f64,
+    lower: impl FnOnce(&mut Builder, &Variables) -> Vec<Id>,
+) -> f64 {
+    let mut b = Builder::new(reduction.float);
+    let remainder = b.input();
+    b.name(remainder, reduction.origin.phase());
+    let phase = Phase { remainder, magic: remainder, count: remainder };
+    let variables = Variables::lower(&mut b, phase, reduction, odd).unsigned();
+    let results = lower(&mut b, &variables);
+    let program = b.finish(results);
+    let phase = program.named(reduction.origin.phase());
+    over_phases(reduction, cap, |low, high| {
+        program.norm_of_rounding(phase.map(|phase| (phase, Known::between(low, high))).as_slice())
+    })
+}
 
 /// The largest of the bounds on parts of the range of phases, or some number above `cap`. The motion is fastest, and the
 /// rounding mostly worst, at the lowest point: near the top so near to it that uniform slices bound it by several times

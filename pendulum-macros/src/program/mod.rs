@@ -102,6 +102,9 @@ pub(crate) struct Node {
     pub(crate) name: Option<&'static str>,
 }
 
+/// The name of a single result, before it takes the sign of the phase if it does last.
+pub(crate) const RESULT: &str = "result";
+
 /// A function of the time with one or more results.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Program {

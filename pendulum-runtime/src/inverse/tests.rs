@@ -156,7 +156,7 @@ fn the_fastest() {
 fn what_is_never_reached() {
     let never = |theta: f64, velocity: f64, angle: f64| {
         let motion = crate::launch::from_state(theta, velocity, 1.0).expect("valid");
-        assert_eq!(motion.time_at(angle, 0.0), Err(crate::Error::NeverReached { angle }), "{theta} {velocity}");
+        assert_eq!(motion.time_at(angle, 0.0), Err(Error::NeverReached { angle }), "{theta} {velocity}");
     };
     for amplitude in [5e-324_f64, 1e-200, 1.0, 3.1415926514704893] {
         for angle in [amplitude.next_up(), -amplitude.next_up(), 1.0 + amplitude, 6.0, -1e300] {
@@ -240,7 +240,7 @@ fn turning_points_next_to_the_top_after_turns() {
 
 /// The same in either type, as anyone would write it.
 #[test]
-fn turning_points_after_turns_by_the_interface() -> Result<(), crate::Error> {
+fn turning_points_after_turns_by_the_interface() -> Result<(), Error> {
     let p = crate::Pendulum::<f64>::from_state(7.0, 0.0, 1.0)?;
     assert!((p.time_at(TAU - p.amplitude())? - 0.5 * p.period()).abs() < 1e-7);
     let p = crate::Pendulum::<f32>::from_state(7.0, 0.0, 1.0)?;

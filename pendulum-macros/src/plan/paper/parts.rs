@@ -243,7 +243,7 @@ impl Sum<'_> {
             let most = if let Form::Adapted { .. } = form { 6.0 } else { 12.0 };
             let cap = most * size * unit;
             let polynomial = approximation.truncated(terms, reduction, true).polynomial(form, Numerator::One, cap)?;
-            (Core::Polynomial(Box::new(polynomial.clone())).rounding(reduction, cap) <= cap).then_some(polynomial)
+            (polynomial.rounding(reduction, cap) <= cap).then_some(polynomial)
         })
     }
 

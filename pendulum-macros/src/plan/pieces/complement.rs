@@ -10,9 +10,8 @@
 use super::{POWERS, Pieces, rounding_of_row};
 use crate::plan::arcsine::Arcsine;
 use crate::plan::cosines::Cosines;
-use crate::plan::kernel::RESULT;
 use crate::program::rounding::Known;
-use crate::program::{Builder, Id};
+use crate::program::{Builder, Id, RESULT};
 use crate::supremum::{by_halves, worst};
 use pendulum_runtime::double::Double;
 

@@ -13,12 +13,11 @@ pub(crate) use halves::Halves;
 pub(crate) use piecewise::{Piecewise, half, phase};
 
 use super::estrin::estrin;
-use super::kernel::RESULT;
 use super::reduction::Reduction;
 use super::turning::Turning;
 use super::variables::clamp;
 use crate::program::rounding::Known;
-use crate::program::{Builder, Id, Node, Op, Program};
+use crate::program::{Builder, Id, Node, Op, Program, RESULT};
 use crate::series::Parity;
 use crate::supremum::worst;
 use pendulum_runtime::double::Double;

@@ -12,7 +12,7 @@ use super::interval;
 use super::leeway::Leeway;
 use super::nearest::Corrections;
 use super::pole::Pole;
-use super::tail;
+use super::tail::{self, at_most_cosh};
 use super::weight::Weight;
 use crate::chebyshev::{CosineTable, Interpolation, lebesgue, scale, shift, to_powers};
 use crate::plan::blocks::Shifts;
@@ -306,11 +306,6 @@ impl Approximation {
 /// ε)) ≤ cosh(j·√(2ε)).
 fn ellipse_of(overshoot: f64) -> f64 {
     (16.0 * overshoot.max(0.0) * (1.0 + overshoot)).sqrt()
-}
-
-/// cosh x, or hardly more: 1 + x²/2 + x⁴/24·cosh x where x is small, as nearly always.
-pub(super) fn at_most_cosh(x: f64) -> f64 {
-    if x < 0.1 { 1.0 + 0.5005 * x * x } else { libm::cosh(x) }
 }
 
 /// What an interpolation is off by where samples are: by what they are rounded by, over the least phase if the curve is

@@ -22,8 +22,10 @@ pub(crate) use leeway::Leeway;
 use super::blocks::{Blocks, one_by_one};
 use super::form::{Form, Poles, Variant};
 use super::moebius::Moebius;
+use super::phases::rounding_of;
+use super::reduction::Reduction;
 use super::variables::{Unlimited, Variables};
-use crate::program::{Builder, Id};
+use crate::program::{Builder, Id, RESULT};
 use crate::series::Parity;
 use pendulum_runtime::double::Double;
 pub(crate) use pole::Pole;
@@ -84,6 +86,13 @@ impl Polynomial {
         let (value, signed) = self.product(b, variables);
         b.name(value, name);
         if signed { value } else { self.signed(b, variables, value) }
+    }
+
+    /// The rounding over the whole range of the phase, taken as exact; some number above `cap` as soon as it is known to
+    /// be.
+    pub(in crate::plan) fn rounding(&self, reduction: &Reduction, cap: f64) -> f64 {
+        let odd = self.parity == Parity::Odd;
+        rounding_of(reduction, odd, cap, |b, variables| vec![self.lower(b, variables, RESULT)])
     }
 
     /// Evaluates it, but for the sign that the anchor and the side of the lowest point give.

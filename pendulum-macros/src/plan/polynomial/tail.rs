@@ -1,7 +1,6 @@
 //! The supremum of what dropping coefficients leaves out. Their magnitudes add up to half as much again, where poles have
 //! made those vanish that were by far the largest.
 
-use super::approximation::at_most_cosh;
 use super::interval::{CELLS, angle, p};
 use super::weight::Weight;
 use crate::chebyshev::sum;
@@ -101,6 +100,11 @@ const CLOSE: f64 = 1.01;
 
 /// Of so many derivatives, two orders apart, the values at the angles are looked at.
 const DEEPEST: usize = 3;
+
+/// cosh x, or hardly more: 1 + x²/2 + x⁴/24·cosh x where x is small, as nearly always.
+pub(super) fn at_most_cosh(x: f64) -> f64 {
+    if x < 0.1 { 1.0 + 0.5005 * x * x } else { libm::cosh(x) }
+}
 
 #[cfg(test)]
 mod tests {

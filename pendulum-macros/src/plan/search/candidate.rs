@@ -1,57 +1,28 @@
 //! One way of computing all outputs: a reduction, and polynomials, pieces or the passage.
 
-use super::Prospect;
 use super::choice::{Choice, Limits};
-use super::prospect::skeleton;
+use super::prospect::{Asked, Found, Prospect, Rejected};
 use crate::decimals::at_least;
-use crate::parse::Output;
 use crate::plan::Part;
+use crate::plan::aim::Aim;
 use crate::plan::curve::Curve;
 use crate::plan::form::Variant;
 use crate::plan::kernel;
 use crate::plan::observed::observed;
 use crate::plan::part::{Approximations, SLOWNESS};
 use crate::plan::reduction::{Origin, Reduction};
+use crate::plan::variables::Variables;
+use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
 use crate::series::Parity;
-use std::fmt;
 use std::iter;
 use std::rc::Rc;
-
-/// What polynomials are asked for: an output, by its number, that takes at most such a part of its limit.
-#[derive(PartialEq)]
-pub(super) struct Asked {
-    pub(super) output: usize,
-    pub(super) reduction: Reduction,
-    pub(super) most: f64,
-}
 
 /// A variant, what it is estimated to cost, and what it can promise if that was looked at.
 struct Tried {
     variant: Variant,
     cost: f64,
     reached: Option<f64>,
-}
-
-/// A variant of an output that isn't taken, and why.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Rejected {
-    pub(super) output: Output,
-    pub(super) variant: Variant,
-    pub(super) parity: Parity,
-    pub(super) why: String,
-}
-
-impl fmt::Display for Rejected {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} for `{}`: {}", self.variant.describe(self.parity), self.output.word(), self.why)
-    }
-}
-
-/// A part and what it costs, or what was reached, and why others lost.
-pub(super) struct Found {
-    pub(super) part: Result<(Part, f64), f64>,
-    pub(super) rejected: Vec<Rejected>,
 }
 
 /// The outputs of a candidate, what they cost more than was estimated, and why other forms of them lost.
@@ -108,6 +79,37 @@ pub(super) enum Way {
     Passage,
     /// A polynomial for each of many pieces, in one of the numbers of the prospect.
     Pieces(usize),
+}
+
+impl<'a> Candidate<'a> {
+    /// Every combination that might serve.
+    pub(super) fn all(prospect: &'a Prospect) -> Vec<Self> {
+        let Prospect { task, approximations, reductions, pieces, .. } = prospect;
+        let aims = &task.aims;
+        let candidate = |reduction, way, kernels: f64| {
+            let cost = skeleton(reduction, aims).cost() + kernels;
+            Self { prospect, reduction, way, cost }
+        };
+        let polynomials = reductions.iter().filter_map(|reduction| {
+            let cheapest = |all: &Approximations| Some(all.variants(reduction).first()?.1);
+            let kernels = approximations.iter().map(cheapest).sum::<Option<f64>>()?;
+            Some(candidate(reduction, Way::Polynomials, kernels))
+        });
+        let by_passage = |reduction| {
+            let kernels = aims.iter().map(|aim| aim.passage_estimate(task, reduction)).sum();
+            let passage = candidate(reduction, Way::Passage, kernels);
+            Self { cost: SLOWNESS * passage.cost, ..passage }
+        };
+        let passages = reductions.iter().filter(|reduction| task.passage_by(reduction).is_some()).map(by_passage);
+        let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
+            let one = move |reduction| {
+                let cost = pieces.estimate(aims, reduction)?;
+                Some(Self { prospect, reduction, way: Way::Pieces(index), cost })
+            };
+            pieces.reductions.iter().filter_map(one)
+        });
+        polynomials.chain(passages).chain(in_pieces).collect()
+    }
 }
 
 impl Candidate<'_> {
@@ -254,6 +256,18 @@ impl Candidate<'_> {
         let rejected = rejected.collect();
         Found { part, rejected }
     }
+}
+
+/// The reduction and the variables that all kernels have, without any kernel.
+pub(super) fn skeleton<'a>(reduction: &Reduction, aims: impl IntoIterator<Item = &'a Aim>) -> Program {
+    let odd = aims.into_iter().flat_map(|aim| &aim.curves).any(|curve| curve.parity() == Parity::Odd);
+    let mut b = Builder::new(reduction.float);
+    let t = b.input();
+    let reduction = &reduction.with_signs(odd);
+    let phase = reduction.lower(&mut b, t);
+    let variables = Variables::lower(&mut b, phase, reduction, odd);
+    let distance = (odd && !reduction.leaps()).then_some(variables.distance);
+    b.finish([variables.p, variables.magic].into_iter().chain(distance).collect())
 }
 
 /// For the reader: what costs so many additions more.

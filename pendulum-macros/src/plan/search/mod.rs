@@ -13,9 +13,9 @@ use super::{Part, Plan, Refusal, alternatives, verify};
 use crate::decimals::at_least;
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
-use candidate::{Candidate, Demand, Failure, Outputs, Rejected};
+use candidate::{Candidate, Demand, Failure, Outputs};
 use choice::{Choice, Limits};
-use prospect::Prospect;
+use prospect::{Prospect, Rejected};
 
 /// The cheapest plan, or the best that was reached; of several outputs to a tolerance nothing, since what the first came
 /// to says nothing of the others.
@@ -165,7 +165,7 @@ pub(super) fn every(scene: &Scene) -> Vec<Plan> {
 
 /// Every combination that might serve, cheapest first.
 fn candidates<'a>(scene: &Scene, prospects: &'a [Prospect]) -> Vec<Candidate<'a>> {
-    let mut candidates: Vec<Candidate> = prospects.iter().flat_map(Prospect::candidates).collect();
+    let mut candidates: Vec<Candidate> = prospects.iter().flat_map(Candidate::all).collect();
     candidates.sort_by(|a, b| a.is_late(scene).cmp(&b.is_late(scene)).then(a.cost.total_cmp(&b.cost)));
     candidates
 }

@@ -1,18 +1,16 @@
 //! A task, the whole motion or an arc of it, and all ways of doing it.
 
-use super::candidate::{Asked, Candidate, Found, Way};
+use crate::parse::Output;
 use crate::plan::Part;
-use crate::plan::aim::Aim;
 use crate::plan::form::Variant;
 use crate::plan::memo::Memo;
-use crate::plan::part::{AllInPieces, Approximations, SLOWNESS};
+use crate::plan::part::{AllInPieces, Approximations};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::task::Task;
-use crate::plan::variables::Variables;
-use crate::program::{Builder, Program};
 use crate::scene::Scene;
 use crate::series::Parity;
 use crate::supremum::worst;
+use std::fmt;
 use std::rc::Rc;
 
 /// A task, and what all ways of doing it share.
@@ -26,6 +24,35 @@ pub(super) struct Prospect {
     pub(super) found: Memo<Asked, Rc<Found>>,
 }
 
+/// What polynomials are asked for: an output, by its number, that takes at most such a part of its limit.
+#[derive(PartialEq)]
+pub(super) struct Asked {
+    pub(super) output: usize,
+    pub(super) reduction: Reduction,
+    pub(super) most: f64,
+}
+
+/// A variant of an output that isn't taken, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Rejected {
+    pub(super) output: Output,
+    pub(super) variant: Variant,
+    pub(super) parity: Parity,
+    pub(super) why: String,
+}
+
+impl fmt::Display for Rejected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} for `{}`: {}", self.variant.describe(self.parity), self.output.word(), self.why)
+    }
+}
+
+/// A part and what it costs, or what was reached, and why others lost.
+pub(super) struct Found {
+    pub(super) part: Result<(Part, f64), f64>,
+    pub(super) rejected: Vec<Rejected>,
+}
+
 impl Prospect {
     pub(super) fn new(scene: &Scene, task: Task) -> Self {
         let reductions = task.reductions(scene);
@@ -34,35 +61,6 @@ impl Prospect {
         let reach = task.reach();
         let reductions = reductions.into_iter().map(|reduction| reduction.reaching(reach)).collect();
         Self { task, approximations, reductions, pieces, found: Memo::default() }
-    }
-
-    /// Every combination that might serve.
-    pub(super) fn candidates(&self) -> Vec<Candidate<'_>> {
-        let Self { task, approximations, reductions, pieces, .. } = self;
-        let aims = &task.aims;
-        let candidate = |reduction, way, kernels: f64| {
-            let cost = skeleton(reduction, aims).cost() + kernels;
-            Candidate { prospect: self, reduction, way, cost }
-        };
-        let polynomials = reductions.iter().filter_map(|reduction| {
-            let cheapest = |all: &Approximations| Some(all.variants(reduction).first()?.1);
-            let kernels = approximations.iter().map(cheapest).sum::<Option<f64>>()?;
-            Some(candidate(reduction, Way::Polynomials, kernels))
-        });
-        let by_passage = |reduction| {
-            let kernels = aims.iter().map(|aim| aim.passage_estimate(task, reduction)).sum();
-            let passage = candidate(reduction, Way::Passage, kernels);
-            Candidate { cost: SLOWNESS * passage.cost, ..passage }
-        };
-        let passages = reductions.iter().filter(|reduction| task.passage_by(reduction).is_some()).map(by_passage);
-        let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
-            let one = move |reduction| {
-                let cost = pieces.estimate(aims, reduction)?;
-                Some(Candidate { prospect: self, reduction, way: Way::Pieces(index), cost })
-            };
-            pieces.reductions.iter().filter_map(one)
-        });
-        polynomials.chain(passages).chain(in_pieces).collect()
     }
 
     /// The least that can be promised of the worst output, whatever it costs.
@@ -101,16 +99,4 @@ impl Prospect {
         let passage = all.aim.passage_part(&self.task, &all.drafts, reduction, f64::INFINITY).ok();
         polynomials.chain(passage)
     }
-}
-
-/// The reduction and the variables that all kernels have, without any kernel.
-pub(super) fn skeleton<'a>(reduction: &Reduction, aims: impl IntoIterator<Item = &'a Aim>) -> Program {
-    let odd = aims.into_iter().flat_map(|aim| &aim.curves).any(|curve| curve.parity() == Parity::Odd);
-    let mut b = Builder::new(reduction.float);
-    let t = b.input();
-    let reduction = &reduction.with_signs(odd);
-    let phase = reduction.lower(&mut b, t);
-    let variables = Variables::lower(&mut b, phase, reduction, odd);
-    let distance = (odd && !reduction.leaps()).then_some(variables.distance);
-    b.finish([variables.p, variables.magic].into_iter().chain(distance).collect())
 }

@@ -1,8 +1,8 @@
 //! θ and its velocity in one function, `state`.
 
-use super::candidate::{Candidate, Rejected, more};
+use super::candidate::{Candidate, more};
 use super::choice::Limits;
-use super::prospect::Prospect;
+use super::prospect::{Prospect, Rejected};
 use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::form::Variant;
