@@ -28,6 +28,10 @@ pub(crate) fn mantissa_and_exponent(text: &str) -> (&str, &str) {
     text.split_once(['e', 'E']).unwrap_or((text, "0"))
 }
 
+pub(crate) fn digits_of_mantissa(literal: &str) -> usize {
+    mantissa_and_exponent(literal).0.bytes().filter(u8::is_ascii_digit).count()
+}
+
 impl Context {
     /// Enough for numbers written with up to `digits` decimal digits: their differences (π − θ0, v0 − 2ω) may cancel
     /// all of them, log₂ 10 = 3.3 bits each, for which there are 4. Shorter ones count as of 35, more than the 32 of two

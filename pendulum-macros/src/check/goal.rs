@@ -3,7 +3,7 @@
 use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{ALWAYS_OVERSHOOTS, Motion, Regime};
-use crate::parse::{Given, Method, Output};
+use crate::parse::{Given, Method, Output, Parameter};
 use crate::scene::Goal;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -15,7 +15,7 @@ impl Checker<'_> {
     pub(super) fn goal(&mut self, motion: Option<&Motion>) -> Checked<Goal> {
         let tolerance = self.tolerance();
         let terms = self.terms(motion);
-        if let (Some(n), true) = (&self.request.n, self.request.mentions("tol")) {
+        if let (Some(n), true) = (&self.request.n, self.request.mentions(Parameter::Tol)) {
             // A `tol` with a mistake of its own has no value.
             let tol = self.request.tol.as_ref().map_or_else(|| "tol".to_owned(), ToString::to_string);
             let message = format!("`{n}` fixes the number of terms where `{tol}` would choose it: keep one");
@@ -55,7 +55,7 @@ impl Checker<'_> {
         match motion.map(|motion| &motion.regime) {
             None | Some(Regime::Swing(_)) => Ok(Some(n)),
             Some(other) => {
-                let remedy = if self.request.mentions("method") {
+                let remedy = if self.request.mentions(Parameter::Method) {
                     "leave `n` and `method` out, or give `tol` instead of both"
                 } else {
                     "leave `n` out, or give `tol` instead"
@@ -104,7 +104,10 @@ impl Checker<'_> {
                 );
                 Err(self.refuse(&given.tokens, message))
             }
-            _ if method == Method::Fourier && !self.request.mentions("n") && !self.request.mentions("tol") => {
+            _ if method == Method::Fourier
+                && !self.request.mentions(Parameter::N)
+                && !self.request.mentions(Parameter::Tol) =>
+            {
                 if self.request.mentions_a_stranger() {
                     return Err(Reported);
                 }

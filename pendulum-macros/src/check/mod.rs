@@ -11,7 +11,7 @@ mod turns;
 use crate::exact::{Context, Real};
 use crate::motion::Motion;
 use crate::parse::number::Number;
-use crate::parse::{Given, Keyword, Output, Request, Shape, source};
+use crate::parse::{Given, Keyword, Output, Parameter, Request, Shape};
 use crate::report::Report;
 use crate::scene::{Blame, Goal, Scene};
 use quote::ToTokens;
@@ -39,10 +39,12 @@ pub(crate) fn check(request: Request, report: &mut Report) -> Option<Scene> {
             (method, t_max, outputs)
         }
         // Whether the argument of the arcsine in Eq. 22 exceeds 1 depends on none of these.
-        _ if matches!(goal, Goal::Terms(_)) && !request.misstates("float") => (None, None, vec![Output::Theta]),
+        _ if matches!(goal, Goal::Terms(_)) && !request.misstates(Parameter::Float) => {
+            (None, None, vec![Output::Theta])
+        }
         _ => return None,
     };
-    let (source, blame, float) = (source::of(&request), blame(&request), request.float());
+    let (source, blame, float) = (request.source(), blame(&request), request.float());
     Some(Scene { source, motion, float, goal, method, t_max, outputs, blame, shape: request.shape })
 }
 

@@ -3,9 +3,8 @@
 use super::{Checked, Checker};
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Rotation, Swing};
-use crate::parse::names::ascii;
 use crate::parse::number::Number;
-use crate::parse::{Float, Given, Output};
+use crate::parse::{Float, Given, Output, Parameter};
 
 /// Below these the products of a plan lose digits to underflow.
 const SMALLEST_AMPLITUDE: f64 = 1e-300;
@@ -149,11 +148,8 @@ impl Checker<'_> {
         } else {
             format!("above the largest `{float}`, {shown_most}")
         };
-        let subject = if ascii(&given.name.to_string()) == what {
-            format!("`{given}` is")
-        } else {
-            format!("`{given}` puts {what}")
-        };
+        let own = Parameter::named(&given.name.to_string()).is_some_and(|parameter| parameter.word() == what);
+        let subject = if own { format!("`{given}` is") } else { format!("`{given}` puts {what}") };
         let remedy = match (what, small) {
             ("theta0", true) => "choose a larger angle",
             ("theta0", false) => "choose an angle within ±π",

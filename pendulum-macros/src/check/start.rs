@@ -5,7 +5,7 @@ use super::{Checked, Checker, Reported};
 use crate::exact::Real;
 use crate::motion::{Motion, NoMotion};
 use crate::parse::number::Number;
-use crate::parse::{Given, Shape};
+use crate::parse::{Given, Parameter, Shape};
 
 impl Checker<'_> {
     /// The motion, at a working precision that outlasts every cancellation in it.
@@ -31,7 +31,7 @@ impl Checker<'_> {
         self.start_is_given()?;
         let (theta0, velocity0) = (theta0?, velocity0?);
         let request = self.request;
-        if request.misstates("theta0") {
+        if request.misstates(Parameter::Theta0) {
             return Err(Reported);
         }
         let [zero, one] = [0, 1].map(|n| self.context.integer(n));
@@ -42,7 +42,7 @@ impl Checker<'_> {
         let motion =
             Motion::solve(&theta0, &velocity0, rate).map_err(|why| self.no_motion(why, &theta0, &velocity0))?;
         omega?;
-        if request.misstates("velocity0") {
+        if request.misstates(Parameter::Velocity0) {
             return Err(Reported);
         }
         self.representable_motion(&motion)?;
@@ -50,7 +50,7 @@ impl Checker<'_> {
     }
 
     fn start_is_given(&mut self) -> Checked<()> {
-        if self.request.mentions("theta0") || self.request.mentions("velocity0") {
+        if self.request.mentions(Parameter::Theta0) || self.request.mentions(Parameter::Velocity0) {
             return Ok(());
         }
         if self.request.mentions_a_stranger() {
@@ -98,7 +98,7 @@ impl Checker<'_> {
                 }
                 Ok(omega)
             }
-            _ if ["g", "length"].iter().any(|name| request.misstates(name)) => Err(Reported),
+            _ if [Parameter::G, Parameter::Length].into_iter().any(|name| request.misstates(name)) => Err(Reported),
             _ => Ok(self.context.integer(1)),
         }
     }
@@ -106,7 +106,7 @@ impl Checker<'_> {
     /// ω is given once: beside `g` and `length` it is `omega` that is one too many, beside one of them that one.
     fn one_source_of_omega(&mut self) -> Checked<()> {
         let request = self.request;
-        if request.misstates("omega") {
+        if request.misstates(Parameter::Omega) {
             return Err(Reported);
         }
         match (&request.omega, &request.g, &request.length) {
@@ -125,8 +125,8 @@ impl Checker<'_> {
                 Err(self.refuse(&given.name, message))
             }
             (None, Some(_), None) | (None, None, Some(_)) if request.mentions_a_stranger() => Err(Reported),
-            (None, Some(g), None) if !request.mentions("length") => Err(self.lonely(g, "`length`, in m")),
-            (None, None, Some(length)) if !request.mentions("g") => {
+            (None, Some(g), None) if !request.mentions(Parameter::Length) => Err(self.lonely(g, "`length`, in m")),
+            (None, None, Some(length)) if !request.mentions(Parameter::G) => {
                 Err(self.lonely(length, "`g`, in m/s², such as `g = 9.81`"))
             }
             _ => Ok(()),
@@ -147,7 +147,7 @@ impl Checker<'_> {
         let degrees = (theta0 * &self.context.ratio(180, 1) / self.context.pi()).to_f64();
         let value = format!("`{blamed}` is {radians:?} rad = {degrees:?}°");
         // A velocity with a mistake was meant as one, and so may be what is no parameter.
-        let moving = !velocity0.is_zero() || self.request.may_mean("velocity0");
+        let moving = !velocity0.is_zero() || self.request.may_mean(Parameter::Velocity0);
         let rest = Rest::of(theta0);
         let reduced = rest.shown(angle.is_some_and(|given| given.value.is_in_degrees()));
         let is_plain = angle.is_some_and(|given| given.value.is_plain()) && radians.abs() <= 180.0;

@@ -1,6 +1,6 @@
 //! `#[…] vis struct Name;`, which comes before the parameters of an item.
 
-use super::names::is_like_a_parameter;
+use super::words::Parameter;
 use proc_macro2::{Delimiter, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Attribute, Error, Ident, Result, Token, Visibility};
@@ -60,7 +60,7 @@ fn attributes(input: ParseStream) -> Result<Vec<Attribute>> {
 /// The mistake of `Clock;`, `enum Clock;` or `Clock { … }` where `struct Clock;` was meant.
 fn header_without_struct(input: ParseStream) -> Option<Error> {
     let (first, rest) = input.cursor().ident()?;
-    let is_parameter = |name: &Ident| is_like_a_parameter(&name.to_string());
+    let is_parameter = |name: &Ident| Parameter::like(&name.to_string()).is_some();
     // `type` is what `float` may be taken for, and the beginning of an item.
     if is_parameter(&first) && first != "type" {
         return None;

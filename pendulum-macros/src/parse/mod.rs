@@ -2,7 +2,7 @@
 
 mod depth;
 mod header;
-pub(crate) mod names;
+mod names;
 pub(crate) mod number;
 mod parameter;
 mod request;
@@ -13,10 +13,9 @@ mod words;
 pub(crate) use header::{Item, Shape};
 pub(crate) use request::Request;
 pub(crate) use value::Given;
-pub(crate) use words::{Float, Keyword, Method, Output};
+pub(crate) use words::{Float, Keyword, Method, Output, Parameter};
 
 use crate::report::Report;
-use names::{ascii, canonical, is_a_parameter};
 use parameter::{before_another, named_value};
 use proc_macro2::TokenStream;
 use request::Written;
@@ -53,8 +52,10 @@ impl Request {
             Err(error) => {
                 report.add(self.as_an_output(&tokens).unwrap_or(error));
                 // `theta0` without a value is a mistake of its own, not a missing `theta0`.
-                let name = first_word(&tokens).map(|word| canonical(&word).to_owned());
-                self.written.extend(name.map(|name| Written { name, exact: false, understood: false, value: tokens }));
+                if let Some(word) = first_word(&tokens) {
+                    let parameter = Parameter::like(&word);
+                    self.written.push(Written { parameter, exact: false, understood: false, value: tokens });
+                }
             }
         }
     }
@@ -71,19 +72,26 @@ impl Request {
         Some(Error::new_spanned(tokens, message))
     }
 
+    /// What that parameter was given before.
+    fn value_before(&self, parameter: Parameter) -> Option<&TokenStream> {
+        let before = self.written.iter().find(|written| written.exact && written.parameter == Some(parameter));
+        before.map(|written| &written.value)
+    }
+
     fn set(&mut self, name: &Ident, value: TokenStream, report: &mut Report) {
         let word = name.to_string();
-        let known = ascii(&word);
-        let before = self.written.iter().find(|written| written.exact && written.name == known);
+        let known = Parameter::named(&word);
+        let before = known.and_then(|known| Some((known, self.value_before(known)?)));
         let is_first = before.is_none();
-        if let Some(before) = before {
-            let [before, now] = [&before.value, &value].map(source::value);
+        if let Some((known, before)) = before {
+            let [before, now] = [before, &value].map(source::value);
+            let known = known.word();
             let alias = if word == known { String::new() } else { format!(", that is `{known}`,") };
             report.at(name.span(), format!("`{word}`{alias} is given twice, `{before}` and `{now}`: keep one"));
         }
         let filled = report.take(self.fill(name, value.clone())).is_some();
-        let (name, exact) = (canonical(&word).to_owned(), is_a_parameter(known));
-        self.written.push(Written { name, exact, understood: filled && is_first, value });
+        let (parameter, exact) = (Parameter::like(&word), known.is_some());
+        self.written.push(Written { parameter, exact, understood: filled && is_first, value });
     }
 }
 

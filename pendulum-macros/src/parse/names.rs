@@ -1,73 +1,28 @@
 //! The names of parameters, and what others were probably meant to be.
 
-use super::request::PARAMETERS;
+use super::words::{Keyword, Parameter};
 use crate::report::{list, nearest};
 
-/// What parameters are called elsewhere, in lower case.
-const SYNONYMS: [(&str, &[&str]); 9] = [
-    ("theta0", &["θ", "θ_0", "angle", "angle0", "amplitude"]),
-    (
-        "velocity0",
-        &[
-            "v",
-            "v0",
-            "v_0",
-            "vel",
-            "vel0",
-            "vel_0",
-            "speed",
-            "speed0",
-            "initial_velocity",
-            "theta_dot",
-            "thetadot",
-            "theta_dot0",
-            "dtheta",
-            "dtheta0",
-            "θ̇",
-            "θ̇0",
-        ],
-    ),
-    (
-        "omega",
-        &["w", "w0", "ω", "ω0", "ω_0", "rate", "angular_frequency", "freq", "frequency", "f", "f0", "hz", "period"],
-    ),
-    ("g", &["gravity"]),
-    ("length", &["l", "ℓ", "ell", "len"]),
-    ("n", &["terms", "nterms", "n_terms", "order", "degree", "harmonics"]),
-    ("tol", &["tolerance", "tolerence", "accuracy", "eps", "epsilon", "err", "error", "max_error"]),
-    ("t_max", &["t", "t_end", "time", "duration", "horizon"]),
-    ("float", &["type", "precision"]),
-];
+impl Parameter {
+    /// The parameter of that name.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        match name {
+            "θ0" => Some(Self::Theta0),
+            "ω" => Some(Self::Omega),
+            other => Self::from_word(other),
+        }
+    }
 
-/// The parameter's name in ASCII.
-pub(crate) fn ascii(name: &str) -> &str {
-    match name {
-        "θ0" => "theta0",
-        "ω" => "omega",
-        other => other,
+    /// The same of one that is misspelt.
+    pub(super) fn like(name: &str) -> Option<Self> {
+        Self::named(name).or_else(|| meant(name))
     }
 }
 
-/// The same, that of a misspelt one corrected.
-pub(super) fn canonical(name: &str) -> &str {
-    let name = ascii(name);
-    meant(name).unwrap_or(name)
-}
-
-/// Whether it is a parameter's name.
-pub(super) fn is_a_parameter(name: &str) -> bool {
-    PARAMETERS.contains(&ascii(name))
-}
-
-/// Whether it is a parameter's name, or near enough to one.
-pub(super) fn is_like_a_parameter(name: &str) -> bool {
-    is_a_parameter(canonical(name))
-}
-
-fn meant(name: &str) -> Option<&'static str> {
+fn meant(name: &str) -> Option<Parameter> {
     let lower = name.to_lowercase();
-    let synonym = SYNONYMS.iter().find(|(_, words)| words.contains(&lower.as_str()));
-    synonym.map(|&(known, _)| known).or_else(|| nearest(name, PARAMETERS))
+    let synonym = Parameter::SYNONYMS.iter().find(|(synonym, _)| *synonym == lower).map(|&(_, word)| word);
+    synonym.or_else(|| nearest(name, Parameter::WORDS)).and_then(Parameter::from_word)
 }
 
 pub(super) fn unknown_parameter(name: &str) -> String {
@@ -85,8 +40,8 @@ pub(super) fn unknown_parameter(name: &str) -> String {
         ("damping" | "friction" | "drag" | "drive" | "force" | "torque", _) => {
             format!("unknown parameter `{name}`: this is the motion of a pendulum without friction or drive")
         }
-        (_, Some(known)) => format!("unknown parameter `{name}`: did you mean `{known}`?"),
-        (_, None) => format!("unknown parameter `{name}`: a parameter is one of {}", list(PARAMETERS)),
+        (_, Some(known)) => format!("unknown parameter `{name}`: did you mean `{}`?", known.word()),
+        (_, None) => format!("unknown parameter `{name}`: a parameter is one of {}", list(Parameter::WORDS)),
     }
 }
 
@@ -117,7 +72,7 @@ mod tests {
             ("output", "outputs"),
         ];
         for (written, known) in pairs {
-            assert_eq!(meant(written), Some(known), "{written}");
+            assert_eq!(meant(written).map(Parameter::word), Some(known), "{written}");
         }
         assert!(unknown_parameter("mass").contains("leave it out"));
         assert!(unknown_parameter("Damping").contains("without friction"));

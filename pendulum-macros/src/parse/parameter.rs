@@ -1,7 +1,7 @@
 //! The parameters one by one, `name = value`: a mistake in one doesn't hide those in the next.
 
-use super::names::{canonical, is_a_parameter, is_like_a_parameter, unknown_parameter};
-use super::words::{Float, Keyword, Method, Output};
+use super::names::unknown_parameter;
+use super::words::{Float, Keyword, Method, Output, Parameter};
 use crate::report::Report;
 use proc_macro2::{Delimiter, Literal, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -85,7 +85,8 @@ fn has_value(piece: &[TokenTree]) -> bool {
 /// as one.
 fn lists(piece: &[TokenTree], rest: &[TokenTree]) -> bool {
     let output = |tree: &TokenTree| Output::from_word(&tree.to_string()).is_some();
-    let begins = matches!(piece, [name, _, value, ..] if canonical(&name.to_string()) == "outputs" && output(value));
+    let outputs = |name: &TokenTree| Parameter::like(&name.to_string()) == Some(Parameter::Outputs);
+    let begins = matches!(piece, [name, _, value, ..] if outputs(name) && output(value));
     begins
         && rest.first().is_some_and(output)
         && matches!(rest.get(1), None | Some(TokenTree::Punct(_)))
@@ -161,7 +162,7 @@ fn no_name(input: ParseStream) -> Error {
 /// The mistake of a word that no `=` follows.
 fn no_value(name: &Ident, input: ParseStream) -> Error {
     let word = name.to_string();
-    let is_parameter = is_like_a_parameter(&word);
+    let is_parameter = Parameter::like(&word).is_some();
     match input.cursor().token_stream().into_iter().next() {
         Some(TokenTree::Ident(_)) if is_of_header(&word) => {
             Error::new(name.span(), "one call makes one struct, and `struct Name;` comes before its parameters")
@@ -178,12 +179,12 @@ fn no_value(name: &Ident, input: ParseStream) -> Error {
 fn wrong_sign(name: &Ident, sign: Span) -> Error {
     let word = name.to_string();
     let one_sign = |name: &str| Error::new(sign, format!("a value is given by one `=`: write `{name} = …`"));
-    if is_a_parameter(&word) {
+    if Parameter::named(&word).is_some() {
         return one_sign(&word);
     }
     let mut unknown = Error::new(name.span(), unknown_parameter(&word));
-    if is_like_a_parameter(&word) {
-        unknown.combine(one_sign(canonical(&word)));
+    if let Some(meant) = Parameter::like(&word) {
+        unknown.combine(one_sign(meant.word()));
     }
     unknown
 }

@@ -1,18 +1,15 @@
 //! What was asked for, as written.
 
-use super::names::{ascii, is_a_parameter, unknown_parameter};
+use super::names::unknown_parameter;
 use super::number::Number;
 use super::value::{Given, count, number, outputs, word};
-use super::{Float, Method, Output, Shape};
+use super::{Float, Method, Output, Parameter, Shape, source};
 use proc_macro2::TokenStream;
 use syn::{Error, Ident, Result};
 
-/// The parameters: a field of [`Request`] for each, which the function after it reads.
-macro_rules! parameters {
-    ($($name:ident: $value:ty = $read:path,)*) => {
-        /// Their names.
-        pub(super) const PARAMETERS: &[&str] = &[$(stringify!($name)),*];
-
+/// A field of [`Request`] for each parameter, which the function after it reads.
+macro_rules! fields {
+    ($($parameter:ident => $name:ident: $value:ty = $read:path,)*) => {
         /// One invocation of `pendulum!`.
         pub(crate) struct Request {
             pub(crate) shape: Shape,
@@ -29,76 +26,79 @@ macro_rules! parameters {
             /// Reads the value into its field, whatever was there: the checks to come speak of the last one.
             pub(super) fn fill(&mut self, name: &Ident, value: TokenStream) -> Result<()> {
                 let word = name.to_string();
-                match ascii(&word) {
-                    $(stringify!($name) => $read(name, value).map(|given| self.$name = Some(given)),)*
-                    unknown => Err(Error::new(name.span(), unknown_parameter(unknown))),
+                match Parameter::named(&word) {
+                    $(Some(Parameter::$parameter) => $read(name, value).map(|given| self.$name = Some(given)),)*
+                    None => Err(Error::new(name.span(), unknown_parameter(&word))),
                 }
             }
         }
     };
 }
 
-parameters! {
-    theta0: Number = number,
-    velocity0: Number = number,
-    omega: Number = number,
-    g: Number = number,
-    length: Number = number,
-    n: usize = count,
-    tol: Number = number,
-    t_max: Number = number,
-    method: Method = word,
-    float: Float = word,
-    outputs: Vec<Output> = outputs,
+fields! {
+    Theta0 => theta0: Number = number,
+    Velocity0 => velocity0: Number = number,
+    Omega => omega: Number = number,
+    G => g: Number = number,
+    Length => length: Number = number,
+    N => n: usize = count,
+    Tol => tol: Number = number,
+    TMax => t_max: Number = number,
+    Method => method: Method = word,
+    Float => float: Float = word,
+    Outputs => outputs: Vec<Output> = outputs,
 }
 
 /// A parameter as it was written.
 pub(crate) struct Written {
-    /// Its name, or the nearest one of a parameter.
-    pub(super) name: String,
-    /// Whether it is that name.
+    /// The one of that name, or of the nearest, if there is one.
+    pub(super) parameter: Option<Parameter>,
+    /// Whether it is of that name.
     pub(super) exact: bool,
     /// Whether there was no mistake in it.
     pub(super) understood: bool,
     pub(super) value: TokenStream,
 }
 
-impl Written {
-    fn is_parameter(&self) -> bool {
-        is_a_parameter(&self.name)
-    }
-}
-
 impl Request {
+    /// The parameters as they were written, evenly spaced: `theta0 = 7π/8, n = 4`.
+    pub(crate) fn source(&self) -> String {
+        let parameter = |Written { parameter, value, .. }: &Written| {
+            Some(format!("{} = {}", (*parameter)?.word(), source::value(value)))
+        };
+        let parameters: Vec<String> = self.written.iter().filter_map(parameter).collect();
+        parameters.join(", ")
+    }
+
     /// What sets the rate.
     pub(crate) fn rate(&self) -> Option<&Given<Number>> {
         self.omega.as_ref().or(self.length.as_ref())
     }
 
     /// Whether the parameter was written at all, with or without a mistake.
-    pub(crate) fn mentions(&self, name: &str) -> bool {
-        debug_assert!(is_a_parameter(name), "{name} is no parameter");
-        self.written.iter().any(|written| written.name == name)
+    pub(crate) fn mentions(&self, parameter: Parameter) -> bool {
+        self.written.iter().any(|written| written.parameter == Some(parameter))
     }
 
     /// Whether the parameter was written, but with a mistake, which has been reported: what was meant isn't known.
-    pub(crate) fn misstates(&self, name: &str) -> bool {
-        self.mentions(name) && !self.written.iter().any(|written| written.name == name && written.understood)
+    pub(crate) fn misstates(&self, parameter: Parameter) -> bool {
+        let understood = |written: &Written| written.parameter == Some(parameter) && written.understood;
+        self.mentions(parameter) && !self.written.iter().any(understood)
     }
 
     /// Whether that parameter may have been meant by something that was written with a mistake.
-    pub(crate) fn may_mean(&self, name: &str) -> bool {
-        self.misstates(name) || !self.mentions(name) && self.mentions_a_stranger()
+    pub(crate) fn may_mean(&self, parameter: Parameter) -> bool {
+        self.misstates(parameter) || !self.mentions(parameter) && self.mentions_a_stranger()
     }
 
     /// Whether something was written that is no parameter, and like none: it may be meant as the one that is missing.
     pub(crate) fn mentions_a_stranger(&self) -> bool {
-        self.written.iter().any(|written| !written.is_parameter())
+        self.written.iter().any(|written| written.parameter.is_none())
     }
 
     /// Whether there was no mistake in the parameters that were written, but for words that are none.
     pub(crate) fn is_understood(&self) -> bool {
-        self.written.iter().filter(|written| written.is_parameter()).all(|written| written.understood)
+        self.written.iter().filter(|written| written.parameter.is_some()).all(|written| written.understood)
     }
 
     /// The type of t and of the results.
@@ -112,9 +112,10 @@ impl Request {
 
     /// The type that was probably meant, where what was said of it is a mistake.
     pub(crate) fn float_meant(&self) -> Float {
-        let is_single = |Written { name, value, .. }: &Written| {
+        let is_single = |Written { parameter, value, .. }: &Written| {
             let value = value.to_string();
-            value.contains("f32") || name == "float" && (value.contains("32") || value.contains("single"))
+            let is_float = *parameter == Some(Parameter::Float);
+            value.contains("f32") || is_float && (value.contains("32") || value.contains("single"))
         };
         if self.float.is_none() && self.written.iter().any(is_single) { Float::F32 } else { self.float() }
     }

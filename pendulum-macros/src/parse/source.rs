@@ -1,14 +1,6 @@
-//! The parameters as the user wrote them, evenly spaced.
+//! Values as the user wrote them, evenly spaced.
 
-use super::Request;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
-
-/// `theta0 = 7π/8, n = 4`
-pub(crate) fn of(request: &Request) -> String {
-    let parameters: Vec<String> =
-        request.written.iter().map(|written| format!("{} = {}", written.name, value(&written.value))).collect();
-    parameters.join(", ")
-}
 
 /// One value: spaces around `+` and binary `-` and after commas, and where an operator is missing, nowhere else.
 pub(crate) fn value(tokens: &TokenStream) -> String {

@@ -1,6 +1,5 @@
-//! The words of the macro's input that stand for something: methods, types and outputs.
+//! The words of the macro's input that stand for something: parameters, methods, types and outputs.
 
-use super::names::is_a_parameter;
 use crate::report::{list, nearest};
 use syn::{Error, Ident, Result};
 
@@ -42,6 +41,25 @@ macro_rules! keywords {
             }
         }
     };
+}
+
+keywords! {
+    /// What is given by `name = value`. What it is called elsewhere is in lower case.
+    Parameter = "parameter" {
+        Theta0 = "theta0" | "θ" | "θ_0" | "angle" | "angle0" | "amplitude",
+        Velocity0 = "velocity0" | "v" | "v0" | "v_0" | "vel" | "vel0" | "vel_0" | "speed" | "speed0"
+            | "initial_velocity" | "theta_dot" | "thetadot" | "theta_dot0" | "dtheta" | "dtheta0" | "θ̇" | "θ̇0",
+        Omega = "omega" | "w" | "w0" | "ω" | "ω0" | "ω_0" | "rate" | "angular_frequency" | "freq" | "frequency" | "f"
+            | "f0" | "hz" | "period",
+        G = "g" | "gravity",
+        Length = "length" | "l" | "ℓ" | "ell" | "len",
+        N = "n" | "terms" | "nterms" | "n_terms" | "order" | "degree" | "harmonics",
+        Tol = "tol" | "tolerance" | "tolerence" | "accuracy" | "eps" | "epsilon" | "err" | "error" | "max_error",
+        TMax = "t_max" | "t" | "t_end" | "time" | "duration" | "horizon",
+        Method = "method",
+        Float = "float" | "type" | "precision",
+        Outputs = "outputs",
+    }
 }
 
 keywords! {
@@ -97,6 +115,7 @@ pub(super) fn one_word<T: Keyword>(ident: &Ident) -> Result<T> {
 
 /// What may be said instead of what was.
 pub(super) fn one_of<T: Keyword>() -> String {
-    let or_nothing = if is_a_parameter(T::KIND) { format!("; or leave `{}` out", T::KIND) } else { String::new() };
+    let is_parameter = Parameter::from_word(T::KIND).is_some();
+    let or_nothing = if is_parameter { format!("; or leave `{}` out", T::KIND) } else { String::new() };
     format!("it is one of {}{or_nothing}", list(T::WORDS))
 }

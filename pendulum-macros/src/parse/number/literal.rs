@@ -1,9 +1,8 @@
 //! Literals: what they may end in, and how long they may be.
 
 use super::tree::{Tree, Unit, is_pi};
-use crate::exact::mantissa_and_exponent;
-use crate::parse::names::ascii;
-use crate::parse::source;
+use crate::exact::{digits_of_mantissa, mantissa_and_exponent};
+use crate::parse::{Parameter, source};
 use proc_macro2::{Literal, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Error, Ident, Lit, Result};
@@ -22,16 +21,18 @@ pub(super) fn means_a_period(word: &str) -> bool {
 }
 
 /// The units that a parameter's literals may end in, and what it is.
-fn meaning(parameter: &str) -> (&'static [&'static str], &'static str) {
-    match ascii(parameter) {
-        "omega" => (&[], "in radians per unit of t, a number without suffix"),
-        "g" => (&[], "in m/s², a number without suffix"),
-        "length" => (&[], "in m, a number without suffix"),
-        "tol" => {
+fn meaning(name: &Ident) -> (&'static [&'static str], &'static str) {
+    match Parameter::named(&name.to_string()) {
+        Some(Parameter::Omega) => (&[], "in radians per unit of t, a number without suffix"),
+        Some(Parameter::G) => (&[], "in m/s², a number without suffix"),
+        Some(Parameter::Length) => (&[], "in m, a number without suffix"),
+        Some(Parameter::Tol) => {
             (&[], "an error in radians (in units of ω and ω² for velocity and acceleration), a number without suffix")
         }
-        "t_max" => (&[], "in the unit of t, a number without suffix"),
-        "velocity0" => (&["deg", "rad"], "an angle per unit of t, whose literals may end in `π`, `deg` or `rad`"),
+        Some(Parameter::TMax) => (&[], "in the unit of t, a number without suffix"),
+        Some(Parameter::Velocity0) => {
+            (&["deg", "rad"], "an angle per unit of t, whose literals may end in `π`, `deg` or `rad`")
+        }
         _ => (&["deg", "rad"], "an angle, whose literals may end in `π`, `deg` or `rad`"),
     }
 }
@@ -66,7 +67,7 @@ fn in_any_depth(tokens: &TokenStream) -> Box<dyn Iterator<Item = (Literal, Optio
 }
 
 fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
-    let (units, _) = meaning(&name.to_string());
+    let (units, _) = meaning(name);
     if suffix.is_empty() || suffix == "π" || units.contains(&suffix) {
         return None;
     }
@@ -95,8 +96,9 @@ fn unknown(name: &Ident, unit: &str) -> String {
     if name == "t_max" && means_a_period(unit) {
         return A_PERIOD.to_owned();
     }
-    let (_, what) = meaning(&name.to_string());
-    let in_radians = matches!(ascii(&name.to_string()), "omega" | "tol") && meant(unit, &["deg"]).is_some();
+    let (_, what) = meaning(name);
+    let of_radians = matches!(Parameter::named(&name.to_string()), Some(Parameter::Omega | Parameter::Tol));
+    let in_radians = of_radians && meant(unit, &["deg"]).is_some();
     let remedy = if in_radians { "; multiply degrees by `π/180`" } else { "" };
     format!("`{name}` is {what}{remedy}")
 }
@@ -104,7 +106,7 @@ fn unknown(name: &Ident, unit: &str) -> String {
 /// The mistake of a unit after the number, as in `99.4 cm`, where it is none that is a suffix with a space before it.
 fn unit(name: &Ident, value: &TokenStream, next: TokenTree) -> Option<(Span, String)> {
     let TokenTree::Ident(word) = next else { return None };
-    let (units, _) = meaning(&name.to_string());
+    let (units, _) = meaning(name);
     let text = word.to_string();
     let known = is_pi(&text) || matches!(text.as_str(), "sqrt" | "as") || units.contains(&text.as_str());
     let message = || format!("`{name} = {}` has `{text}` in it: {}", source::value(value), unknown(name, &text));
@@ -121,10 +123,6 @@ fn length(name: &Ident, digits: &str) -> Option<String> {
     }
     (exponent > LARGEST_EXPONENT)
         .then(|| format!("`{name}` has `{digits}` in it, beyond every float: exponents may go to ±{LARGEST_EXPONENT}"))
-}
-
-pub(super) fn digits_of_mantissa(literal: &str) -> usize {
-    mantissa_and_exponent(literal).0.bytes().filter(u8::is_ascii_digit).count()
 }
 
 /// A literal that passed [`check`].

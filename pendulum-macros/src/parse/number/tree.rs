@@ -1,7 +1,6 @@
 //! The tree of an expression: how many digits it has, and its unit.
 
-use super::literal::digits_of_mantissa;
-use crate::exact::mantissa_and_exponent;
+use crate::exact::{digits_of_mantissa, mantissa_and_exponent};
 use proc_macro2::{Span, TokenStream};
 use syn::{Error, Result};
 
