@@ -64,26 +64,36 @@ impl<'a> Clock<'a> {
 
     /// Every reduction that is valid over the horizon.
     pub(crate) fn reductions(&self) -> Vec<Reduction> {
-        use Origin::{Anchor, Lowest};
-        let common = [self.one_word(), self.scaled()];
-        let cody_waite = [(2, Anchor), (3, Anchor), (2, Lowest), (3, Lowest)];
-        let cody_waite = cody_waite.map(|(words, origin)| self.cody_waite(words, origin));
-        let last = match self.float {
-            Float::F64 => {
-                let launched = !self.starts_on_half();
-                let mut ways = vec![(2, Anchor, false), (3, Anchor, false), (4, Anchor, false), (4, Lowest, launched)];
-                ways.extend(launched.then_some((4, Anchor, true)));
-                ways.into_iter()
-                    .map(|(words, origin, doubled)| self.any_time(words, origin, doubled))
-                    .collect::<Vec<_>>()
-            }
-            Float::F32 => {
-                let any_time = [Anchor, Lowest].map(|origin| [self.wide_any_time(origin), self.fine_any_time(origin)]);
-                [self.wide(Anchor), self.wide(Lowest)].into_iter().flatten().chain(any_time.concat()).collect()
-            }
+        let short = [
+            self.one_word(),
+            self.scaled(),
+            self.cody_waite(2, Origin::Anchor),
+            self.cody_waite(3, Origin::Anchor),
+            self.cody_waite(2, Origin::Lowest),
+            self.cody_waite(3, Origin::Lowest),
+        ];
+        let any_time = match self.float {
+            Float::F64 => self.in_words(),
+            Float::F32 => self.in_wider(),
         };
-        let unsure = common.into_iter().chain(cody_waite).flatten();
-        unsure.chain(last).filter(Reduction::is_useful).collect()
+        short.into_iter().flatten().chain(any_time).filter(Reduction::is_useful).collect()
+    }
+
+    /// Of `f64` times, with the rate in two to four words.
+    fn in_words(&self) -> Vec<Reduction> {
+        let launched = !self.starts_on_half();
+        let from_anchor = [2, 3, 4].map(|words| self.any_time(words, Origin::Anchor, false));
+        let from_lowest = self.any_time(4, Origin::Lowest, launched);
+        let doubled = launched.then(|| self.any_time(4, Origin::Anchor, true));
+        from_anchor.into_iter().chain([from_lowest]).chain(doubled).collect()
+    }
+
+    /// Of `f32` times, in `f64`.
+    fn in_wider(&self) -> Vec<Reduction> {
+        let origins = [Origin::Anchor, Origin::Lowest];
+        let in_one_word = origins.into_iter().filter_map(|origin| self.wide(origin));
+        let any_time = origins.into_iter().flat_map(|origin| [self.wide_any_time(origin), self.fine_any_time(origin)]);
+        in_one_word.chain(any_time).collect()
     }
 
     /// The same, of a swing.

@@ -29,6 +29,11 @@ use sum_in_pieces::SumInPieces;
 pub(super) struct Whole {
     /// Anchors per unit of time, of the derivative, which is in pieces only.
     rate: Option<Double>,
+    weights: Vec<Double>,
+    /// That of θ, and −1 for its mirror image.
+    size: Size,
+    direction: f64,
+    limits: Limits,
     /// For one polynomial; `None` where that takes too many terms.
     single: OnceCell<Option<Approximation>>,
     /// For one in each piece; `None` where that takes too many pieces.
@@ -37,15 +42,15 @@ pub(super) struct Whole {
     least: usize,
     /// For where neither serves.
     sum_in_pieces: OnceCell<Option<SumInPieces>>,
-    weights: Vec<Double>,
-    /// That of θ, and −1 for its mirror image.
-    size: Size,
-    direction: f64,
     /// sup |z·θ̂′|, z from the lowest point, which next to an overshoot is more than that of θ. 0 where it is no formula that
     /// is to be reproduced.
     conditioning: OnceCell<f64>,
-    /// What their series may be wrong by.
-    limit: f64,
+}
+
+/// What it may be wrong by.
+struct Limits {
+    /// The series of its approximations, of which kernels drop terms.
+    series: f64,
     /// What it may differ from θ̂ by at most, phase and rounding included.
     allowed: f64,
     /// What it may differ from θ̂ by at most before these.
@@ -99,24 +104,20 @@ impl Whole {
         // Within a moment its difference from θ̂ may undo that of θ̂ from θ.
         let beside_bias = (bias / 3.0).max(units(1.0));
         let truncation = sum.met().map_or(f64::INFINITY, |_| beside_bias);
-        let (limit, weights, direction) = (truncation.min(allowed / 8.0), sum.weights.clone(), sum.direction());
-        let (single, pieces, sum_in_pieces) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        let limits = Limits { series: truncation.min(allowed / 8.0), allowed, truncation, beside_bias };
         let is_given = output == Output::Theta && matches!(sum.scene.goal, Goal::Terms(_));
         let conditioning = if is_given { OnceCell::new() } else { OnceCell::from(0.0) };
         Some(Self {
             rate,
-            single,
-            pieces,
-            least: 0,
-            sum_in_pieces,
-            weights,
+            weights: sum.weights.clone(),
             size,
-            direction,
+            direction: sum.direction(),
+            limits,
+            single: OnceCell::new(),
+            pieces: OnceCell::new(),
+            least: 0,
+            sum_in_pieces: OnceCell::new(),
             conditioning,
-            limit,
-            allowed,
-            truncation,
-            beside_bias,
         })
     }
 
@@ -147,20 +148,20 @@ impl Whole {
     }
 
     fn one_polynomial(&self) -> Option<&Approximation> {
-        let approximation = || self.rate.is_none().then(|| single::approximation(&self.weights, self.limit))?;
+        let approximation = || self.rate.is_none().then(|| single::approximation(&self.weights, self.limits.series))?;
         self.single.get_or_init(approximation).as_ref()
     }
 
     fn piecewise(&self) -> Option<&Piecewise> {
         let approximation = || match self.rate {
-            None => angle_in_pieces::approximation(&self.weights, self.limit, self.least),
-            Some(rate) => slope_in_pieces::approximation(&self.weights, rate, self.limit, self.least),
+            None => angle_in_pieces::approximation(&self.weights, self.limits.series, self.least),
+            Some(rate) => slope_in_pieces::approximation(&self.weights, rate, self.limits.series, self.least),
         };
         self.pieces.get_or_init(approximation).as_ref()
     }
 
     fn sum_in_pieces(&self) -> Option<&SumInPieces> {
-        let approximation = || self.rate.is_none().then(|| SumInPieces::new(&self.weights, self.limit))?;
+        let approximation = || self.rate.is_none().then(|| SumInPieces::new(&self.weights, self.limits.series))?;
         self.sum_in_pieces.get_or_init(approximation).as_ref()
     }
 
@@ -176,12 +177,12 @@ impl Whole {
 
     /// What the phase may take of what is allowed, without a tolerance: the rest is enough for pieces.
     pub(super) fn left_to_phase(&self) -> f64 {
-        0.25 * self.allowed
+        0.25 * self.limits.allowed
     }
 
     /// What part of what is allowed, phase and rounding included, an error is.
     pub(super) fn share(&self, bound: Bound) -> f64 {
-        bound.total() / self.allowed
+        bound.total() / self.limits.allowed
     }
 
     /// The cheaper of one polynomial in its cheapest form and of many, each off by no more than is allowed; or many for the
@@ -212,19 +213,23 @@ impl Whole {
 
     /// The same by the complement, or as little off as can be.
     fn complement(&self, reduction: &Reduction) -> Option<(Kernel, Bound)> {
-        let most = self.allowed;
+        let most = self.limits.allowed;
         let allowance = |reduction: &Reduction| {
             let phase = self.phase_error(reduction);
             // So little of the truncation that it doesn't matter for what else there is.
-            Allowance { phase, rest: most - phase, truncation: self.beside_bias.min(most / SHARES[1]) }
+            Allowance { phase, rest: most - phase, truncation: self.limits.beside_bias.min(most / SHARES[1]) }
         };
         self.sum_in_pieces()?.kernel(allowance, reduction, self.direction)
     }
 
     /// What may be tried with a phase so wrong, in that order.
     fn allowances(&self, phase: f64) -> impl Iterator<Item = Allowance> {
-        let rest = self.allowed - phase;
-        SHARES.into_iter().map(move |share| Allowance { phase, rest, truncation: self.truncation.min(rest / share) })
+        let rest = self.limits.allowed - phase;
+        SHARES.into_iter().map(move |share| Allowance {
+            phase,
+            rest,
+            truncation: self.limits.truncation.min(rest / share),
+        })
     }
 }
 
