@@ -52,7 +52,7 @@ impl<'a> Clock<'a> {
     }
 
     /// The greatest |t| at which a phase at this rate is any good. Eq. 3, whose rate isn't the motion's, may be asked for
-    /// more by default; what it is wrong by is then all that it can be (`paper/bias.rs`).
+    /// more by default; what it is wrong by is then all that it can be (`paper/bias/mod.rs`).
     pub(crate) fn reach(&self) -> f64 {
         self.horizon.min(UNLIMITED / self.rate.to_f64()).min(f64::MAX)
     }
