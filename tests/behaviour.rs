@@ -248,7 +248,7 @@ fn the_expression_is_a_function_of_no_size() {
 /// As README says.
 #[test]
 fn the_size_of_a_pendulum() {
-    assert_eq!([size_of::<Pendulum<f64>>(), size_of::<Pendulum<f32>>()], [392; 2]);
+    assert_eq!([size_of::<Pendulum<f64>>(), size_of::<Pendulum<f32>>()], [384; 2]);
 }
 
 #[test]

@@ -23,9 +23,8 @@ use crate::double_trig::{half_angle, supplement};
 use crate::error::{Error, finite};
 use crate::kernel::round;
 use crate::launch::hypotenuse;
-use crate::motion::{Moduli, Motion};
+use crate::motion::{Moduli, Motion, Shape};
 use crate::phase::unit_of;
-use crate::regime::Regime;
 use crate::rotation::MOST_TURNS;
 use core::f64::consts::{PI, TAU};
 
@@ -46,10 +45,10 @@ impl Motion {
 /// The same of an angle at which the motion doesn't start.
 fn time_at(motion: &Motion, angle: f64, beyond: f64) -> Option<f64> {
     let way = Way::new(motion, angle);
-    let (r, k) = match motion.regime {
-        Regime::Rest | Regime::Swing => (swing(motion, &way, beyond), Double::ONE),
-        Regime::Separatrix => (separatrix(motion, &way), Double::ONE),
-        Regime::Rotation => (rotation(motion, &way), motion.k),
+    let (r, k) = match motion.shape {
+        Shape::Swing(..) => (swing(motion, &way, beyond), Double::ONE),
+        Shape::Separatrix(..) => (separatrix(motion, &way), Double::ONE),
+        Shape::Rotation(..) => (rotation(motion, &way), motion.k),
     };
     // Scaled so that no product is split beyond 2⁹⁹⁵.
     let unit = unit_of(motion.omega);

@@ -9,7 +9,6 @@ use crate::error::{Error, finite};
 use crate::kernel::four_atan;
 use crate::motion::{Moduli, Motion, Shape};
 use crate::phase::{Phase, unit_of};
-use crate::regime::Regime;
 use crate::rotation::Rotation;
 use crate::swing::Swing;
 
@@ -70,7 +69,6 @@ fn released(Angle { angle, from_top }: Angle, base: Double, theta: f64, omega: f
     let (k, kc) = half_angle_from_top(magnitude, from_top);
     let mean = agm_double(kc);
     Motion {
-        regime: if magnitude.hi == 0.0 { Regime::Rest } else { Regime::Swing },
         shape: Shape::Swing(
             Swing::new(k, kc, mean.hi, magnitude.to_f64()),
             Phase::new(mean * Double::INVERSE_TURN, omega, Double::ZERO),
@@ -131,13 +129,13 @@ impl State {
         let amplitude = amplitude(k, kc).max(self.angle.hi.abs());
         let offset = rate * since_bottom - Double::new(0.25);
         let shape = Shape::Swing(Swing::new(k, kc, mean.hi, amplitude), Phase::new(rate, self.omega, offset));
-        self.motion(Regime::Swing, shape, amplitude, k, Moduli { k, kc, mean })
+        self.motion(shape, amplitude, k, Moduli { k, kc, mean })
     }
 
     fn separatrix(&self, since_bottom: Double) -> Motion {
         let shape = Shape::Separatrix(Rotation::separatrix(), since_bottom);
         let moduli = Moduli { k: Double::ONE, kc: Double::ZERO, mean: Double::ZERO };
-        self.motion(Regime::Separatrix, shape, core::f64::consts::PI, Double::ONE, moduli)
+        self.motion(shape, core::f64::consts::PI, Double::ONE, moduli)
     }
 
     /// One turn takes T = 2κK(κ)/ω with κ = 1/k, so 1/T = ωk AGM(1, κ′)/π.
@@ -147,12 +145,11 @@ impl State {
         let modulus = Double::ONE / k;
         let phase = Phase::new(rate, self.omega, rate * since_bottom);
         let shape = Shape::Rotation(Rotation::new(modulus.hi, kc.hi, mean.hi), phase);
-        self.motion(Regime::Rotation, shape, f64::INFINITY, k, Moduli { k: modulus, kc, mean })
+        self.motion(shape, f64::INFINITY, k, Moduli { k: modulus, kc, mean })
     }
 
-    fn motion(&self, regime: Regime, shape: Shape, amplitude: f64, k: Double, moduli: Moduli) -> Motion {
+    fn motion(&self, shape: Shape, amplitude: f64, k: Double, moduli: Moduli) -> Motion {
         Motion {
-            regime,
             shape,
             base: self.base,
             direction: self.direction,

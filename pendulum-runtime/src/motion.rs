@@ -19,7 +19,6 @@ use core::f64::consts::TAU;
 /// A motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion {
-    pub(crate) regime: Regime,
     pub(crate) shape: Shape,
     /// Whole turns of the initial angle, 2πn.
     pub(crate) base: Double,
@@ -63,6 +62,15 @@ pub(crate) enum Point<'a> {
 }
 
 impl Motion {
+    pub(crate) fn regime(&self) -> Regime {
+        match self.shape {
+            Shape::Swing(..) if self.amplitude == 0.0 && self.velocity == 0.0 => Regime::Rest,
+            Shape::Swing(..) => Regime::Swing,
+            Shape::Separatrix(..) => Regime::Separatrix,
+            Shape::Rotation(..) => Regime::Rotation,
+        }
+    }
+
     /// The one phase reduction all outputs share.
     #[inline(always)]
     pub(crate) fn at(&self, t: f64) -> Point<'_> {

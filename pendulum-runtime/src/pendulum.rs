@@ -225,7 +225,7 @@ impl<F: Scalar> Pendulum<F> {
     /// What the pendulum does for all time.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        self.motion.regime
+        self.motion.regime()
     }
 
     /// The energy per unit of mass and length squared in units of ω², θ̇²/(2ω²) + 1 − cos θ: below 2 a swing, above a

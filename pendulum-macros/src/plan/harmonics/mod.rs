@@ -2,8 +2,7 @@
 //! it, and the series of θ and of its derivatives (Eq. 17 being its shape with one term).
 //!
 //! With X = 2 cos 2φ and uₙ = wₙ + X·uₙ₊₁ − uₙ₊₂, Σ wₙ cos((2n−1)φ) = cos φ·(u₁ − u₂) and
-//! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). What these are rounded by is in
-//! `rounding.rs`.
+//! Σ wₙ sin((2n−1)φ) = sin φ·(u₁ + u₂). What these are rounded by is in `rounding.rs`.
 
 mod recurrence;
 mod rounding;
