@@ -9,13 +9,14 @@ mod plan;
 
 use grid::Row;
 use pendula_plot::Figure;
+use plan::HORIZON;
 use std::error::Error;
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let rows = grid::planned();
     println!(
-        "Plans for θ, f64, ω = 1, |t| ≤ 1000. Observed: against the run-time motion, which is itself wrong by up to"
+        "Plans for θ, f64, ω = 1, |t| ≤ {HORIZON}. Observed: against the run-time motion, which is itself wrong by up to"
     );
     println!("2⁻⁵⁰ θ0, at 40,000 times near the release and near the horizon.\n");
     for row in &rows {

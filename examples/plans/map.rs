@@ -1,7 +1,7 @@
 //! The map of plans: θ0 against tolerance, coloured by method, darker with more operations.
 
 use crate::grid::Row;
-use crate::plan::Plan;
+use crate::plan::{HORIZON, Plan};
 use pendula_plot::{Category, Cell, Map, palette, power_of_ten};
 
 /// One per method, in the order of their first appearance.
@@ -24,7 +24,7 @@ pub(crate) fn map(rows: &[Row]) -> Map {
     };
     let least = plans().map(|plan| plan.operations).min().unwrap_or(0);
     Map {
-        title: "What the planner chooses (f64, |t| ≤ 1000/ω)".into(),
+        title: format!("What the planner chooses (f64, |t| ≤ {HORIZON}/ω)"),
         x_label: "tol (rad)".into(),
         y_label: "release angle θ₀ (rad)".into(),
         columns: rows.first().map_or(Vec::new(), |row| row.plans.iter().map(column).collect()),

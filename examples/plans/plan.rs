@@ -18,10 +18,11 @@ pub(crate) struct Plan {
     theta: fn(f64) -> f64,
 }
 
-/// `plan!((2.75), "1e-6", tol = 1e-6)`: the plan of `pendulum!` with the horizon above.
+/// `plan!((2.75), "1e-6", tol = 1e-6)`: the plan of `pendulum!` with the horizon above, which a macro takes in digits only.
 macro_rules! plan {
     (($($theta0:tt)*), $tolerance:expr $(, $name:ident = $value:tt)*) => {{
         pendula::pendulum! { struct Motion; theta0 = $($theta0)*, t_max = 1000 $(, $name = $value)* }
+        const { assert!(Motion::T_MAX == $crate::plan::HORIZON) };
         $crate::plan::Plan::new(
             $tolerance,
             (Motion::METHOD, Motion::TERMS, Motion::OPERATIONS, Motion::MAX_ERROR),
