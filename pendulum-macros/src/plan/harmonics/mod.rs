@@ -136,7 +136,10 @@ impl Harmonics {
     /// Emits the output; a position has two results.
     pub(super) fn lower(&self, b: &mut Builder, variables: &Variables, name: &'static str) -> Vec<Id> {
         let (unsigned, height) = match &self.made {
-            Made::Cosines(_) => (self.argument(b, variables), None),
+            Made::Cosines(weights) => {
+                let cosine = self.cosine(b, variables);
+                (sum_of_cosines(b, cosine, weights), None)
+            }
             Made::Sines(sines) => {
                 let cosine = self.cosine(b, variables);
                 (sines.lower(b, variables, cosine), None)
@@ -149,7 +152,7 @@ impl Harmonics {
                 (b.div(slope, root), None)
             }
             Made::OfSine(of_sine) => {
-                let y = self.argument(b, variables);
+                let y = self.argument(b, variables, of_sine);
                 of_sine.lower(b, y)
             }
         };
@@ -164,14 +167,14 @@ impl Harmonics {
         b.name(cosine, COSINE)
     }
 
-    /// The sum of cosines, of which there is nothing else.
-    fn argument(&self, b: &mut Builder, variables: &Variables) -> Id {
-        if let Some(folded) = self.folded() {
+    /// y.
+    fn argument(&self, b: &mut Builder, variables: &Variables, OfSine { cosines, folded, .. }: &OfSine) -> Id {
+        if let Some(folded) = folded {
             let sum = folded.magnitude(b, variables);
             return b.name(sum, ARGUMENT);
         }
         let cosine = self.cosine(b, variables);
-        sum_of_cosines(b, cosine, self.cosines().unwrap_or_default())
+        sum_of_cosines(b, cosine, cosines)
     }
 }
 
