@@ -167,7 +167,7 @@ impl Harmonics {
         b.name(cosine, COSINE)
     }
 
-    /// y.
+    /// y, the argument of the arcsine.
     fn argument(&self, b: &mut Builder, variables: &Variables, OfSine { cosines, folded, .. }: &OfSine) -> Id {
         if let Some(folded) = folded {
             let sum = folded.magnitude(b, variables);
