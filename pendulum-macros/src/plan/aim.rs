@@ -84,6 +84,11 @@ impl Aim {
         self.limit = units * self.truncation;
     }
 
+    /// Whether an error, in units of the tolerance, is within the limit.
+    pub(super) fn is_within(&self, error: f64) -> bool {
+        error * self.size.unit <= self.limit.next_up()
+    }
+
     /// As [`Size::phase_error`] for a passage, which rounds w = phase·rate besides, by so much of itself.
     pub(super) fn passage_error(&self, reduction: &Reduction, rounding: f64) -> f64 {
         self.size.phase_error(reduction) + self.size.conditioning(reduction) * rounding

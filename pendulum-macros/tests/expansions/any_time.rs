@@ -16,8 +16,8 @@
 ///
 /// Not chosen:
 ///
-/// * a polynomial in s² over poles, coefficients adapted in blocks of 4 for `theta`: it can promise no better than 2.2e-15
-/// * a polynomial in s² over two pairs of poles, coefficients adapted in blocks of 4 for `theta`: it can promise no better than 2.2e-15
+/// * a polynomial in s² over poles, coefficients adapted in blocks of 4 for `theta`: it leaves less room
+/// * a polynomial in s² over two pairs of poles, coefficients adapted in blocks of 4 for `theta`: it leaves less room
 /// * a polynomial in s² over poles, by powers for `theta`: it costs 0.5 additions more
 /// * pieces, phase by exact products with the rate in 4 words: it costs as much as 109 additions, this plan as 58
 /// * `harmonic`: it is wrong by about 4e-2 rad

@@ -82,7 +82,8 @@ impl Aim {
             return Err(judged.total() / self.size.unit);
         }
         let (output, unit, largest) = (self.output, self.size.unit, self.size.largest);
-        let doubt = if self.is_mostly_rounding(&kernel.core, &judged, reduction) { self.limit } else { 0.0 };
+        // What turns are rounded by is the same whatever is chosen.
+        let doubt = if self.is_mostly_rounding(&kernel.core, &bound, reduction) { self.limit } else { 0.0 };
         let share = (judged.total() + self.beyond_bound(reduction, bound.phase) + doubt) / self.limit;
         Ok(Part {
             output,

@@ -237,15 +237,12 @@ impl Candidate<'_> {
         }
         let closest = tried.iter().filter_map(|one| one.reached).fold(f64::INFINITY, f64::min);
         let (chosen, part) = choice.made().map_or((None, Err(closest)), |(index, part)| (Some(index), Ok(part)));
-        let error = part.as_ref().map_or(0.0, |(part, _)| part.error());
         let least = chosen.map(|index| tried[index].cost);
         let why = |one: &Tried| match (one.reached, least) {
             (Some(reached), _) if reached.is_infinite() => None,
-            (Some(reached), _) if reached >= error => {
-                Some(format!("can promise no better than {}", at_least(reached, 1)))
-            }
+            (Some(reached), _) if !all.aim.is_within(reached) => Some(unfit(reached, &all.aim)),
             // It was cheaper, hence not the one for what it leaves of its limit: see [`Choice`].
-            (_, Some(least)) if one.cost < least => Some("keeps it with less room".to_owned()),
+            (Some(reached), Some(least)) if one.cost < least => Some(unfit(reached, &all.aim)),
             (_, least) => least.map(|least| more(one.cost - least)),
         };
         let (output, parity) = (all.aim.output, all.aim.curves.first().map_or(Parity::Even, Curve::parity));
@@ -268,6 +265,16 @@ pub(super) fn skeleton<'a>(reduction: &Reduction, aims: impl IntoIterator<Item =
     let variables = Variables::lower(&mut b, phase, reduction, odd);
     let distance = (odd && !reduction.leaps()).then_some(variables.distance);
     b.finish([variables.p, variables.magic].into_iter().chain(distance).collect())
+}
+
+/// For the reader: what came to so much of what an output may be wrong by, and isn't taken for that. Where rounding takes
+/// most of a tolerance, or the phase of full precision, it may be little.
+pub(super) fn unfit(reached: f64, aim: &Aim) -> String {
+    match aim.goal {
+        _ if !aim.is_within(reached) => format!("can promise no better than {}", at_least(reached, 1)),
+        Goal::Tolerance(_) => "is rounded by too much".to_owned(),
+        _ => "leaves less room".to_owned(),
+    }
 }
 
 /// For the reader: what costs so many additions more.

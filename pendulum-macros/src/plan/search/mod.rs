@@ -10,10 +10,9 @@ use super::aim::Aim;
 use super::reduction::Reduction;
 use super::task::Task;
 use super::{Part, Plan, Refusal, alternatives, verify};
-use crate::decimals::at_least;
 use crate::scene::{Goal, Scene};
 use crate::supremum::worst;
-use candidate::{Candidate, Demand, Failure, Outputs};
+use candidate::{Candidate, Demand, Failure, Outputs, unfit};
 use choice::{Choice, Limits};
 use prospect::{Prospect, Rejected};
 
@@ -129,8 +128,8 @@ fn choose_within(scene: &Scene, candidates: &[Candidate], most: fn(Limits) -> f6
     let (candidate, Outputs { parts, rejected, .. }) = choice.made().ok_or_else(closest)?;
     let error = worst(parts.iter().map(Part::error));
     let worse = lost.iter().filter(|lost| lost.reached > error);
-    let line = |lost: &Lost| {
-        format!("{}: it can promise no better than {}", lost.candidate.describe(), at_least(lost.reached, 1))
+    let line = |Lost { candidate, output, reached, .. }: &Lost| {
+        format!("{}: it {}", candidate.describe(), unfit(*reached, &candidate.prospect.approximations[*output].aim))
     };
     let coarser = worse.map(line).collect();
     Ok(Chosen { candidate, parts, rejected, coarser })
