@@ -324,3 +324,44 @@ fn outputs_that_cannot_be_had() {
         assert!(matches!(failure, Some(Failure::Unreached { output, .. }) if output == hardest));
     }
 }
+
+/// The rounding of turns is most of these tolerances, whatever is planned.
+#[test]
+fn tolerances_next_to_what_turns_are_rounded_by() {
+    for text in [
+        "velocity0 = 5.15, t_max = 1.27e12, tol = 1e-3",
+        "velocity0 = 3, t_max = 1e9, tol = 7e-7",
+        "velocity0 = -2.7, t_max = 1e4, tol = 3.8e-12",
+        "velocity0 = 3, tol = 30",
+        "velocity0 = 2.3, tol = 22.2",
+    ] {
+        let scene = scene(&format!("struct Motion; {text}"));
+        let found = plan(&scene).unwrap();
+        let least = every(&scene).iter().map(Plan::cost).fold(f64::INFINITY, f64::min);
+        assert!(found.method == "polynomial" && found.cost() <= 1.1 * least, "{text}: {} {least}", found.cost());
+    }
+}
+
+/// What a variant is said not to promise is more than was asked for.
+#[test]
+fn reasons_agree_with_the_tolerance() {
+    let mut said = 0;
+    for (start, tolerance) in [
+        ("velocity0 = 5.15, t_max = 1.27e12", "1.3e-3"),
+        ("velocity0 = 3, t_max = 1e9", "7e-7"),
+        ("velocity0 = -2.7, t_max = 1e4", "3.8e-12"),
+        ("velocity0 = 2.7, t_max = 1e4", "5e-12"),
+        ("theta0 = 7π/8", "3e-15"),
+        ("theta0 = 7π/8, float = f32", "1e-6"),
+        ("theta0 = π - 1e-6, t_max = 1e4, outputs = [velocity, acceleration]", "1e-14"),
+    ] {
+        let plan = plan(&scene(&format!("struct Motion; {start}, tol = {tolerance}"))).unwrap();
+        for line in &plan.rejected {
+            let Some((_, least)) = line.split_once("no better than ") else { continue };
+            let [least, tolerance] = [least, tolerance].map(|number| number.parse::<f64>().unwrap());
+            assert!(least >= tolerance, "{start}, tol = {tolerance:e}: {line}");
+            said += 1;
+        }
+    }
+    assert!(said > 10, "{said}");
+}
