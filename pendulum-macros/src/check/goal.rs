@@ -15,7 +15,8 @@ impl Checker<'_> {
     pub(super) fn goal(&mut self, motion: Option<&Motion>) -> Checked<Goal> {
         let tolerance = self.tolerance();
         let terms = self.terms(motion);
-        if let (Some(n), true) = (&self.request.n, self.request.mentions(Parameter::Tol)) {
+        let may_count = motion.is_none_or(|motion| matches!(motion.regime, Regime::Swing(_)));
+        if let (Some(n), true) = (&self.request.n, self.request.mentions(Parameter::Tol) && may_count) {
             // A `tol` with a mistake of its own has no value.
             let tol = self.request.tol.as_ref().map_or_else(|| "tol".to_owned(), ToString::to_string);
             let message = format!("`{n}` fixes the number of terms where `{tol}` would choose it: keep one");
@@ -166,8 +167,14 @@ impl Checker<'_> {
         for &output in outputs.value.iter().filter(|&&output| !gives(method, output)) {
             let (word, method) = (output.word(), method.word());
             let remedy = match output {
+                Output::Wrapped if outputs.value.contains(&Output::Theta) => {
+                    "θ of a swing, which stays within [−π, π) by itself: leave `wrapped` out"
+                }
                 Output::Wrapped => "θ of a swing, which stays within [−π, π) by itself: use `theta`",
-                _ => "θ and its derivatives only: use `method = fourier` or `polynomial`, or leave `method` out",
+                _ if self.request.mentions(Parameter::Tol) => {
+                    "θ and its derivatives only: use `method = fourier` or `polynomial`, or leave `method` out"
+                }
+                _ => "θ and its derivatives only: use `method = polynomial`, or leave `method` out",
             };
             let message = format!("output `{word}`: `{method}` gives {remedy}");
             verdict = Err(self.refuse(word_in(&outputs.tokens, word), message));

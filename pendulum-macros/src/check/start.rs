@@ -119,9 +119,8 @@ impl Checker<'_> {
                 Err(self.refuse(name, message))
             }
             (Some(_), Some(given), _) | (Some(_), _, Some(given)) => {
-                let message = format!(
-                    "`{given}` is given beside `omega`, which it determines: keep `omega`, or `g` and `length`"
-                );
+                let message =
+                    format!("`{given}` is given beside `omega`: keep `omega`, or `g` and `length`, which determine it");
                 Err(self.refuse(&given.name, message))
             }
             (None, Some(_), None) | (None, None, Some(_)) if request.mentions_a_stranger() => Err(Reported),

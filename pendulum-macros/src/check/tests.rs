@@ -156,8 +156,12 @@ fn refuses_goals_that_cannot_be_kept() {
     refused("theta0 = 1, t_max = 0", &["`t_max = 0` is not positive"]);
     refused("theta0 = 1, t_max = 1e300", &["`t_max = 1e300`", "2⁵³ periods"]);
     refused("velocity0 = 3, n = 4", &["`n = 4`", "rotation", "`tol`"]);
-    refused("struct A; theta0 = 1, n = 4, outputs = [theta, wrapped]", &["`wrapped`", "`fourier`", "`theta`"]);
-    refused("struct A; theta0 = 1, method = series, outputs = [position]", &["`position`", "`series`", "`method`"]);
+    refused("velocity0 = 3, n = 4, tol = 1e-3", &["`n = 4`", "rotation", "leave `n` out"]);
+    refused("struct A; theta0 = 1, n = 4, outputs = [theta, wrapped]", &["`fourier`", "leave `wrapped` out"]);
+    refused("struct A; theta0 = 1, n = 4, outputs = [wrapped]", &["`wrapped`", "`fourier`", "use `theta`"]);
+    refused("struct A; theta0 = 1, method = series, outputs = [position]", &["`series`", "use `method = polynomial`"]);
+    let with_tolerance = "struct A; theta0 = 1, method = series, tol = 1e-3, outputs = [position]";
+    refused(with_tolerance, &["`series`", "use `method = fourier` or `polynomial`"]);
     refused("theta0 = 1, outputs = [theta, velocity]", &["item form", "`velocity`"]);
 }
 

@@ -4,7 +4,7 @@ use super::outputs::Wording;
 use crate::decimals::at_most;
 use crate::exact::Real;
 use crate::motion::{Elliptic, Regime};
-use crate::parse::Shape;
+use crate::parse::{Method, Shape};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::{Function, Part, Plan};
 use crate::scene::{Goal, Scene};
@@ -75,7 +75,10 @@ fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
     let goal = match scene.goal {
         Goal::Terms(n) => format!("the paper's θ̂ with {n} {} (Eq. 22)", if n == 1 { "term" } else { "terms" }),
         Goal::Tolerance(_) => "an error of at most `tol`".to_owned(),
-        Goal::Full => format!("the full precision of `{}`", scene.float.word()),
+        Goal::Full => match scene.method {
+            Some(formula @ (Method::SmallAngle | Method::Harmonic)) => format!("`{}` as it is", formula.word()),
+            _ => format!("the full precision of `{}`", scene.float.word()),
+        },
     };
     let horizon = match (&scene.t_max, &scene.motion.regime) {
         (Some(t_max), _) => format!("|t| ≤ {}", shown(t_max)),

@@ -22,11 +22,19 @@ impl Parameter {
 fn meant(name: &str) -> Option<Parameter> {
     let lower = name.to_lowercase();
     let synonym = Parameter::SYNONYMS.iter().find(|(synonym, _)| *synonym == lower).map(|&(_, word)| word);
-    synonym.or_else(|| nearest(name, Parameter::WORDS)).and_then(Parameter::from_word)
+    synonym
+        .or_else(|| nearest(name, Parameter::WORDS))
+        .and_then(Parameter::from_word)
+        .or_else(|| Parameter::named(&lower))
 }
 
-pub(super) fn unknown_parameter(name: &str) -> String {
+/// The mistake of a name that is no parameter's; of those that are given none was meant.
+pub(super) fn unknown_parameter(name: &str, is_given: impl Fn(Parameter) -> bool) -> String {
     match (name.to_lowercase().as_str(), meant(name)) {
+        ("t", _) if name == "T" => {
+            "unknown parameter `T`: did you mean `t_max`, the horizon, or `omega = 2π/T`, of small oscillations?"
+                .to_owned()
+        }
         (inverse @ "period", _) => {
             format!("unknown parameter `{name}`: did you mean `omega = 2π/{inverse}`, of small oscillations?")
         }
@@ -39,6 +47,9 @@ pub(super) fn unknown_parameter(name: &str) -> String {
         ("mass" | "m", _) => format!("unknown parameter `{name}`: the motion doesn't depend on it, leave it out"),
         ("damping" | "friction" | "drag" | "drive" | "force" | "torque", _) => {
             format!("unknown parameter `{name}`: this is the motion of a pendulum without friction or drive")
+        }
+        (_, Some(known)) if is_given(known) => {
+            format!("unknown parameter `{name}`: `{}` is given already, leave `{name}` out", known.word())
         }
         (_, Some(known)) => format!("unknown parameter `{name}`: did you mean `{}`?", known.word()),
         (_, None) => format!("unknown parameter `{name}`: a parameter is one of {}", list(Parameter::WORDS)),
@@ -55,6 +66,7 @@ mod tests {
             ("theta", "theta0"),
             ("angle", "theta0"),
             ("θ_0", "theta0"),
+            ("Θ0", "theta0"),
             ("theta_0", "theta0"),
             ("ω_0", "omega"),
             ("velocity", "velocity0"),
@@ -74,8 +86,10 @@ mod tests {
         for (written, known) in pairs {
             assert_eq!(meant(written).map(Parameter::word), Some(known), "{written}");
         }
-        assert!(unknown_parameter("mass").contains("leave it out"));
-        assert!(unknown_parameter("Damping").contains("without friction"));
+        assert!(unknown_parameter("eps", |known| known == Parameter::Tol).contains("`tol` is given already"));
+        assert!(unknown_parameter("T", |_| false).contains("`t_max`, the horizon, or `omega = 2π/T`"));
+        assert!(unknown_parameter("mass", |_| false).contains("leave it out"));
+        assert!(unknown_parameter("Damping", |_| false).contains("without friction"));
         // One letter is no misspelling of another.
         for unknown in ["k", "m", "x", "colour", "mass", "damping"] {
             assert_eq!(meant(unknown), None, "{unknown}");

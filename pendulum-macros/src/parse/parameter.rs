@@ -182,7 +182,7 @@ fn wrong_sign(name: &Ident, sign: Span) -> Error {
     if Parameter::named(&word).is_some() {
         return one_sign(&word);
     }
-    let mut unknown = Error::new(name.span(), unknown_parameter(&word));
+    let mut unknown = Error::new(name.span(), unknown_parameter(&word, |_| false));
     if let Some(meant) = Parameter::like(&word) {
         unknown.combine(one_sign(meant.word()));
     }
@@ -199,6 +199,6 @@ fn lone(word: &str, is_parameter: bool) -> String {
     } else if is_parameter {
         format!("expected a value: `{word} = …`")
     } else {
-        unknown_parameter(word)
+        unknown_parameter(word, |_| false)
     }
 }

@@ -28,7 +28,7 @@ macro_rules! fields {
                 let word = name.to_string();
                 match Parameter::named(&word) {
                     $(Some(Parameter::$parameter) => $read(name, value).map(|given| self.$name = Some(given)),)*
-                    None => Err(Error::new(name.span(), unknown_parameter(&word))),
+                    None => Err(Error::new(name.span(), unknown_parameter(&word, |known| self.mentions(known)))),
                 }
             }
         }

@@ -87,10 +87,10 @@ keywords! {
     /// A quantity to be computed.
     Output = "output" {
         Theta = "theta" | "θ" | "angle",
-        Velocity = "velocity" | "vel" | "speed" | "theta_dot" | "omega",
+        Velocity = "velocity" | "v" | "vel" | "speed" | "theta_dot" | "dtheta" | "θ̇" | "omega",
         Acceleration = "acceleration" | "acc" | "accel" | "theta_ddot",
-        Position = "position" | "x" | "y" | "xy",
-        Wrapped = "wrapped",
+        Position = "position" | "pos" | "x" | "y" | "xy",
+        Wrapped = "wrapped" | "wrap",
     }
 }
 

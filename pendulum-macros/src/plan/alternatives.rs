@@ -1,5 +1,6 @@
 //! Why the methods of the paper lost: for the documentation of the plan that was chosen.
 
+use super::aim::FULL;
 use super::curve::{Curve, Curves, SwingCurves};
 use crate::motion::Regime;
 use crate::parse::{Method, Output};
@@ -17,7 +18,7 @@ pub(super) fn reasons(scene: &Scene) -> Vec<String> {
     let theta = SwingCurves::new(swing, &scene.motion.omega).angle();
     let aim = match scene.goal {
         Goal::Tolerance(tol) => tol,
-        _ => scene.float.rounding_unit() * swing.amplitude.to_f64(),
+        _ => FULL * scene.float.rounding_unit() * swing.amplitude.to_f64(),
     };
     let mut lost = Vec::new();
     if theta.terms().len() > 1 {

@@ -21,7 +21,7 @@
 /// * a polynomial in s² over poles, by powers for `theta`: it costs 0.5 additions more
 /// * pieces, phase by exact products with the rate in 4 words: it costs as much as 109 additions, this plan as 58
 /// * `harmonic`: it is wrong by about 4e-2 rad
-/// * `series`: it takes 11 harmonics at least, of three operations each, and a cosine
+/// * `series`: it takes 10 harmonics at least, of three operations each, and a cosine
 /// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
 pub struct Forever;
 #[allow(

@@ -26,9 +26,10 @@ fn meaning(name: &Ident) -> (&'static [&'static str], &'static str) {
         Some(Parameter::Omega) => (&[], "in radians per unit of t, a number without suffix"),
         Some(Parameter::G) => (&[], "in m/s², a number without suffix"),
         Some(Parameter::Length) => (&[], "in m, a number without suffix"),
-        Some(Parameter::Tol) => {
-            (&[], "an error in radians (in units of ω and ω² for velocity and acceleration), a number without suffix")
-        }
+        Some(Parameter::Tol) => (
+            &[],
+            "an error in radians (velocity: times ω, acceleration: times ω², position: in lengths), without suffix",
+        ),
         Some(Parameter::TMax) => (&[], "in the unit of t, a number without suffix"),
         Some(Parameter::Velocity0) => {
             (&["deg", "rad"], "an angle per unit of t, whose literals may end in `π`, `deg` or `rad`")

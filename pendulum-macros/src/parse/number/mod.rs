@@ -400,7 +400,7 @@ mod tests {
         }
         assert!(error("std::f64::consts::PI / 2").contains("`std::f64::consts::PI` can't be evaluated here"));
         assert!(error("::core::f64::consts::PI").contains("write `PI`"));
-        assert!(error("FRAC_PI_2").contains("write `π/2`"));
+        assert!(error("1/FRAC_PI_2").contains("write `(π/2)`"));
         assert!(error("TAU").contains("write `2π`"));
         assert!(error("90deg*2deg").contains("an angle times an angle"));
         assert!(error("2*(90deg*(1 + 2rad))").contains("an angle times an angle"));
