@@ -28,7 +28,7 @@ fn meant(name: &str) -> Option<Parameter> {
         .or_else(|| Parameter::named(&lower))
 }
 
-/// The mistake of a name that is no parameter's; of those that are given none was meant.
+/// The mistake of a name that is no parameter's. One that is given wasn't meant.
 pub(super) fn unknown_parameter(name: &str, is_given: impl Fn(Parameter) -> bool) -> String {
     match (name.to_lowercase().as_str(), meant(name)) {
         ("t", _) if name == "T" => {

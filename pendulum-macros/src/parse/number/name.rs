@@ -74,7 +74,7 @@ pub(super) fn parse(input: ParseStream) -> Result<Tree> {
 
 /// What is said of a name, or of a path that ends in one.
 fn unknown(shown: &str, last: &str) -> String {
-    // A divisor may be what the name is.
+    // The name may be a divisor.
     let of_pi = last.strip_prefix("FRAC_PI_").map(|divisor| format!("(π/{divisor})"));
     let known = match last {
         "PI" => Some("PI".to_owned()),

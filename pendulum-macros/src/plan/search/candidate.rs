@@ -267,8 +267,8 @@ pub(super) fn skeleton<'a>(reduction: &Reduction, aims: impl IntoIterator<Item =
     b.finish([variables.p, variables.magic].into_iter().chain(distance).collect())
 }
 
-/// For the reader: what came to so much of what an output may be wrong by, and isn't taken for that. Where rounding takes
-/// most of a tolerance, or the phase of full precision, it may be little.
+/// For the reader: why what came to `reached`, in units of the tolerance, isn't taken. Within the limit that is for being
+/// mostly rounding, or since full precision asks for room.
 pub(super) fn unfit(reached: f64, aim: &Aim) -> String {
     match aim.goal {
         _ if !aim.is_within(reached) => format!("can promise no better than {}", at_least(reached, 1)),
