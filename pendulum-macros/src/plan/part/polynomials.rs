@@ -22,16 +22,23 @@ use std::rc::Rc;
 pub(in crate::plan) struct Approximations {
     pub(in crate::plan) aim: Aim,
     plain: Rc<[Approximation]>,
-    divided: Rc<[Approximation]>,
-    /// By two pairs, if that is worth it.
-    by_two: Rc<[Approximation]>,
+    /// For each of [`Aim::reductions_for_poles`].
+    divided: [OverPoles; 2],
     lenient: Memo<Lenient, Rc<[Approximation]>>,
     pub(in crate::plan) drafts: Drafts,
 }
 
+/// An output's approximations with poles divided out that suit what some reduction leaves of the limit.
+#[derive(Default)]
+struct OverPoles {
+    one: Rc<[Approximation]>,
+    /// By two pairs, if that is worth it.
+    two: Rc<[Approximation]>,
+}
+
 /// What tells approximations with a leeway from others: the errors of the phase, their share, and by what they are
-/// divided.
-type Lenient = ([f64; 2], f64, Poles);
+/// divided, of which poles.
+type Lenient = ([f64; 2], f64, Poles, usize);
 
 impl Approximations {
     pub(in crate::plan) fn new(aim: &Aim, reductions: &[Reduction]) -> Self {
@@ -41,33 +48,29 @@ impl Approximations {
             Some(largest) => aim.floor() * two_to(-20) * (largest.hi / curve.size.largest).clamp(two_to(-30), 1.0),
             None => (aim.truncation.min(curve.size.largest) * two_to(-30)).max(aim.floor() / 128.0),
         };
-        let none = || Rc::new([]) as Rc<[Approximation]>;
-        let over = |pole| {
+        let over = |pole| -> Rc<[Approximation]> {
             let all = aim.curves.iter().map(|curve| Approximation::new(curve, pole, negligible(curve)));
-            all.collect::<Option<Rc<[_]>>>().unwrap_or_else(none)
+            all.collect::<Option<_>>().unwrap_or_default()
         };
-        let (lenient, drafts) = (Memo::default(), Memo::default());
-        let without_poles =
-            Self { aim: aim.clone(), plain: over(None), divided: none(), by_two: none(), lenient, drafts };
-        // The first is the cheapest; but one that is rounded late hardly serves where it takes much.
-        let least = |reduction: &Reduction| if reduction.is_rounded_late() { 0.9 * aim.limit } else { 0.0 };
-        let reduction = reductions.iter().find(|reduction| aim.left(reduction) > least(reduction));
-        let poles = reduction.and_then(|reduction| {
+        let (divided, lenient, drafts) = (Default::default(), Memo::default(), Memo::default());
+        let without_poles = Self { aim: aim.clone(), plain: over(None), divided, lenient, drafts };
+        let over_poles = |reduction: &Reduction| {
             let (plain, left) = (without_poles.choose(Poles::Absent, reduction), aim.left(reduction));
             let first = aim.poles(&plain, left, reduction.float)?;
-            Some((first, aim.two_pairs(&plain, first, left)))
-        });
-        let Some((first, two)) = poles else { return without_poles };
-        let by_two = two.map_or_else(none, |two| over(Some(two)));
-        Self { divided: over(Some(first)), by_two, ..without_poles }
+            let two = aim.two_pairs(&plain, first, left);
+            Some(OverPoles { one: over(Some(first)), two: two.map(|two| over(Some(two))).unwrap_or_default() })
+        };
+        let suited = aim.reductions_for_poles(reductions);
+        let divided = suited.map(|reduction| reduction.and_then(over_poles).unwrap_or_default());
+        Self { divided, ..without_poles }
     }
 
     /// Those of a variant, with the leeway that the reduction leaves; none over poles where none are worth it.
     pub(in crate::plan) fn choose(&self, poles: Poles, reduction: &Reduction) -> Rc<[Approximation]> {
-        let (strict, poles) = match poles {
-            Poles::Absent => (&self.plain, poles),
-            Poles::UnderTwo => (&self.by_two, poles),
-            Poles::Under | Poles::Beside => (&self.divided, Poles::Under),
+        let ((which, strict), poles) = match poles {
+            Poles::Absent => ((0, &self.plain), poles),
+            Poles::UnderTwo => (self.divided_for(reduction, |over| &over.two), poles),
+            Poles::Under | Poles::Beside => (self.divided_for(reduction, |over| &over.one), Poles::Under),
         };
         let Some((curve, ratio)) = self.aim.leeway(reduction) else { return strict.clone() };
         let errors = [reduction.error, reduction.relative_error];
@@ -75,7 +78,22 @@ impl Approximations {
             let leeway = Leeway::new(curve, errors, ratio);
             strict.iter().map(|approximation| approximation.with(leeway.clone())).collect()
         };
-        self.lenient.get((errors, ratio, poles), lenient)
+        self.lenient.get((errors, ratio, poles, which), lenient)
+    }
+
+    /// Those over poles with the fewest terms for what the reduction leaves, and which they are.
+    fn divided_for(
+        &self,
+        reduction: &Reduction,
+        of: impl Fn(&OverPoles) -> &Rc<[Approximation]>,
+    ) -> (usize, &Rc<[Approximation]>) {
+        let [first, roomy] = self.divided.each_ref().map(of);
+        let left = self.aim.truncation_of_each(self.aim.left(reduction));
+        let terms = |all: &[Approximation]| -> Option<usize> {
+            all.iter().map(|approximation| approximation.terms_for(left, reduction.overshoot)).sum()
+        };
+        let saves = || terms(roomy).is_some_and(|fewer| terms(first).is_none_or(|terms| fewer < terms));
+        if !roomy.is_empty() && (first.is_empty() || saves()) { (1, roomy) } else { (0, first) }
     }
 
     /// The variants that might serve, and their cost in this reduction, cheapest first.
@@ -216,6 +234,16 @@ impl Aim {
             1 => Some(best().map_or(nearest, |(pole, _)| pole)),
             _ => Some(nearest),
         }
+    }
+
+    /// The reductions that poles are to suit: the cheapest, though one that is rounded late hardly serves where it takes much;
+    /// and the cheapest that leaves much, if that doesn't: what it leaves may do with fewer terms, over poles of their own.
+    fn reductions_for_poles<'a>(&self, reductions: &'a [Reduction]) -> [Option<&'a Reduction>; 2] {
+        let leaves = |reduction: &Reduction, part: f64| self.left(reduction) > part * self.limit;
+        let serves = |reduction: &&Reduction| leaves(reduction, if reduction.is_rounded_late() { 0.9 } else { 0.0 });
+        let first = reductions.iter().find(serves);
+        let roomy = reductions.iter().find(|reduction| leaves(reduction, 0.5));
+        [first, roomy.filter(|_| first.is_some_and(|first| !leaves(first, 0.5)))]
     }
 
     /// Two pairs in their place, if those save enough. Double poles are two already.

@@ -365,3 +365,19 @@ fn reasons_agree_with_the_tolerance() {
     }
     assert!(said > 10, "{said}");
 }
+
+/// Where the cheapest reduction takes almost all of the tolerance, poles that suit what it leaves don't suit the others.
+#[test]
+fn coarser_tolerances_cost_no_more() {
+    for (start, tolerances) in [
+        ("theta0 = π - 4.6e-5, float = f32, t_max = 6.8e3", ["3e-4", "4e-4", "4.6e-4", "5e-4", "6e-4"]),
+        ("theta0 = 1.433, outputs = [velocity], t_max = 889.4", ["5e-14", "6e-14", "7e-14", "7.12e-14", "8e-14"]),
+    ] {
+        let cost = |tolerance: &str| {
+            let plan = plan(&scene(&format!("struct Motion; {start}, tol = {tolerance}"))).unwrap();
+            plan.functions[0].program.cost()
+        };
+        let costs = tolerances.map(cost);
+        assert!(costs.is_sorted_by(|finer, coarser| *coarser <= 1.02 * finer), "{start}: {costs:?}");
+    }
+}
