@@ -38,21 +38,17 @@ impl Motion {
         if angle == self.theta {
             return Ok(0.0);
         }
-        time_at(self, angle, beyond).ok_or(Error::NeverReached { angle })
+        let way = Way::new(self, angle);
+        let (r, k) = match self.shape {
+            Shape::Swing(..) => (swing(self, &way, beyond), Double::ONE),
+            Shape::Separatrix(..) => (separatrix(self, &way), Double::ONE),
+            Shape::Rotation(..) => (rotation(self, &way), self.k),
+        };
+        // Scaled so that no product is split beyond 2⁹⁹⁵.
+        let unit = unit_of(self.omega);
+        let time = |r: Double| (r / (k * (self.omega / unit))).to_f64() / unit;
+        r.map(time).ok_or(Error::NeverReached { angle })
     }
-}
-
-/// The same of an angle at which the motion doesn't start.
-fn time_at(motion: &Motion, angle: f64, beyond: f64) -> Option<f64> {
-    let way = Way::new(motion, angle);
-    let (r, k) = match motion.shape {
-        Shape::Swing(..) => (swing(motion, &way, beyond), Double::ONE),
-        Shape::Separatrix(..) => (separatrix(motion, &way), Double::ONE),
-        Shape::Rotation(..) => (rotation(motion, &way), motion.k),
-    };
-    // Scaled so that no product is split beyond 2⁹⁹⁵.
-    let unit = unit_of(motion.omega);
-    r.map(|r| (r / (k * (motion.omega / unit))).to_f64() / unit)
 }
 
 /// From where to where, mirrored so that the motion starts forward, and less the whole turns of the start.

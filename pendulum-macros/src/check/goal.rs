@@ -15,7 +15,7 @@ impl Checker<'_> {
     pub(super) fn goal(&mut self, motion: Option<&Motion>) -> Checked<Goal> {
         let tolerance = self.tolerance();
         let terms = self.terms(motion);
-        let may_count = motion.is_none_or(|motion| matches!(motion.regime, Regime::Swing(_)));
+        let may_count = motion.is_none_or(|motion| serves(Method::Fourier, &motion.regime));
         if let (Some(n), true) = (&self.request.n, self.request.mentions(Parameter::Tol) && may_count) {
             // A `tol` with a mistake of its own has no value.
             let tol = self.request.tol.as_ref().map_or_else(|| "tol".to_owned(), ToString::to_string);
@@ -157,6 +157,8 @@ impl Checker<'_> {
 
     /// Refuses outputs that a sum of harmonics, asked for by `method` or `n`, doesn't give.
     pub(super) fn served_by_method(&mut self, motion: Option<&Motion>, outputs: &Given<Vec<Output>>) -> Checked<()> {
+        const BY_ITSELF: &str = "θ of a swing, which stays within [−π, π) by itself";
+        const DERIVATIVES: &str = "θ and its derivatives only";
         let by_terms = self.request.n.as_ref().map(|_| Method::Fourier);
         let method = self.request.method.as_ref().map(|given| given.value).or(by_terms);
         let Some(method) = method else { return Ok(()) };
@@ -166,17 +168,15 @@ impl Checker<'_> {
         let mut verdict = Ok(());
         for &output in outputs.value.iter().filter(|&&output| !gives(method, output)) {
             let (word, method) = (output.word(), method.word());
-            let remedy = match output {
-                Output::Wrapped if outputs.value.contains(&Output::Theta) => {
-                    "θ of a swing, which stays within [−π, π) by itself: leave `wrapped` out"
-                }
-                Output::Wrapped => "θ of a swing, which stays within [−π, π) by itself: use `theta`",
+            let (given, remedy) = match output {
+                Output::Wrapped if outputs.value.contains(&Output::Theta) => (BY_ITSELF, "leave `wrapped` out"),
+                Output::Wrapped => (BY_ITSELF, "use `theta`"),
                 _ if self.request.mentions(Parameter::Tol) => {
-                    "θ and its derivatives only: use `method = fourier` or `polynomial`, or leave `method` out"
+                    (DERIVATIVES, "use `method = fourier` or `polynomial`, or leave `method` out")
                 }
-                _ => "θ and its derivatives only: use `method = polynomial`, or leave `method` out",
+                _ => (DERIVATIVES, "use `method = polynomial`, or leave `method` out"),
             };
-            let message = format!("output `{word}`: `{method}` gives {remedy}");
+            let message = format!("output `{word}`: `{method}` gives {given}: {remedy}");
             verdict = Err(self.refuse(word_in(&outputs.tokens, word), message));
         }
         verdict

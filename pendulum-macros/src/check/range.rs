@@ -148,7 +148,7 @@ impl Checker<'_> {
         } else {
             format!("above the largest `{float}`, {shown_most}")
         };
-        let own = Parameter::named(&given.name.to_string()).is_some_and(|parameter| parameter.word() == what);
+        let own = Parameter::of(&given.name).is_some_and(|parameter| parameter.word() == what);
         let subject = if own { format!("`{given}` is") } else { format!("`{given}` puts {what}") };
         let remedy = match (what, small) {
             ("theta0", true) => "choose a larger angle",

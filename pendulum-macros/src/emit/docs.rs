@@ -72,13 +72,13 @@ fn elliptic(elliptic: &Elliptic, modulus: &str) -> String {
 }
 
 fn plan(scene: &Scene, plan: &Plan) -> Vec<String> {
-    let goal = match scene.goal {
-        Goal::Terms(n) => format!("the paper's θ̂ with {n} {} (Eq. 22)", if n == 1 { "term" } else { "terms" }),
-        Goal::Tolerance(_) => "an error of at most `tol`".to_owned(),
-        Goal::Full => match scene.method {
-            Some(formula @ (Method::SmallAngle | Method::Harmonic)) => format!("`{}` as it is", formula.word()),
-            _ => format!("the full precision of `{}`", scene.float.word()),
-        },
+    let goal = match (scene.goal, scene.method) {
+        (Goal::Terms(n), _) => format!("the paper's θ̂ with {n} {} (Eq. 22)", if n == 1 { "term" } else { "terms" }),
+        (Goal::Tolerance(_), _) => "an error of at most `tol`".to_owned(),
+        (Goal::Full, Some(formula @ (Method::SmallAngle | Method::Harmonic))) => {
+            format!("`{}` as it is", formula.word())
+        }
+        (Goal::Full, _) => format!("the full precision of `{}`", scene.float.word()),
     };
     let horizon = match (&scene.t_max, &scene.motion.regime) {
         (Some(t_max), _) => format!("|t| ≤ {}", shown(t_max)),

@@ -72,19 +72,13 @@ impl Request {
         Some(Error::new_spanned(tokens, message))
     }
 
-    /// What that parameter was given before.
-    fn value_before(&self, parameter: Parameter) -> Option<&TokenStream> {
-        let before = self.written.iter().find(|written| written.exact && written.parameter == Some(parameter));
-        before.map(|written| &written.value)
-    }
-
     fn set(&mut self, name: &Ident, value: TokenStream, report: &mut Report) {
         let word = name.to_string();
         let known = Parameter::named(&word);
-        let before = known.and_then(|known| Some((known, self.value_before(known)?)));
+        let before = known.and_then(|known| Some((known, self.written_as(known).find(|written| written.exact)?)));
         let is_first = before.is_none();
         if let Some((known, before)) = before {
-            let [before, now] = [before, &value].map(source::value);
+            let [before, now] = [&before.value, &value].map(source::value);
             let known = known.word();
             let alias = if word == known { String::new() } else { format!(", that is `{known}`,") };
             report.at(name.span(), format!("`{word}`{alias} is given twice, `{before}` and `{now}`: keep one"));

@@ -2,8 +2,13 @@
 
 use super::words::{Keyword, Parameter};
 use crate::report::{list, nearest};
+use syn::Ident;
 
 impl Parameter {
+    pub(crate) fn of(name: &Ident) -> Option<Self> {
+        Self::named(&name.to_string())
+    }
+
     /// The parameter of that name.
     pub(crate) fn named(name: &str) -> Option<Self> {
         match name {
@@ -22,10 +27,7 @@ impl Parameter {
 fn meant(name: &str) -> Option<Parameter> {
     let lower = name.to_lowercase();
     let synonym = Parameter::SYNONYMS.iter().find(|(synonym, _)| *synonym == lower).map(|&(_, word)| word);
-    synonym
-        .or_else(|| nearest(name, Parameter::WORDS))
-        .and_then(Parameter::from_word)
-        .or_else(|| Parameter::named(&lower))
+    synonym.or_else(|| nearest(name, Parameter::WORDS)).and_then(Parameter::from_word)
 }
 
 /// The mistake of a name that is no parameter's. One that is given wasn't meant.

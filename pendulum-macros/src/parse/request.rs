@@ -77,13 +77,16 @@ impl Request {
 
     /// Whether the parameter was written at all, with or without a mistake.
     pub(crate) fn mentions(&self, parameter: Parameter) -> bool {
-        self.written.iter().any(|written| written.parameter == Some(parameter))
+        self.written_as(parameter).next().is_some()
+    }
+
+    pub(super) fn written_as(&self, parameter: Parameter) -> impl Iterator<Item = &Written> {
+        self.written.iter().filter(move |written| written.parameter == Some(parameter))
     }
 
     /// Whether the parameter was written, but with a mistake, which has been reported: what was meant isn't known.
     pub(crate) fn misstates(&self, parameter: Parameter) -> bool {
-        let understood = |written: &Written| written.parameter == Some(parameter) && written.understood;
-        self.mentions(parameter) && !self.written.iter().any(understood)
+        self.mentions(parameter) && !self.written_as(parameter).any(|written| written.understood)
     }
 
     /// Whether that parameter may have been meant by something that was written with a mistake.

@@ -46,7 +46,7 @@ macro_rules! keywords {
 keywords! {
     /// What is given by `name = value`. What it is called elsewhere is in lower case.
     Parameter = "parameter" {
-        Theta0 = "theta0" | "θ" | "θ_0" | "angle" | "angle0" | "amplitude",
+        Theta0 = "theta0" | "θ" | "θ0" | "θ_0" | "angle" | "angle0" | "amplitude",
         Velocity0 = "velocity0" | "v" | "v0" | "v_0" | "vel" | "vel0" | "vel_0" | "speed" | "speed0"
             | "initial_velocity" | "theta_dot" | "thetadot" | "theta_dot0" | "dtheta" | "dtheta0" | "θ̇" | "θ̇0",
         Omega = "omega" | "w" | "w0" | "ω" | "ω0" | "ω_0" | "rate" | "angular_frequency" | "freq" | "frequency" | "f"

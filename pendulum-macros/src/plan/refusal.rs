@@ -68,6 +68,9 @@ fn unreachable(best: f64, scene: &Scene) -> String {
 
 /// The outputs that can't be promised even alone, where others can.
 fn of_some(scene: &Scene) -> String {
+    if scene.outputs.len() == 1 {
+        return String::new();
+    }
     let refused: Vec<Output> = scene.outputs.iter().copied().filter(|&output| !is_planned(&scene.of(output))).collect();
     if refused.is_empty() || refused.len() == scene.outputs.len() {
         return String::new();

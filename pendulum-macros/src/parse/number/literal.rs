@@ -22,7 +22,7 @@ pub(super) fn means_a_period(word: &str) -> bool {
 
 /// The units that a parameter's literals may end in, and what it is.
 fn meaning(name: &Ident) -> (&'static [&'static str], &'static str) {
-    match Parameter::named(&name.to_string()) {
+    match Parameter::of(name) {
         Some(Parameter::Omega) => (&[], "in radians per unit of t, a number without suffix"),
         Some(Parameter::G) => (&[], "in m/s², a number without suffix"),
         Some(Parameter::Length) => (&[], "in m, a number without suffix"),
@@ -94,11 +94,11 @@ fn meant(suffix: &str, units: &[&'static str]) -> Option<&'static str> {
 
 /// The remedy for a unit that the parameter `name` doesn't have.
 fn unknown(name: &Ident, unit: &str) -> String {
-    if name == "t_max" && means_a_period(unit) {
+    if Parameter::of(name) == Some(Parameter::TMax) && means_a_period(unit) {
         return A_PERIOD.to_owned();
     }
     let (_, what) = meaning(name);
-    let of_radians = matches!(Parameter::named(&name.to_string()), Some(Parameter::Omega | Parameter::Tol));
+    let of_radians = matches!(Parameter::of(name), Some(Parameter::Omega | Parameter::Tol));
     let in_radians = of_radians && meant(unit, &["deg"]).is_some();
     let remedy = if in_radians { "; multiply degrees by `π/180`" } else { "" };
     format!("`{name}` is {what}{remedy}")

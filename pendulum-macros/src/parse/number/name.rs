@@ -2,7 +2,7 @@
 
 use super::tree::{Tree, is_pi};
 use super::{literal, whole};
-use crate::parse::source;
+use crate::parse::{Parameter, source};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -33,9 +33,9 @@ fn path(value: &TokenStream) -> Option<TokenStream> {
 
 /// What is the same as saying nothing is said by nothing.
 fn isnt_absence(parameter: &Ident, value: &TokenStream) -> Result<()> {
-    let default = match parameter.to_string().as_str() {
-        "t_max" => "the longest horizon",
-        "tol" => "the full precision of the float",
+    let default = match Parameter::of(parameter) {
+        Some(Parameter::TMax) => "the longest horizon",
+        Some(Parameter::Tol) => "the full precision of the float",
         _ => return Ok(()),
     };
     match value.clone().into_iter().last() {

@@ -110,9 +110,7 @@ impl<'a> Candidate<'a> {
         });
         polynomials.chain(passages).chain(in_pieces).collect()
     }
-}
 
-impl Candidate<'_> {
     /// After how many others it is looked at: many pieces, of which the table is large, only where fewer don't serve; and
     /// who asks for a polynomial gets one for each of many pieces only where one alone doesn't.
     pub(super) fn resort(&self, scene: &Scene) -> usize {
@@ -240,9 +238,10 @@ impl Candidate<'_> {
         let least = chosen.map(|index| tried[index].cost);
         let why = |one: &Tried| match (one.reached, least) {
             (Some(reached), _) if reached.is_infinite() => None,
-            (Some(reached), _) if !all.aim.is_within(reached) => Some(unfit(reached, &all.aim)),
-            // It was cheaper, hence not the one for what it leaves of its limit: see [`Choice`].
-            (Some(reached), Some(least)) if one.cost < least => Some(unfit(reached, &all.aim)),
+            // If it is cheaper, it isn't the one for what it leaves of its limit: see [`Choice`].
+            (Some(reached), least) if !all.aim.is_within(reached) || least.is_some_and(|least| one.cost < least) => {
+                Some(unfit(reached, &all.aim))
+            }
             (_, least) => least.map(|least| more(one.cost - least)),
         };
         let (output, parity) = (all.aim.output, all.aim.curves.first().map_or(Parity::Even, Curve::parity));
@@ -256,7 +255,7 @@ impl Candidate<'_> {
 }
 
 /// The reduction and the variables that all kernels have, without any kernel.
-pub(super) fn skeleton<'a>(reduction: &Reduction, aims: impl IntoIterator<Item = &'a Aim>) -> Program {
+fn skeleton<'a>(reduction: &Reduction, aims: impl IntoIterator<Item = &'a Aim>) -> Program {
     let odd = aims.into_iter().flat_map(|aim| &aim.curves).any(|curve| curve.parity() == Parity::Odd);
     let mut b = Builder::new(reduction.float);
     let t = b.input();
