@@ -54,6 +54,11 @@ impl Fit {
         Self { coefficients, truncation: self.truncation * factor.abs() }
     }
 
+    /// This one of the same function, or the other, if that is nearer.
+    pub(crate) fn nearest<'a>(&'a self, other: &'a Self) -> &'a Self {
+        if other.truncation < self.truncation { other } else { self }
+    }
+
     /// Emits the polynomial, its truncation charged to the constant term.
     pub(crate) fn lower(&self, b: &mut Builder, z: Id, names: &[&'static str]) -> Id {
         let constant = |(index, c): (usize, &Double)| {

@@ -91,6 +91,9 @@ pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
 /// Below this, 2⁵², the number of turns is exact, halves of them included; that of pieces of a turn is below 2⁵².
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 
+/// Below this the product of a number of turns, or halves of them, with 2π is exact.
+const FEW_TURNS: f64 = 5.5;
+
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         let angle = match (self.start, variables.side) {
@@ -106,12 +109,17 @@ impl Turning {
             (Start::Top { .. }, None) if self.wrapped => self.other_side(b, variables, angle),
             (Start::Top { .. }, None) => {
                 let mean = self.mean(b, variables.distance);
-                let angle = b.add(mean, angle);
-                let half = b.rounded(Double::PI.scale(self.direction));
-                b.sub(angle, half)
+                b.add(mean, angle)
             }
         };
-        if self.wrapped { modulo_turn(b, angle) } else { self.with_turns(b, variables.count, angle) }
+        let origin = if variables.side.is_some() { Origin::Lowest } else { Origin::Anchor };
+        let less = if self.is_halfway(origin) { 0.5 } else { 0.0 };
+        if self.wrapped { modulo_turn(b, angle) } else { self.with_turns(b, variables.count, angle, less) }
+    }
+
+    /// Whether the angle is that from the top, half a turn from the lowest point that the turns count.
+    fn is_halfway(&self, origin: Origin) -> bool {
+        matches!(self.start, Start::Top { .. }) && origin == Origin::Anchor
     }
 
     /// 2π·phase.
@@ -135,10 +143,14 @@ impl Turning {
         b.add(angle, offset)
     }
 
-    /// 2πn + angle, with 2π in two words.
-    fn with_turns(&self, b: &mut Builder, count: Id, angle: Id) -> Id {
+    /// 2π·(n − less) + angle, with 2π in two words.
+    fn with_turns(&self, b: &mut Builder, count: Id, angle: Id, less: f64) -> Id {
         let float = b.float();
-        let count = b.convert(count, Float::F64);
+        let mut count = b.convert(count, Float::F64);
+        if less > 0.0 {
+            let less = b.constant(less);
+            count = b.sub(count, less);
+        }
         let angle = b.convert(angle, Float::F64);
         let turn = Double::PI * (2.0 * self.direction);
         let (high, low) = (b.constant(turn.hi), b.constant(turn.lo));
@@ -162,12 +174,14 @@ impl Turning {
         let float = reduction.float;
         let farthest = self.farthest(reduction);
         let count = (self.turns + farthest + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);
-        // Beyond, it is a rounded sum of a multiple of 8, the others, and the first number.
+        // Beyond, it is a rounded sum of a multiple of 8, the others, and the first number; less a half it is rounded again.
+        // Each counts 2π times.
         let exact = self.turns < EXACT_TURNS / reduction.pieces;
-        let counted = if exact { 0.0 } else { 14.0 * half_ulp(count, Float::F64) };
-        // 1 and 2 are powers of two.
-        let is_power = !reduction.counts_pieces() && count < 3.0;
-        let product = if is_power { 0.0 } else { half_ulp(TAU * count, Float::F64) };
+        let roundings = if self.is_halfway(reduction.origin) { 21.0 } else { 14.0 };
+        let counted = if exact { 0.0 } else { roundings * half_ulp(count, Float::F64) };
+        // 2π ends in three zeros: of few turns, and halves of them, products are exact.
+        let few = !reduction.counts_pieces() && count < FEW_TURNS;
+        let product = if few { 0.0 } else { half_ulp(TAU * count, Float::F64) };
         let lesser = count * Float::F64.rest(Double::PI * 2.0).abs();
         let sum = self.largest_angle(farthest, reduction) + lesser + error;
         let small = half_ulp(lesser, Float::F64) + half_ulp(sum, Float::F64);
@@ -178,8 +192,8 @@ impl Turning {
 
     /// That of the angle from the lowest point, made of that from the top: of the mean, up to half a turn, its constant and
     /// product, and the sum with it, in which no more than the periodic part is lost, of which what approximates it is no
-    /// more than four times as large (above Lebesgue's constant of a hundred points); from the top itself half a turn, too,
-    /// and the sum with that, which turns may leave as it is.
+    /// more than four times as large (above Lebesgue's constant of a hundred points); if wrapped, from the top itself half a
+    /// turn, too, and the sum with that.
     fn rounding_from_lowest(&self, reduction: &Reduction, error: f64) -> f64 {
         let Start::Top { largest: periodic } = self.start else { return 0.0 };
         let float = reduction.float;
@@ -189,11 +203,8 @@ impl Turning {
         let mean = half_ulp(of_half_turn, float) + farthest * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = half_ulp(of_half_turn + error, float).min(4.0 * periodic);
         let half = match reduction.origin {
-            Origin::Lowest => 0.0,
-            Origin::Anchor => {
-                let farthest = if self.wrapped { 0.5 } else { 1.0 };
-                float.rest(Double::PI).abs() + half_ulp(self.largest_angle(farthest, reduction) + error, float)
-            }
+            Origin::Anchor if self.wrapped => float.rest(Double::PI).abs() + half_ulp(of_half_turn + error, float),
+            _ => 0.0,
         };
         mean + sum + half
     }
@@ -203,14 +214,10 @@ impl Turning {
         (TAU * turns + self.slope * reduction.overshoot.max(0.0)) * (1.0 + ROUNDED)
     }
 
-    /// How far angles are from 2π times the number that is counted, in turns: of the nearest lowest point, of the next one
-    /// after the top that is nearest, or of the middle of a piece, where the periodic part leads up to half a turn away.
+    /// How far angles are from 2π times the number that is counted, in turns: of the nearest lowest point, of the nearest
+    /// top, or of the middle of a piece, where the periodic part leads up to half a turn away.
     fn farthest(&self, reduction: &Reduction) -> f64 {
-        match (self.start, reduction.origin) {
-            (Start::Piece, _) => 0.5 + 0.5 / reduction.pieces,
-            (_, Origin::Lowest) => 0.5,
-            (_, Origin::Anchor) => 1.0,
-        }
+        if self.start == Start::Piece { 0.5 + 0.5 / reduction.pieces } else { 0.5 }
     }
 
     /// A turn per unit of the phase.

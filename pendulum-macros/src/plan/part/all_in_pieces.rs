@@ -6,6 +6,7 @@ use crate::plan::met::Met;
 use crate::plan::pieces::Piecewise;
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
+use crate::plan::turning::Start;
 use crate::program::cost::{CLAMP, ROW, lanes_lost};
 use std::cell::OnceCell;
 
@@ -42,9 +43,12 @@ impl AllInPieces {
 
     /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where
     /// the phase isn't good enough.
-    pub(in crate::plan) fn estimate(&self, aims: &[Aim], reduction: &Reduction) -> Option<f64> {
-        let kernel = |aim: &Aim| Some(aim.cost_of_pieces(&aim.terms_of_pieces(self.pieces, reduction)?));
-        let kernels: f64 = aims.iter().map(kernel).sum::<Option<f64>>()?;
+    pub(in crate::plan) fn estimate(&self, task: &Task, reduction: &Reduction) -> Option<f64> {
+        let kernel = |aim: &Aim| {
+            let polynomials = aim.cost_of_pieces(&aim.terms_of_pieces(self.pieces, reduction)?);
+            Some(polynomials + aim.cost_of_finish(task, reduction, Start::Piece))
+        };
+        let kernels: f64 = task.aims.iter().map(kernel).sum::<Option<f64>>()?;
         Some(lanes_lost(reduction.float) * (reduction.operations() as f64 + CLAMP + ROW + POWERS + kernels))
     }
 

@@ -14,8 +14,10 @@ use super::observed::observed;
 use super::reduction::Reduction;
 use super::task::Task;
 use super::turning::{AT_TOP, Finish, Start, Turning};
+use super::variables::Variables;
 use super::{Bound, MOSTLY_ROUNDING, Part};
 use crate::parse::{Float, Output};
+use crate::program::Builder;
 use crate::program::rounding::half_ulp;
 use crate::scene::Goal;
 pub(super) use all_in_pieces::AllInPieces;
@@ -136,13 +138,27 @@ impl Aim {
 
     /// The angle of a rotation, wrapped or with its turns, or that of another motion that might pass π; anything else
     /// as it is.
-    fn finished(&self, core: Core, turning: Option<Turning>) -> Kernel {
-        let finish = match turning {
+    fn finish(&self, turning: Option<Turning>) -> Finish {
+        match turning {
             Some(turning) => Finish::Turning(turning),
             None if self.output == Output::Wrapped => self.finished_near_top(),
             None => Finish::Nothing,
+        }
+    }
+
+    /// What that costs, of an angle that is computed from there.
+    pub(in crate::plan) fn cost_of_finish(&self, task: &Task, reduction: &Reduction, start: Start) -> f64 {
+        let finish = self.finish(self.turning(task, reduction, start));
+        let cost = |finish: &Finish| {
+            let mut b = Builder::new(reduction.float);
+            let t = b.input();
+            let phase = reduction.lower(&mut b, t);
+            let variables = Variables::lower(&mut b, phase, reduction, true);
+            let angle = b.add(variables.p, variables.distance);
+            let finished = finish.lower(&mut b, &variables, vec![angle]);
+            b.finish(finished.into_iter().chain([variables.magic]).collect()).cost()
         };
-        Kernel { core, finish }
+        if finish == Finish::Nothing { 0.0 } else { cost(&finish) - cost(&Finish::Nothing) }
     }
 
     /// What completes the angle of a rotation that is computed from there.

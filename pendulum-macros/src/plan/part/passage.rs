@@ -1,13 +1,13 @@
 //! An output by the passage through the lowest point.
 
 use super::draft::{Brief, Draft, Drafts};
-use crate::plan::Part;
 use crate::plan::aim::Aim;
-use crate::plan::kernel::Core;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::passage::{Orbit, Passage};
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
 use crate::plan::turning::Start;
+use crate::plan::{Bound, Part};
 use std::rc::Rc;
 
 /// How much more operations of a passage count than those of polynomials, since each waits for the one before: 1.4 to 1.8
@@ -48,10 +48,23 @@ impl Aim {
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
                 let kernel = Passage::new(self.output, orbit.clone(), distances, reduction.half(), left);
                 let truncation = kernel.truncation * factor;
-                let kernel =
-                    self.finished(Core::Passage(Box::new(kernel)), self.turning(task, reduction, Start::Lowest));
-                Ok(Rc::new(Draft::new(kernel, truncation)))
+                let finish = self.finish(self.turning(task, reduction, Start::Lowest));
+                Ok(Rc::new(Draft::new(Kernel { core: Core::Passage(Box::new(kernel)), finish }, truncation)))
             })
         })
+    }
+
+    /// An output's part with the exponential of another's, if it keeps the promise: in one function they share it.
+    pub(in crate::plan) fn with_exponential_of(
+        &self,
+        reduction: &Reduction,
+        part: &Part,
+        other: &Part,
+    ) -> Option<Part> {
+        let (Core::Passage(own), Core::Passage(others)) = (&part.kernel.core, &other.kernel.core) else { return None };
+        let core = Core::Passage(Box::new(own.with_exponential_of(others)));
+        let kernel = Kernel { core, finish: part.kernel.finish.clone() };
+        let bound = Bound { evaluation: kernel.rounding(reduction, f64::INFINITY), ..part.bound };
+        self.accept(&kernel, bound, reduction).ok()
     }
 }

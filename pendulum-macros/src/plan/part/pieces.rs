@@ -6,7 +6,7 @@ use crate::chebyshev::OF_INTERPOLATION;
 use crate::plan::Part;
 use crate::plan::aim::Aim;
 use crate::plan::curve::Curve;
-use crate::plan::kernel::Core;
+use crate::plan::kernel::{Core, Kernel};
 use crate::plan::pieces::{Halves, Pieces, Piecewise};
 use crate::plan::reduction::Reduction;
 use crate::plan::task::Task;
@@ -66,7 +66,7 @@ impl Aim {
                     if let Some(turning) = &turning {
                         angle.complete(turning);
                     }
-                    self.finished(Core::Pieces(Box::new(angle)), turning)
+                    Kernel { core: Core::Pieces(Box::new(angle)), finish: self.finish(turning) }
                 }
             };
             Ok(Rc::new(Draft::new(kernel, self.error(norm(truncations.into_iter())))))

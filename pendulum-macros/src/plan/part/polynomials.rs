@@ -285,7 +285,7 @@ impl Aim {
             Err(mut single) => {
                 let start = Start::Top { largest: self.curves[0].bound(0.0) };
                 let turning = self.turning(task, reduction, start);
-                self.finished(Core::Polynomial(Box::new(single.swap_remove(0))), turning)
+                Kernel { core: Core::Polynomial(Box::new(single.swap_remove(0))), finish: self.finish(turning) }
             }
         }
     }

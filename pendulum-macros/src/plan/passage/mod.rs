@@ -221,6 +221,12 @@ impl Passage {
         Self { output, orbit, distances, half, images, careful, even, odd, arctangent, factor, truncation }
     }
 
+    /// The same with the exponential of another output's, where that is nearer: its error is bounded as before.
+    pub(crate) fn with_exponential_of(&self, other: &Self) -> Self {
+        let (even, odd) = (self.even.nearest(&other.even).clone(), self.odd.nearest(&other.odd).clone());
+        Self { even, odd, ..self.clone() }
+    }
+
     /// Whether phases beyond those that are met are kept from it: of what isn't met the rounding isn't known, and the angle
     /// of a swing exceeds its amplitude by no more than what is known, whatever the time.
     fn is_held(&self) -> bool {

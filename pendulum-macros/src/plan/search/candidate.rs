@@ -11,6 +11,7 @@ use crate::plan::kernel;
 use crate::plan::observed::observed;
 use crate::plan::part::{Approximations, SLOWNESS};
 use crate::plan::reduction::{Origin, Reduction};
+use crate::plan::turning::Start;
 use crate::plan::variables::Variables;
 use crate::program::{Builder, Program};
 use crate::scene::{Goal, Scene};
@@ -86,24 +87,26 @@ impl<'a> Candidate<'a> {
     pub(super) fn all(prospect: &'a Prospect) -> Vec<Self> {
         let Prospect { task, approximations, reductions, pieces, .. } = prospect;
         let aims = &task.aims;
-        let candidate = |reduction, way, kernels: f64| {
-            let cost = skeleton(reduction, aims).cost() + kernels;
+        let finishes =
+            |reduction, start| -> f64 { aims.iter().map(|aim| aim.cost_of_finish(task, reduction, start)).sum() };
+        let candidate = |reduction, way, start, kernels: f64| {
+            let cost = skeleton(reduction, aims).cost() + kernels + finishes(reduction, start);
             Self { prospect, reduction, way, cost }
         };
         let polynomials = reductions.iter().filter_map(|reduction| {
             let cheapest = |all: &Approximations| Some(all.variants(reduction).first()?.1);
             let kernels = approximations.iter().map(cheapest).sum::<Option<f64>>()?;
-            Some(candidate(reduction, Way::Polynomials, kernels))
+            Some(candidate(reduction, Way::Polynomials, Start::Top { largest: 0.0 }, kernels))
         });
         let by_passage = |reduction| {
             let kernels = aims.iter().map(|aim| aim.passage_estimate(task, reduction)).sum();
-            let passage = candidate(reduction, Way::Passage, kernels);
+            let passage = candidate(reduction, Way::Passage, Start::Lowest, kernels);
             Self { cost: SLOWNESS * passage.cost, ..passage }
         };
         let passages = reductions.iter().filter(|reduction| task.passage_by(reduction).is_some()).map(by_passage);
         let in_pieces = pieces.iter().enumerate().flat_map(|(index, pieces)| {
             let one = move |reduction| {
-                let cost = pieces.estimate(aims, reduction)?;
+                let cost = pieces.estimate(task, reduction)?;
                 Some(Self { prospect, reduction, way: Way::Pieces(index), cost })
             };
             pieces.reductions.iter().filter_map(one)
@@ -184,7 +187,8 @@ impl<'a> Candidate<'a> {
         let passage = || {
             let part = all.aim.passage_part(task, &all.drafts, self.reduction, most)?;
             let operations = kernel::function(self.reduction, &[&part.kernel]).cost();
-            let cost = SLOWNESS * (operations - skeleton(self.reduction, [&all.aim]).cost());
+            let finish = all.aim.cost_of_finish(task, self.reduction, Start::Lowest);
+            let cost = SLOWNESS * (operations - finish - skeleton(self.reduction, [&all.aim]).cost());
             Ok((part, cost))
         };
         let mut polynomials = || {

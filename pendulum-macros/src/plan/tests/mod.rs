@@ -1,6 +1,7 @@
 //! What the planner chooses, and what it refuses. That plans keep their bounds is tested in `random`, and that
 //! these are close in `tight`.
 
+mod asking_less;
 mod full_precision;
 pub(crate) mod probe;
 mod random;

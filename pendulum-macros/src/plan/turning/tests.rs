@@ -16,17 +16,21 @@ fn assert_near(found: f64, expected: f64, relative: f64) {
 }
 
 /// Half units in the last place are 2⁻⁵² up to 4 (2⁻²³ in `f32`), 2⁻⁵¹ up to 8; of 2π·1000 they are 2⁻⁴¹ and 2⁻¹².
-/// The `f64` of 2π is 2.449·10⁻¹⁶ below it, the `f32` 1.7485·10⁻⁷ above. From the top the mean is a product, the sums
-/// with it and with half a turn.
+/// The `f64` of 2π is 2.449·10⁻¹⁶ below it, the `f32` 1.7485·10⁻⁷ above. From the top the mean is a product, and the sum
+/// with it; if wrapped, so is that with half a turn.
 #[test]
 fn rounding_of_turns() {
     let [single, double] = [1.7485e-7, 2.4493e-16];
     for (text, origin, expected) in [
-        ("tol = 1e-6, t_max = 10, float = f64", Origin::Anchor, 4.0 * 2f64.powi(-52) + double + 2.0 * 2f64.powi(-41)),
+        (
+            "tol = 1e-6, t_max = 10, float = f64",
+            Origin::Anchor,
+            3.0 * 2f64.powi(-52) + 0.5 * double + 2.0 * 2f64.powi(-41),
+        ),
         (
             "tol = 1e-2, t_max = 10, float = f32",
             Origin::Anchor,
-            4.0 * 2f64.powi(-23) + single + 2.0 * 2f64.powi(-41) + 2f64.powi(-12),
+            2.0 * 2f64.powi(-23) + 0.5 * single + 2.0 * 2f64.powi(-41) + 2f64.powi(-12),
         ),
         ("tol = 1e-6, t_max = 10, outputs = [wrapped]", Origin::Anchor, 3.0 * 2f64.powi(-52) + 2.0 * double),
         ("tol = 1e-2, t_max = 10, outputs = [wrapped], float = f32", Origin::Anchor, 5.0 * 2f64.powi(-23) + single),
@@ -39,8 +43,8 @@ fn rounding_of_turns() {
     }
 }
 
-/// One and two turns are exact products. Next to them the sums with up to a turn and of all count, 2⁻⁵¹ up to 8; an error of
-/// all else that leads beyond a power of two counts as well.
+/// Up to five turns are exact products. Next to them the sums with up to half a turn and of all count, 2⁻⁵¹ up to 8; an error
+/// of all else that leads beyond a power of two counts as well.
 #[test]
 fn rounding_of_few_turns() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
@@ -49,12 +53,22 @@ fn rounding_of_few_turns() {
     let none = near(0.0, 0.0);
     for (turns, error, expected) in [
         (0.6, 0.0, 2f64.powi(-51)),
-        (0.6, 1.2, 2f64.powi(-50) + 2f64.powi(-52)),
+        (0.6, 1.2, 2f64.powi(-50) + 2.0 * 2f64.powi(-52)),
         (1.9, 0.0, 2f64.powi(-50)),
-        (2.1, 0.0, 2.0 * 2f64.powi(-49)),
+        (2.1, 0.0, 2f64.powi(-49)),
+        (5.1, 0.0, 2.0 * 2f64.powi(-48)),
+        (2f64.powi(52), 0.0, 2.0 * 2.0 + 21.0 * 0.5),
     ] {
         assert_near(near(turns, error) - none, expected - 2f64.powi(-52), 1e-3);
     }
+}
+
+/// Each is exact, and the next isn't.
+#[test]
+fn products_with_few_turns() {
+    let is_exact = |halves: u32| Double::from_product(TAU, 0.5 * f64::from(halves)).lo == 0.0;
+    let few = (2.0 * FEW_TURNS) as u32;
+    assert!((1..few).all(is_exact) && !is_exact(few));
 }
 
 /// Pieces of a turn are counted, whose number is exact as long as it has no more than 53 bits.
