@@ -1,5 +1,6 @@
 //! What becomes of an angle: that of a rotation is wrapped to [−π, π), or gets its turns.
 
+use super::Bound;
 use super::reduction::{Origin, ROUNDED, Reduction};
 use super::variables::Variables;
 use crate::parse::Float;
@@ -34,8 +35,11 @@ impl Finish {
         match self {
             Self::Nothing => values,
             Self::Turning(turning) => vec![turning.lower(b, variables, values[0])],
-            Self::Within { .. } => vec![held(b, values[0], below_half_turn(b.float()))],
-            Self::Held { most } => vec![held(b, values[0], *most)],
+            Self::Within { .. } => {
+                let most = below_half_turn(b.float());
+                vec![held(b, values[0], [-most, most])]
+            }
+            Self::Held { most } => vec![held(b, values[0], [-most, *most])],
             Self::Wrapped => vec![modulo_turn(b, values[0])],
         }
     }
@@ -50,10 +54,9 @@ impl Finish {
         }
     }
 
-    /// What the turns of a rotation's angle, and the mean that completes it, are rounded by, if all else is wrong by up to
-    /// `error`.
-    pub(crate) fn rounding_of_turns(&self, reduction: &Reduction, error: f64) -> f64 {
-        if let Self::Turning(turning) = self { turning.own_rounding(reduction, error) } else { 0.0 }
+    /// What the turns of a rotation's angle, and the mean that completes it, are rounded by, given what all else is wrong by.
+    pub(crate) fn rounding_of_turns(&self, reduction: &Reduction, bound: &Bound) -> f64 {
+        if let Self::Turning(turning) = self { turning.own_rounding(reduction, bound) } else { 0.0 }
     }
 }
 
@@ -64,8 +67,7 @@ pub(crate) struct Turning {
     pub(crate) start: Start,
     /// Anchors per unit of the reduced phase.
     pub(crate) unit: Double,
-    /// Whether the result is wrapped; otherwise the turns are added.
-    pub(crate) wrapped: bool,
+    pub(crate) range: Range,
     /// The most that the angle changes by in an anchor, at the rate of the lowest point.
     pub(crate) slope: f64,
     /// −1 where θ decreases.
@@ -83,6 +85,17 @@ pub(crate) enum Start {
     Top { largest: f64 },
     /// If wrapped, as [`Self::Lowest`]; otherwise what 2π times the number of turns to the middle of a piece leaves.
     Piece,
+}
+
+/// What is done about the number of turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Range {
+    /// They are added.
+    Any,
+    /// They are left out, and one may have to be taken off, or added, beside the top.
+    Modulo,
+    /// They are left out, and the exact angle of the phase exceeds half a turn by at most so much.
+    Within { beyond: f64 },
 }
 
 /// An arc that leads no farther beyond π counts as at the top: some more than a curve in two words is wrong by.
@@ -106,15 +119,37 @@ impl Turning {
                 let mean = self.mean(b, z);
                 b.add(mean, angle)
             }
-            (Start::Top { .. }, None) if self.wrapped => self.other_side(b, variables, angle),
+            (Start::Top { .. }, None) if self.range != Range::Any => self.other_side(b, variables, angle),
             (Start::Top { .. }, None) => {
                 let mean = self.mean(b, variables.distance);
                 b.add(mean, angle)
             }
         };
-        let origin = if variables.side.is_some() { Origin::Lowest } else { Origin::Anchor };
-        let less = if self.is_halfway(origin) { 0.5 } else { 0.0 };
-        if self.wrapped { modulo_turn(b, angle) } else { self.with_turns(b, variables.count, angle, less) }
+        match self.range {
+            Range::Any => {
+                let origin = if variables.side.is_some() { Origin::Lowest } else { Origin::Anchor };
+                let less = if self.is_halfway(origin) { 0.5 } else { 0.0 };
+                self.with_turns(b, variables.count, angle, less)
+            }
+            Range::Modulo => modulo_turn(b, angle),
+            Range::Within { .. } => within_half_turn(b, angle),
+        }
+    }
+
+    /// The same, but that a wrapped angle is held within half a turn where that adds little to what it is wrong by: the
+    /// truncation and the error of the phase. From the top it is none beyond; from the lowest point, as far as phases
+    /// overshoot.
+    pub(super) fn held_if_good(self, reduction: &Reduction, [truncation, phase]: [f64; 2]) -> Self {
+        const LITTLE: f64 = 0.125;
+        if self.range == Range::Any || self.start == Start::Piece {
+            return self;
+        }
+        let from_top = self.is_halfway(reduction.origin);
+        let beyond = if from_top { 0.0 } else { self.slope * reduction.overshoot.max(0.0) };
+        let held = Self { range: Range::Within { beyond }, ..self.clone() };
+        let bound = Bound { truncation, phase, evaluation: 0.0 };
+        let [own, helds] = [&self, &held].map(|turning| turning.own_rounding(reduction, &bound));
+        if helds <= own + LITTLE * (truncation + phase) { held } else { self }
     }
 
     /// Whether the angle is that from the top, half a turn from the lowest point that the turns count.
@@ -161,11 +196,20 @@ impl Turning {
         b.convert(sum, float)
     }
 
-    /// What it rounds by.
-    fn own_rounding(&self, reduction: &Reduction, error: f64) -> f64 {
-        let of_turns =
-            if self.wrapped { rounding_modulo(reduction.float) } else { self.rounding_of_sums(reduction, error) };
-        self.rounding_from_lowest(reduction, error) + of_turns
+    /// What it rounds by. What holds an angle within half a turn leads away from no other than the exact ones beyond the
+    /// numbers that it may be, and there no farther than from these.
+    fn own_rounding(&self, reduction: &Reduction, bound: &Bound) -> f64 {
+        let error = bound.total();
+        let completed = self.rounding_from_lowest(reduction, error);
+        let of_turns = match self.range {
+            Range::Any => self.rounding_of_sums(reduction, error),
+            Range::Modulo => rounding_modulo(reduction.float),
+            Range::Within { beyond } => {
+                let evaluated = bound.truncation + bound.evaluation + completed;
+                (beyond + beyond_largest_number(Double::PI, reduction.float) - evaluated).max(0.0)
+            }
+        };
+        completed + of_turns
     }
 
     /// Of [`Self::with_turns`]: of the number of turns, the products with both words of 2π, the sum of the lesser one with
@@ -203,7 +247,9 @@ impl Turning {
         let mean = half_ulp(of_half_turn, float) + farthest * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = half_ulp(of_half_turn + error, float).min(4.0 * periodic);
         let half = match reduction.origin {
-            Origin::Anchor if self.wrapped => float.rest(Double::PI).abs() + half_ulp(of_half_turn + error, float),
+            Origin::Anchor if self.range != Range::Any => {
+                float.rest(Double::PI).abs() + half_ulp(of_half_turn + error, float)
+            }
             _ => 0.0,
         };
         mean + sum + half
@@ -258,12 +304,18 @@ fn rounding_modulo(float: Float) -> f64 {
     if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(PI, float)) }
 }
 
-/// The nearest number from −`most` to `most`: of mirror images the same.
-fn held(b: &mut Builder, angle: Id, most: f64) -> Id {
-    let (most, least) = (b.constant(most), b.constant(-most));
+/// The nearest number in that interval: of mirror images the same, if it is its own.
+fn held(b: &mut Builder, angle: Id, [least, most]: [f64; 2]) -> Id {
+    let (most, least) = (b.constant(most), b.constant(least));
     let angle = b.push(Op::Min { limit: most, x: angle });
     b.name(angle, "angle");
     b.push(Op::Max { limit: least, x: angle })
+}
+
+/// The nearest number in [−π, π), of which −π is one in `f64`.
+fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
+    let most = below_half_turn(b.float());
+    held(b, angle, [if b.float() == Float::F64 { -PI } else { -most }, most])
 }
 
 /// The largest number below the `PI` of `f64`, so that results are less than π as users write it, too.

@@ -13,7 +13,7 @@ use super::kernel::{Core, Kernel};
 use super::observed::observed;
 use super::reduction::Reduction;
 use super::task::Task;
-use super::turning::{AT_TOP, Finish, Start, Turning};
+use super::turning::{AT_TOP, Finish, Range, Start, Turning};
 use super::variables::Variables;
 use super::{Bound, MOSTLY_ROUNDING, Part};
 use crate::parse::{Float, Output};
@@ -41,7 +41,7 @@ fn close_from(float: Float) -> f64 {
 
 /// Turns are rounded besides.
 fn with_turns(kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Bound {
-    Bound { evaluation: bound.evaluation + kernel.finish.rounding_of_turns(reduction, bound.total()), ..bound }
+    Bound { evaluation: bound.evaluation + kernel.finish.rounding_of_turns(reduction, &bound), ..bound }
 }
 
 impl Aim {
@@ -148,7 +148,8 @@ impl Aim {
 
     /// What that costs, of an angle that is computed from there.
     pub(in crate::plan) fn cost_of_finish(&self, task: &Task, reduction: &Reduction, start: Start) -> f64 {
-        let finish = self.finish(self.turning(task, reduction, start));
+        // About what the approximation will be wrong by.
+        let finish = self.finish(self.turning(task, reduction, start, [0.5 * self.limit, 0.0]));
         let cost = |finish: &Finish| {
             let mut b = Builder::new(reduction.float);
             let t = b.input();
@@ -161,11 +162,13 @@ impl Aim {
         if finish == Finish::Nothing { 0.0 } else { cost(&finish) - cost(&Finish::Nothing) }
     }
 
-    /// What completes the angle of a rotation that is computed from there.
-    fn turning(&self, task: &Task, reduction: &Reduction, start: Start) -> Option<Turning> {
+    /// What completes the angle of a rotation that is computed from there, given the truncation and the error of the phase.
+    fn turning(&self, task: &Task, reduction: &Reduction, start: Start, errors: [f64; 2]) -> Option<Turning> {
         let Task { turning, direction, turns, .. } = *task;
-        let (unit, wrapped, slope) = (reduction.unit, self.output == Output::Wrapped, self.size.slope);
-        (turning && self.output.is_angle()).then_some(Turning { start, unit, wrapped, slope, direction, turns })
+        let range = if self.output == Output::Wrapped { Range::Modulo } else { Range::Any };
+        let (unit, slope) = (reduction.unit, self.size.slope);
+        let whole = || Turning { start, unit, range, slope, direction, turns }.held_if_good(reduction, errors);
+        (turning && self.output.is_angle()).then(whole)
     }
 
     /// An arc may lead over the top; a whole swing doesn't, but its largest angle is rounded.

@@ -48,7 +48,7 @@ impl Aim {
             drafts.get(Brief { variant: None, reduction: reduction.clone(), left }, || {
                 let kernel = Passage::new(self.output, orbit.clone(), distances, reduction.half(), left);
                 let truncation = kernel.truncation * factor;
-                let finish = self.finish(self.turning(task, reduction, Start::Lowest));
+                let finish = self.finish(self.turning(task, reduction, Start::Lowest, [truncation, phase]));
                 Ok(Rc::new(Draft::new(Kernel { core: Core::Passage(Box::new(kernel)), finish }, truncation)))
             })
         })

@@ -62,7 +62,8 @@ impl Aim {
             let kernel = match <[Pieces; 2]>::try_from(pieces) {
                 Ok([sine, cosine]) => Core::Halves(Box::new(Halves { sine, cosine })).into(),
                 Err(mut single) => {
-                    let (mut angle, turning) = (single.swap_remove(0), self.turning(task, reduction, Start::Piece));
+                    let (mut angle, turning) =
+                        (single.swap_remove(0), self.turning(task, reduction, Start::Piece, [0.0; 2]));
                     if let Some(turning) = &turning {
                         angle.complete(turning);
                     }

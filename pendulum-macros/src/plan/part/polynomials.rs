@@ -166,7 +166,7 @@ impl Approximations {
             self.drafts.get(brief, || {
                 let polynomials = self.polynomials(task, reduction, variant, left)?;
                 let truncation = aim.error(norm(polynomials.iter().map(|polynomial| polynomial.truncation)));
-                Ok(Rc::new(Draft::new(aim.kernel(task, reduction, polynomials), truncation)))
+                Ok(Rc::new(Draft::new(aim.kernel(task, reduction, polynomials, truncation), truncation)))
             })
         })
     }
@@ -278,13 +278,14 @@ impl Aim {
     }
 
     /// Puts the polynomials together.
-    fn kernel(&self, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>) -> Kernel {
+    fn kernel(&self, task: &Task, reduction: &Reduction, mut polynomials: Vec<Polynomial>, truncation: f64) -> Kernel {
         self.mirror(task, &mut polynomials, Polynomial::negate);
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok(factors) => Core::Circle(Box::new(factors)).into(),
             Err(mut single) => {
                 let start = Start::Top { largest: self.curves[0].bound(0.0) };
-                let turning = self.turning(task, reduction, start);
+                let errors = [truncation, self.size.phase_error(reduction)];
+                let turning = self.turning(task, reduction, start, errors);
                 Kernel { core: Core::Polynomial(Box::new(single.swap_remove(0))), finish: self.finish(turning) }
             }
         }

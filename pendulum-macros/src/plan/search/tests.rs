@@ -171,9 +171,9 @@ fn what_is_taken_of_limits() {
         let Prospect { task, reductions, .. } = prospects.last().unwrap();
         let (part, reduction) = (plan(&scene).unwrap().parts.remove(0), &reductions[0]);
         let limit = task.aims[0].limit;
-        let turns = part.kernel.finish.rounding_of_turns(reduction, 0.5 * limit);
-        assert_eq!(turns > 0.0, text.starts_with('v'), "{text}");
         let bound = Bound { truncation: 0.125 * limit, phase: 0.25 * limit, evaluation: 0.125 * limit };
+        let turns = part.kernel.finish.rounding_of_turns(reduction, &bound);
+        assert_eq!(turns > 0.0, text.starts_with('v'), "{text}");
         let accepted = task.aims[0].accept(&part.kernel, bound, reduction).unwrap();
         let met_in_full = if text == "velocity0 = 3, t_max = 1e6" { 0.25 / 0.79 - 0.25 } else { 0.0 };
         let expected = 0.5 + met_in_full + if grows { 0.0 } else { turns / limit };

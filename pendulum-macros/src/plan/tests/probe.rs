@@ -14,7 +14,7 @@ pub(crate) struct Probe<'a> {
     /// Time between two turning points, or two passages over the top.
     pub(in crate::plan) step: f64,
     /// The time of the first anchor.
-    first: f64,
+    pub(in crate::plan) first: f64,
     pub(in crate::plan) horizon: f64,
     pub(crate) bound: f64,
     pub(crate) worst: (f64, f64),

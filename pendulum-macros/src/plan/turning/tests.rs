@@ -1,5 +1,7 @@
 use super::*;
 use crate::motion::Regime;
+use crate::plan::tests::probe::Probe;
+use crate::plan::tests::truth::State;
 use crate::plan::{Plan, plan};
 use crate::testing::scene;
 use std::f64::consts::{PI, TAU};
@@ -10,6 +12,15 @@ fn rotation(text: &str) -> (Turning, Plan) {
     (turning.clone(), plan)
 }
 
+fn is_held(plan: &Plan) -> bool {
+    matches!(&plan.parts[0].kernel.finish, Finish::Turning(Turning { range: Range::Within { .. }, .. }))
+}
+
+/// What turns are rounded by if all else is evaluated with so large an error.
+fn rounding(turning: &Turning, reduction: &Reduction, evaluation: f64) -> f64 {
+    turning.own_rounding(reduction, &Bound { truncation: 0.0, phase: 0.0, evaluation })
+}
+
 #[track_caller]
 fn assert_near(found: f64, expected: f64, relative: f64) {
     assert!((found / expected - 1.0).abs() <= relative, "{found:e}, not {expected:e}");
@@ -17,7 +28,7 @@ fn assert_near(found: f64, expected: f64, relative: f64) {
 
 /// Half units in the last place are 2⁻⁵² up to 4 (2⁻²³ in `f32`), 2⁻⁵¹ up to 8; of 2π·1000 they are 2⁻⁴¹ and 2⁻¹².
 /// The `f64` of 2π is 2.449·10⁻¹⁶ below it, the `f32` 1.7485·10⁻⁷ above. From the top the mean is a product, and the sum
-/// with it; if wrapped, so is that with half a turn.
+/// with it; if wrapped, so is that with half a turn, and what stays within that adds nothing.
 #[test]
 fn rounding_of_turns() {
     let [single, double] = [1.7485e-7, 2.4493e-16];
@@ -32,14 +43,14 @@ fn rounding_of_turns() {
             Origin::Anchor,
             2.0 * 2f64.powi(-23) + 0.5 * single + 2.0 * 2f64.powi(-41) + 2f64.powi(-12),
         ),
-        ("tol = 1e-6, t_max = 10, outputs = [wrapped]", Origin::Anchor, 3.0 * 2f64.powi(-52) + 2.0 * double),
-        ("tol = 1e-2, t_max = 10, outputs = [wrapped], float = f32", Origin::Anchor, 5.0 * 2f64.powi(-23) + single),
-        ("outputs = [wrapped], float = f32", Origin::Lowest, 4.0 * 2f64.powi(-23) + 0.5 * single),
+        ("tol = 1e-6, t_max = 10, outputs = [wrapped]", Origin::Anchor, 3.0 * 2f64.powi(-52) + double),
+        ("tol = 1e-2, t_max = 10, outputs = [wrapped], float = f32", Origin::Anchor, 3.0 * 2f64.powi(-23) + single),
+        ("outputs = [wrapped], float = f32", Origin::Lowest, 2.0 * 2f64.powi(-23) + 0.5 * single),
     ] {
         let (turning, plan) = rotation(text);
         assert_eq!(plan.reduction.origin, origin, "{text}");
         let turning = Turning { turns: 1000.0, ..turning };
-        assert_near(turning.own_rounding(&plan.reduction, 0.0), expected, 1e-3);
+        assert_near(rounding(&turning, &plan.reduction, 0.0), expected, 1e-3);
     }
 }
 
@@ -49,7 +60,7 @@ fn rounding_of_turns() {
 fn rounding_of_few_turns() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
     assert_eq!(plan.reduction.origin, Origin::Anchor);
-    let near = |turns, error| Turning { turns, ..turning.clone() }.own_rounding(&plan.reduction, error);
+    let near = |turns, error| rounding(&Turning { turns, ..turning.clone() }, &plan.reduction, error);
     let none = near(0.0, 0.0);
     for (turns, error, expected) in [
         (0.6, 0.0, 2f64.powi(-51)),
@@ -79,7 +90,8 @@ fn rounding_of_turns_in_pieces() {
     for (turns, counted) in [(1000.0, 0.0), (2f64.powi(45), 0.0), (2f64.powi(47), 14.0)] {
         let of_turns = half_ulp(TAU * turns, Float::F64) * 2.0 + half_ulp(turns, Float::F64) * counted;
         let of_angle = 2f64.powi(-52);
-        assert_near(Turning { turns, ..turning.clone() }.own_rounding(&plan.reduction, 0.0), of_turns + of_angle, 1e-6);
+        let turning = Turning { turns, ..turning.clone() };
+        assert_near(rounding(&turning, &plan.reduction, 0.0), of_turns + of_angle, 1e-6);
     }
 }
 
@@ -88,7 +100,9 @@ fn rounding_of_turns_in_pieces() {
 fn rounding_of_next_to_uniform_rotations() {
     let (turning, plan) = rotation("outputs = [wrapped], float = f32");
     let uniform = Turning { start: Start::Top { largest: 1e-12 }, ..turning.clone() };
-    let lost = turning.own_rounding(&plan.reduction, 0.0) - uniform.own_rounding(&plan.reduction, 0.0);
+    // More than staying within half a turn changes.
+    let evaluation = 1e-6;
+    let lost = rounding(&turning, &plan.reduction, evaluation) - rounding(&uniform, &plan.reduction, evaluation);
     assert_near(lost, 2f64.powi(-23), 1e-3);
 }
 
@@ -98,7 +112,7 @@ fn rounding_of_large_overshoots() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10, outputs = [wrapped]");
     let near = |overshoot| {
         let reduction = Reduction { overshoot, ..plan.reduction.clone() };
-        turning.own_rounding(&reduction, 0.0)
+        rounding(&turning, &reduction, 0.0)
     };
     let (largest, constant) = (PI + 0.2 * turning.slope, 0.2 * 2.4493e-16);
     assert!((4.0..8.0).contains(&largest), "{largest}");
@@ -114,8 +128,7 @@ fn next_to_half_a_turn(float: Float) -> impl Iterator<Item = f64> {
 fn finished(finish: &Finish, float: Float, angle: f64) -> Double {
     let mut b = Builder::new(float);
     let t = b.input();
-    let result =
-        if *finish == Finish::Wrapped { modulo_turn(&mut b, t) } else { held(&mut b, t, below_half_turn(float)) };
+    let result = if *finish == Finish::Wrapped { modulo_turn(&mut b, t) } else { within_half_turn(&mut b, t) };
     let result = b.finish(vec![result]).run(angle)[0];
     assert!(is_wrapped(result), "{result} of {angle}");
     Double::new(result)
@@ -175,6 +188,39 @@ fn turns_are_counted() {
             }
         }
     }
+}
+
+/// Beside the top, to which phases may overshoot, they are within half a turn and within their bounds, in every way of
+/// computing them; what holds them there is as good as taking off a turn.
+#[test]
+fn wrapped_angles_beside_the_top() {
+    let mut held = 0;
+    for (text, tops) in [
+        ("velocity0 = 2.5, tol = 1e-6, t_max = 1e4", [0.0, 1.0, -1.0, 1234.0]),
+        ("velocity0 = -2.5, tol = 3e-15, t_max = 100", [0.0, 1.0, -7.0, 19.0]),
+        ("velocity0 = 2.5, tol = 1e-9", [0.0, -1.0, 1e6, -1e12]),
+        ("theta0 = 1, velocity0 = -3, tol = 1e-4, float = f32", [0.0, 1.0, -1.0, 5e4]),
+        ("theta0 = π, velocity0 = -1e-3, tol = 1e-5, t_max = 1e5", [0.0, 1.0, -1.0, 5e3]),
+        ("theta0 = π, velocity0 = 0.1, float = f32, tol = 1e-5, t_max = 300", [0.0, 1.0, -1.0, 20.0]),
+        ("velocity0 = 2.0001, t_max = 1e5", [0.0, 1.0, -2.0, 5e3]),
+    ] {
+        let scene = scene(&format!("struct Motion; {text}, outputs = [wrapped]"));
+        let plans = crate::plan::search::every(&scene);
+        let mut probes: Vec<Probe> = plans.iter().map(|plan| Probe::new(&scene, plan)).collect();
+        for turns in tops {
+            let top = probes[0].first + turns * probes[0].step;
+            let ulp = 2.0 * half_ulp(top, scene.float);
+            for ulps in [0.0, 1.0, -1.0, 2.0, -2.0, 40.0, -40.0] {
+                let t = probes[0].met(top + ulps * ulp);
+                let state = State::at(&scene.motion, t);
+                for probe in &mut probes {
+                    assert!(probe.compare(t, &state) <= probe.bound, "{text}: {t:e}");
+                }
+            }
+        }
+        held += plans.iter().filter(|&plan| is_held(plan)).count();
+    }
+    assert!(held > 20, "{held}");
 }
 
 /// Motions that come closer to the top than their errors are.
