@@ -58,12 +58,18 @@ pub(crate) enum Source {
 }
 
 impl Unlimited {
-    /// p + `shift`, limited only after it was shifted: the same number.
-    pub(crate) fn shifted(self, b: &mut Builder, shift: Double) -> Id {
+    /// A monotonic function of p, limited only after it is computed: the same number, since roundings are monotonic.
+    pub(crate) fn limited(self, b: &mut Builder, function: impl Fn(&mut Builder, Id) -> Id) -> Id {
         let float = b.float();
-        let limit = float.round(float.round(self.half * self.half) + shift.hi);
-        let shifted = b.offset(self.square, shift);
-        at_most(b, shifted, limit)
+        let at = |p: f64| {
+            let mut b = Builder::new(float);
+            let input = b.input();
+            let value = function(&mut b, input);
+            b.finish(vec![value]).run(float.round(p))[0]
+        };
+        let (first, last) = (at(0.0), at(self.half * self.half));
+        let value = function(b, self.square);
+        if last < first { at_least(b, value, last) } else { at_most(b, value, last) }
     }
 }
 
@@ -218,9 +224,48 @@ pub(super) fn at_most(b: &mut Builder, x: Id, limit: f64) -> Id {
     b.push(Op::Min { limit, x })
 }
 
+/// x, or the limit where that is more.
+fn at_least(b: &mut Builder, x: Id, limit: f64) -> Id {
+    let limit = b.constant(limit);
+    b.push(Op::Max { limit, x })
+}
+
 /// x within ±limit.
 pub(super) fn clamp(b: &mut Builder, x: Id, limit: f64) -> Id {
     let x = at_most(b, x, limit);
-    let limit = b.constant(-limit);
-    b.push(Op::Max { limit, x })
+    at_least(b, x, -limit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse::Float;
+
+    /// It is the function of the limited variable, bit by bit, whichever way it goes.
+    #[test]
+    fn limited_after_they_are_computed() {
+        for float in [Float::F64, Float::F32] {
+            for (slope, constant) in [(1.7, -0.3), (-1.684_907_4, 1.887_701_9), (8.0, -1.0), (0.1, 0.7)] {
+                let [slope, constant] = [slope, constant].map(|number| float.round(number));
+                let linear = |b: &mut Builder, p: Id| {
+                    let (slope, constant) = (b.constant(slope), b.constant(constant));
+                    let product = b.mul(p, slope);
+                    b.add(product, constant)
+                };
+                let half = 0.474;
+                let mut b = Builder::new(float);
+                let square = b.input();
+                let unlimited = Unlimited { distance: square, square, half, leaps: true };
+                let late = unlimited.limited(&mut b, linear);
+                let early = at_most(&mut b, square, float.round(half * half));
+                let early = linear(&mut b, early);
+                let program = b.finish(vec![late, early]);
+                for i in -40..40 {
+                    let [late, early] = program.run(float.round(half * half * 1.003f64.powi(i)))[..] else { panic!() };
+                    assert_eq!(late, early, "{slope} {i}");
+                }
+                assert!(program.run(f64::INFINITY).iter().all(|result| result.is_finite()));
+            }
+        }
+    }
 }

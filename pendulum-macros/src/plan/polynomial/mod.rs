@@ -146,39 +146,56 @@ impl Polynomial {
     /// The phase without limits, if what is divided may be of that. The polynomial's variable is kept within limits beyond
     /// the horizon; but of a curve on both sides of 0 there may be less, where the divisor grows, or a phase leaps to where
     /// it is less over that. What is beside poles goes from the whole to what it is without them.
-    ///
-    /// Two terms and 8p − 1 use the limited variable once. LLVM makes a choice of results of such a limit, if what is
-    /// limited has other uses: four operations in place of one.
     fn unlimited(&self, variables: &Variables) -> Option<Unlimited> {
         let (pole, dispensable) = match self.divided {
             Divided::Nothing => return None,
             Divided::Whole { pole, .. } => (pole, true),
             Divided::Rest(pole, Remainder { dispensable, .. }) => (pole, dispensable),
         };
-        let used_once = self.terms() < 3 || self.form == Form::Normalised;
         variables.unlimited.filter(|&Unlimited { half, leaps, .. }| {
             let less = if self.parity == Parity::Odd {
                 leaps && pole.falls(half)
             } else {
-                self.alternates && pole.grows(half)
+                self.alternates && pole.grows(half) && !self.is_of_one_use()
             };
-            less && dispensable && !used_once
+            less && dispensable
         })
+    }
+
+    /// Whether it uses its variable once. LLVM makes a choice of results of a limit that is used once, if what is limited
+    /// has other uses: four operations in place of one. Then it is better to limit the results.
+    fn is_of_one_use(&self) -> bool {
+        self.terms() < 3 || self.form == Form::Normalised
     }
 
     /// The polynomial times a factor, if any; `unlimited` is what that is of.
     fn times(&self, b: &mut Builder, variables: &Variables, factor: Option<Id>, unlimited: Option<Unlimited>) -> Id {
+        let value = self.value(b, variables, unlimited);
+        factor.map_or(value, |factor| b.mul(factor, value))
+    }
+
+    fn value(&self, b: &mut Builder, variables: &Variables, unlimited: Option<Unlimited>) -> Id {
         let variables = &self.map.map_or(*variables, |map| variables.mapped(b, map));
-        let y = match unlimited {
-            _ if self.form == Form::Normalised => variables.normalised(b),
-            // Where another kernel uses p, too, p is there.
-            Some(unlimited) if self.shift != Double::ZERO && variables.alone => unlimited.shifted(b, self.shift),
+        // Where another kernel uses p, too, p is there.
+        let late = unlimited.filter(|_| variables.alone && (self.shift != Double::ZERO || self.is_of_one_use()));
+        let argument = |b: &mut Builder, variables: &Variables| match self.form {
+            Form::Normalised => variables.normalised(b),
             _ => variables.shifted(b, self.shift),
+        };
+        let of = |b: &mut Builder, p: Id| argument(b, &Variables { p, ..*variables });
+        let y = match late {
+            Some(unlimited) if self.terms() < 3 => {
+                return unlimited.limited(b, |b, p| {
+                    let y = of(b, p);
+                    self.blocks.lower(b, y)
+                });
+            }
+            Some(unlimited) => unlimited.limited(b, of),
+            None => argument(b, variables),
         };
         let fraction = self.fraction(b, unlimited.map_or(*variables, |unlimited| variables.without(unlimited)), y);
         let value = self.blocks.lower(b, y);
-        let value = fraction.map_or(value, |fraction| b.add(value, fraction));
-        factor.map_or(value, |factor| b.mul(factor, value))
+        fraction.map_or(value, |fraction| b.add(value, fraction))
     }
 
     /// What of it is over the poles. It is divided while the rest is evaluated.

@@ -355,6 +355,8 @@ fn beyond_the_horizon_the_motion_goes_on() {
         "theta0 = 3.1, tol = 1e-12, t_max = 10, omega = 0.01, outputs = [velocity]",
         "theta0 = 7π/8, tol = 1e-2, t_max = 10, float = f32, outputs = [velocity]",
         "theta0 = 3, tol = 1e-5, t_max = 10, float = f32, outputs = [velocity]",
+        "theta0 = 0.62, tol = 2.5e-5, t_max = 10, float = f32, outputs = [velocity]",
+        "theta0 = 2.8, tol = 1e-2, t_max = 10, outputs = [velocity]",
         "velocity0 = 2.2, tol = 1e-6, t_max = 10, outputs = [acceleration]",
     ] {
         let plan = planned(text);
