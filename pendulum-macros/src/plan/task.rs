@@ -6,6 +6,7 @@ use super::curve::{RotationCurves, Size, SwingCurves};
 use super::met::Met;
 use super::passage::Orbit;
 use super::reduction::{Clock, Origin, Reduction};
+use super::turning::Mean;
 use crate::exact::Real;
 use crate::motion::{Motion, Regime, Rotation, Separatrix, Swing, direction};
 use crate::parse::Output;
@@ -24,8 +25,8 @@ pub(super) struct Task {
     /// The passage through the lowest point; absent where the nome makes its series converge slowly, or a method is asked
     /// for.
     passage: Option<Orbit>,
-    /// Whether turns are added to an angle, or taken off: of all of a rotation, not of an arc.
-    pub(super) turning: bool,
+    /// The mean rotation, if turns are added to an angle, or taken off: of all of a rotation, not of an arc.
+    pub(super) mean: Option<Mean>,
     /// The most turns within the horizon, each from one anchor to the next, from half-way between those numbered 0 and 1.
     pub(super) turns: f64,
     /// The first and the last phase within the horizon, where that is less than from one anchor to the next.
@@ -64,7 +65,10 @@ impl Task {
         // The turn that passes the lowest point at t = 0 began at the top numbered 0.
         let launch = &rotation.launch + rotation.launch.context().ratio(1, 2);
         let passage = Orbit::new(&scene.motion, &rotation.elliptic, -1.0, direction);
-        Self { passage, turning: true, ..Self::whole(scene, aims, rotation.rate(), launch, direction) }
+        let turned = |turns: &Real| (turns * turns.context().pi()).to_double() * (2.0 * direction);
+        let (rate, start) = (rotation.rate(), turned(&rotation.launch));
+        let mean = Some(Mean { rate: turned(&rate), start });
+        Self { passage, mean, ..Self::whole(scene, aims, rate, launch, direction) }
     }
 
     fn separatrix(scene: &Scene, separatrix: &Separatrix) -> Self {
@@ -87,7 +91,12 @@ impl Task {
     fn whole(scene: &Scene, aims: Vec<Aim>, rate: Real, launch: Real, direction: f64) -> Self {
         let met = Met::within(scene, &rate, &launch);
         let turns = scene.horizon() * rate.to_f64() + (launch.to_f64() - 0.5).abs();
-        Self { aims, rate, launch, direction, passage: None, turning: false, turns, met, unreduced: None }
+        Self { aims, rate, launch, direction, passage: None, mean: None, turns, met, unreduced: None }
+    }
+
+    /// Whether turns are added to an angle, or taken off.
+    pub(super) fn turns_over(&self) -> bool {
+        self.mean.is_some()
     }
 
     /// The same over no more than the horizon meets, where that is less than from one anchor to the next.
@@ -116,7 +125,7 @@ impl Task {
             launch: context.integer(0),
             direction: 1.0,
             passage: None,
-            turning: false,
+            mean: None,
             turns: 0.0,
             met: None,
             unreduced: Some(Reduction::time(reach, arc.halves().is_none(), scene.float)?),

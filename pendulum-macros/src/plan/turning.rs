@@ -4,6 +4,7 @@ use super::Bound;
 use super::reduction::{Origin, ROUNDED, Reduction};
 use super::variables::Variables;
 use crate::parse::Float;
+use crate::power::two_to;
 use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
 use crate::supremum::larger;
@@ -87,11 +88,22 @@ pub(crate) enum Start {
     Piece,
 }
 
+/// The uniform rotation that an angle deviates from periodically.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Mean {
+    /// In rad per time.
+    pub(crate) rate: Double,
+    /// The angle at t = 0.
+    pub(crate) start: Double,
+}
+
 /// What is done about the number of turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Range {
     /// They are added.
     Any,
+    /// They are those of the mean rotation, which is added to what is periodic as one product with the time.
+    Steady(Mean),
     /// They are left out, and one may have to be taken off, or added, beside the top.
     Modulo,
     /// They are left out, and the exact angle of the phase exceeds half a turn by at most so much.
@@ -104,11 +116,34 @@ pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
 /// Below this, 2⁵², the number of turns is exact, halves of them included; that of pieces of a turn is below 2⁵².
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 
+impl Mean {
+    fn lower(self, b: &mut Builder, periodic: Id) -> Id {
+        let rate = b.rounded(self.rate);
+        let t = b.input();
+        let mean = b.mul(t, rate);
+        let angle = if self.start == Double::ZERO { periodic } else { b.offset(periodic, self.start) };
+        b.add(mean, angle)
+    }
+
+    /// Whether its rate has all digits in that type, and both words.
+    fn is_normal(self, float: Float) -> bool {
+        let least = match float {
+            Float::F64 => two_to(-900),
+            Float::F32 => f64::from(f32::MIN_POSITIVE),
+        };
+        let rate = float.round(self.rate.hi).abs();
+        (least..=float.largest()).contains(&rate)
+    }
+}
+
 /// Below this the product of a number of turns, or halves of them, with 2π is exact.
 const FEW_TURNS: f64 = 5.5;
 
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
+        if let Range::Steady(mean) = self.range {
+            return mean.lower(b, angle);
+        }
         let angle = match (self.start, variables.side) {
             (Start::Lowest | Start::Piece, _) => angle,
             (Start::Top { .. }, Some(side)) => {
@@ -133,23 +168,34 @@ impl Turning {
             }
             Range::Modulo => modulo_turn(b, angle),
             Range::Within { .. } => within_half_turn(b, angle),
+            Range::Steady(_) => unreachable!("it has no other parts"),
         }
     }
 
-    /// The same, but that a wrapped angle is held within half a turn where that adds little to what it is wrong by: the
-    /// truncation and the error of the phase. From the top it is none beyond; from the lowest point, as far as phases
-    /// overshoot.
-    pub(super) fn held_if_good(self, reduction: &Reduction, [truncation, phase]: [f64; 2]) -> Self {
-        const LITTLE: f64 = 0.125;
-        if self.range == Range::Any || self.start == Start::Piece {
-            return self;
-        }
-        let from_top = self.is_halfway(reduction.origin);
-        let beyond = if from_top { 0.0 } else { self.slope * reduction.overshoot.max(0.0) };
-        let held = Self { range: Range::Within { beyond }, ..self.clone() };
+    /// The same in a cheaper way, where that adds little to the truncation and the error of the phase, and takes little of
+    /// what they leave of a limit. A wrapped one is held within half a turn, beyond which it is not if it is from the top, else as far as phases
+    /// overshoot; to another the mean rotation is added.
+    pub(super) fn cheaper_if_good(
+        self,
+        reduction: &Reduction,
+        mean: Mean,
+        [truncation, phase]: [f64; 2],
+        limit: f64,
+    ) -> Self {
+        const LITTLE: f64 = 0.25;
+        let range = match (self.range, self.start) {
+            (Range::Modulo, Start::Top { .. } | Start::Lowest) => {
+                let from_top = self.is_halfway(reduction.origin);
+                Range::Within { beyond: if from_top { 0.0 } else { self.slope * reduction.overshoot.max(0.0) } }
+            }
+            (Range::Any, Start::Top { .. }) if mean.is_normal(reduction.float) => Range::Steady(mean),
+            _ => return self,
+        };
+        let cheaper = Self { range, ..self.clone() };
         let bound = Bound { truncation, phase, evaluation: 0.0 };
-        let [own, helds] = [&self, &held].map(|turning| turning.own_rounding(reduction, &bound));
-        if helds <= own + LITTLE * (truncation + phase) { held } else { self }
+        let [own, others] = [&self, &cheaper].map(|turning| turning.own_rounding(reduction, &bound));
+        let error = truncation + phase;
+        if others <= own + LITTLE * error.min(limit - error) { cheaper } else { self }
     }
 
     /// Whether the angle is that from the top, half a turn from the lowest point that the turns count.
@@ -200,9 +246,12 @@ impl Turning {
     /// numbers that it may be, and there no farther than from these.
     fn own_rounding(&self, reduction: &Reduction, bound: &Bound) -> f64 {
         let error = bound.total();
+        if let Range::Steady(mean) = self.range {
+            return self.rounding_of_mean(mean, reduction.float, error);
+        }
         let completed = self.rounding_from_lowest(reduction, error);
         let of_turns = match self.range {
-            Range::Any => self.rounding_of_sums(reduction, error),
+            Range::Steady(_) | Range::Any => self.rounding_of_sums(reduction, error),
             Range::Modulo => rounding_modulo(reduction.float),
             Range::Within { beyond } => {
                 let evaluated = bound.truncation + bound.evaluation + completed;
@@ -210,6 +259,15 @@ impl Turning {
             }
         };
         completed + of_turns
+    }
+
+    /// Of [`Mean::lower`]: of the rate, the product, the angle at t = 0, the sum of that with what is periodic, and of all.
+    fn rounding_of_mean(&self, Mean { rate, start }: Mean, float: Float, error: f64) -> f64 {
+        let turned = TAU * self.turns * (1.0 + ROUNDED);
+        let product = half_ulp(turned, float) + turned * (float.rest(rate) / rate.hi).abs();
+        let periodic = if let Start::Top { largest } = self.start { largest } else { PI } + error;
+        let shifted = if start == Double::ZERO { 0.0 } else { half_ulp(start.hi.abs() + periodic, float) };
+        product + float.rest(start).abs() + shifted + half_ulp(turned + periodic, float)
     }
 
     /// Of [`Self::with_turns`]: of the number of turns, the products with both words of 2π, the sum of the lesser one with

@@ -70,7 +70,7 @@ impl Aim {
         match self.curves.as_slice() {
             curves if curves.iter().any(|curve| curve.omitted().is_infinite()) => None,
             // From the top numbered 0, half a turn before the lowest point; the curve is what it has beside uniform turns.
-            [curve] if task.turning && self.output.is_angle() => {
+            [curve] if task.turns_over() && self.output.is_angle() => {
                 let exact = curve.at(s) + (s - Double::new(0.5)) * Double::PI * 2.0;
                 let context = number.context();
                 let [value, high, low] = [values[0] * task.direction, exact.hi, exact.lo].map(|x| context.float(x));

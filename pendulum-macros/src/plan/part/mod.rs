@@ -101,7 +101,7 @@ impl Aim {
     /// Those of the mirror image, if that is what moves: it changes the sign of a curve, but for the height's, and cos(θ/2)
     /// with it, or sin where the angle is from the top.
     fn mirror<K>(&self, task: &Task, kernels: &mut [K], negate: impl Fn(&mut K)) {
-        let mirrors = |curve: &Curve| self.output != Output::Position || curve.mirrors(task.turning);
+        let mirrors = |curve: &Curve| self.output != Output::Position || curve.mirrors(task.turns_over());
         let mirrored = kernels.iter_mut().zip(&self.curves).filter(|(_, curve)| task.direction < 0.0 && mirrors(curve));
         mirrored.for_each(|(kernel, _)| negate(kernel));
     }
@@ -164,11 +164,14 @@ impl Aim {
 
     /// What completes the angle of a rotation that is computed from there, given the truncation and the error of the phase.
     fn turning(&self, task: &Task, reduction: &Reduction, start: Start, errors: [f64; 2]) -> Option<Turning> {
-        let Task { turning, direction, turns, .. } = *task;
+        let Task { direction, turns, .. } = *task;
         let range = if self.output == Output::Wrapped { Range::Modulo } else { Range::Any };
         let (unit, slope) = (reduction.unit, self.size.slope);
-        let whole = || Turning { start, unit, range, slope, direction, turns }.held_if_good(reduction, errors);
-        (turning && self.output.is_angle()).then(whole)
+        let mean = task.mean.filter(|_| self.output.is_angle())?;
+        let turning = Turning { start, unit, range, slope, direction, turns };
+        // At full precision an angle is as good as it can be where it is small, and its turns don't count.
+        let as_good = self.goal == Goal::Full && range == Range::Any;
+        Some(if as_good { turning } else { turning.cheaper_if_good(reduction, mean, errors, self.limit) })
     }
 
     /// An arc may lead over the top; a whole swing doesn't, but its largest angle is rounded.

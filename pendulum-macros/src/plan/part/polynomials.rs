@@ -195,7 +195,7 @@ impl Approximations {
         let all = self.choose(poles, reduction);
         let curves: Vec<(&Curve, &Approximation)> = self.aim.curves.iter().zip(&*all).collect();
         if let [sine, cosine] = curves[..] {
-            let mirrored = sine.0.mirrors(task.turning);
+            let mirrored = sine.0.mirrors(task.turns_over());
             let [first, second] = if mirrored { [cosine, sine] } else { [sine, cosine] };
             let first = polynomial(first, Numerator::Leading)?;
             let second = polynomial(second, first.numerator())?;

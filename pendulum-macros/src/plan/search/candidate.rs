@@ -127,7 +127,7 @@ impl<'a> Candidate<'a> {
     /// good as it can be where it is small, if all outputs can be had from there.
     pub(super) fn is_late(&self, scene: &Scene) -> bool {
         let angle = scene.outputs.iter().any(|output| output.is_angle());
-        let turning = self.prospect.task.turning && scene.goal == Goal::Full && angle;
+        let turning = self.prospect.task.turns_over() && scene.goal == Goal::Full && angle;
         turning && self.reduction.origin != Origin::Lowest
     }
 

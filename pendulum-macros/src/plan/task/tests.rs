@@ -191,7 +191,7 @@ fn directions_and_launches() {
         ("velocity0 = -2", -1.0, 0.0, false),
     ] {
         let (_, task) = task(text);
-        assert_eq!((task.direction, task.launch.to_f64(), task.turning), (direction, launch, turning), "{text}");
+        assert_eq!((task.direction, task.launch.to_f64(), task.turns_over()), (direction, launch, turning), "{text}");
         if let Some(passage) = &task.passage {
             assert_eq!(passage.direction, direction, "{text}");
         }

@@ -49,7 +49,8 @@ fn rounding_of_turns() {
     ] {
         let (turning, plan) = rotation(text);
         assert_eq!(plan.reduction.origin, origin, "{text}");
-        let turning = Turning { turns: 1000.0, ..turning };
+        let range = if text.contains("wrapped") { turning.range } else { Range::Any };
+        let turning = Turning { range, turns: 1000.0, ..turning };
         assert_near(rounding(&turning, &plan.reduction, 0.0), expected, 1e-3);
     }
 }
@@ -60,6 +61,7 @@ fn rounding_of_turns() {
 fn rounding_of_few_turns() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
     assert_eq!(plan.reduction.origin, Origin::Anchor);
+    let turning = Turning { range: Range::Any, ..turning };
     let near = |turns, error| rounding(&Turning { turns, ..turning.clone() }, &plan.reduction, error);
     let none = near(0.0, 0.0);
     for (turns, error, expected) in [
@@ -71,6 +73,43 @@ fn rounding_of_few_turns() {
         (2f64.powi(52), 0.0, 2.0 * 2.0 + 21.0 * 0.5),
     ] {
         assert_near(near(turns, error) - none, expected - 2f64.powi(-52), 1e-3);
+    }
+}
+
+/// Of the mean rotation the rate and the product with the time are rounded, and the sum with what is periodic; the angle at
+/// t = 0, and the sum with that, if there is one.
+#[test]
+fn rounding_of_means() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
+    let Start::Top { largest: periodic } = turning.start else { panic!("{turning:?}") };
+    for (rate, start, turns, expected) in [
+        (2.5, 0.0, 1000.0, 2.0 * 2f64.powi(-41)),
+        (-2.5, 0.0, 1000.0, 2.0 * 2f64.powi(-41)),
+        (2.5, -3.0, 1000.0, 2.0 * 2f64.powi(-41) + 2f64.powi(-52)),
+        (2.5, 0.0, 0.6, 2f64.powi(-52) + if 1.2 * PI + periodic > 4.0 { 2f64.powi(-51) } else { 2f64.powi(-52) }),
+    ] {
+        let range = Range::Steady(Mean { rate: Double::new(rate), start: Double::new(start) });
+        let turning = Turning { range, turns, ..turning.clone() };
+        assert_near(rounding(&turning, &plan.reduction, 0.0), expected, 1e-3);
+    }
+    let rate = Double::from_sum(2.5, 2f64.powi(-54));
+    let range = Range::Steady(Mean { rate, start: Double::from_sum(0.0, 0.0) });
+    let turning = Turning { range, turns: 1000.0, ..turning };
+    let of_rate = TAU * 1000.0 * 2f64.powi(-54) / 2.5;
+    assert_near(rounding(&turning, &plan.reduction, 0.0), 2.0 * 2f64.powi(-41) + of_rate, 1e-3);
+}
+
+/// At tolerances the mean rotation is added, unless its rounding were much of what is left of them; at full precision turns are.
+#[test]
+fn mean_rotations() {
+    let steady = |text: &str| matches!(rotation(text).0.range, Range::Steady(_));
+    for text in
+        ["tol = 1e-6, t_max = 1e3", "tol = 1e-9, t_max = 1e3", "tol = 1e-3, t_max = 100, float = f32", "tol = 30"]
+    {
+        assert!(steady(text), "{text}");
+    }
+    for text in ["t_max = 1e3", "t_max = 10, float = f32", "tol = 1e-14, t_max = 10"] {
+        assert!(!steady(text), "{text}");
     }
 }
 
