@@ -11,9 +11,9 @@ impl Program {
     }
 
     /// Relative cost in an array loop, one addition or multiplication of the input's type being 1. Wide operations in a
-    /// narrow program have half the lanes, if it has any.
+    /// narrow program have half the lanes.
     pub(crate) fn cost(&self) -> f64 {
-        let lanes = |node: &Node| if node.float == self.float() || !self.table.is_empty() { 1.0 } else { 2.0 };
+        let lanes = |node: &Node| if node.float == self.float() { 1.0 } else { 2.0 };
         let sum: f64 = self.nodes.iter().map(|node| lanes(node) * weight(node.op)).sum();
         self.lanes_lost() * sum
     }

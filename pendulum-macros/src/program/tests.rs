@@ -264,23 +264,6 @@ fn costs() {
     assert_eq!([cost(Op::Mul), cost(Op::Sub)], [1.0, 1.0]);
 }
 
-/// One by one wide operations cost what narrow ones do, as with a table.
-#[test]
-fn costs_one_by_one() {
-    let cost = |wide: bool| {
-        let mut b = Builder::new(Float::F32);
-        let t = b.input();
-        let magic = b.constant(Float::F32.magic());
-        let magic = b.add(t, magic);
-        let entries = b.look_up(&[vec![Double::new(2.0)], vec![Double::new(3.0)]], magic);
-        let number = if wide { b.convert(entries[0], Float::F64) } else { entries[0] };
-        let square = b.mul(number, number);
-        b.finish(vec![square]).cost()
-    };
-    // A sum, a row and a product, and the conversion.
-    assert!((cost(true) / cost(false) - 7.0 / 5.0).abs() < 1e-14);
-}
-
 /// Of a table of 2 and 5, and 3 and 7, the row that is the parity of t: 2 + 5t or 3 + 7t. What isn't looked up isn't kept.
 #[test]
 fn tables() {
