@@ -178,8 +178,9 @@ struct Readme;
 ///   `t_max`.
 /// * A bound is that of the t passed. A clock rounded to `f32` is itself wrong, after an hour of seconds by up to 1.2·10⁻⁴
 ///   s: keep time in `f64`, and pass what is left of it after whole periods.
-/// * With `float = f32` these are computed in `f64` nevertheless: the phase, without `t_max` or for a fine `tol`; the
-///   turns of a rotation; times on the separatrix; the passage. A swing with a `t_max` and a coarse `tol` has none.
+/// * With `float = f32` these are computed in `f64` nevertheless: the phase and the turns of a rotation, without `t_max` or
+///   for a fine `tol`; times on the separatrix; the passage. A swing or a rotation with a `t_max` and a coarse `tol` has
+///   none.
 /// * Of θ̇ the bound alone is promised: where `METHOD` is `"passage"` it is not exactly 0 at the release.
 ///
 /// ```
