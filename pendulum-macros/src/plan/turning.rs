@@ -62,19 +62,21 @@ impl Finish {
 }
 
 /// What is added to the angle of the latest passage.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Turning {
     /// What is completed.
     pub(crate) start: Start,
+    /// Whether the phase is that from the top, half a turn from the lowest points that turns are counted from.
+    pub(crate) halfway: bool,
     /// Anchors per unit of the reduced phase.
     pub(crate) unit: Double,
-    pub(crate) range: Range,
+    pub(crate) turns: Turns,
     /// The most that the angle changes by in an anchor, at the rate of the lowest point.
     pub(crate) slope: f64,
     /// −1 where θ decreases.
     pub(crate) direction: f64,
     /// The most turns within the horizon, of the mean rotation from the lowest point numbered 0.
-    pub(crate) turns: f64,
+    pub(crate) most_turns: f64,
 }
 
 /// Where the angle begins that is computed of the phase.
@@ -99,9 +101,9 @@ pub(crate) struct Mean {
 
 /// What is done about the number of turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Range {
+pub(crate) enum Turns {
     /// They are added.
-    Any,
+    Counted,
     /// They are those of the mean rotation, which is added to what is periodic as one product with the time.
     Steady(Mean),
     /// They are left out, and one may have to be taken off, or added, beside the top.
@@ -141,7 +143,7 @@ const FEW_TURNS: f64 = 5.5;
 
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
-        if let Range::Steady(mean) = self.range {
+        if let Turns::Steady(mean) = self.turns {
             return mean.lower(b, angle);
         }
         let angle = match (self.start, variables.side) {
@@ -154,21 +156,17 @@ impl Turning {
                 let mean = self.mean(b, z);
                 b.add(mean, angle)
             }
-            (Start::Top { .. }, None) if self.range != Range::Any => self.other_side(b, variables, angle),
+            (Start::Top { .. }, None) if self.turns != Turns::Counted => self.other_side(b, variables, angle),
             (Start::Top { .. }, None) => {
                 let mean = self.mean(b, variables.distance);
                 b.add(mean, angle)
             }
         };
-        match self.range {
-            Range::Any => {
-                let origin = if variables.side.is_some() { Origin::Lowest } else { Origin::Anchor };
-                let less = if self.is_halfway(origin) { 0.5 } else { 0.0 };
-                self.with_turns(b, variables.count, angle, less)
-            }
-            Range::Modulo => modulo_turn(b, angle),
-            Range::Within { .. } => within_half_turn(b, angle),
-            Range::Steady(_) => unreachable!("it has no other parts"),
+        match self.turns {
+            Turns::Counted => self.with_turns(b, variables.count, angle),
+            Turns::Modulo => modulo_turn(b, angle),
+            Turns::Within { .. } => within_half_turn(b, angle),
+            Turns::Steady(_) => unreachable!("it has no other parts"),
         }
     }
 
@@ -183,24 +181,19 @@ impl Turning {
         limit: f64,
     ) -> Self {
         const LITTLE: f64 = 0.25;
-        let range = match (self.range, self.start) {
-            (Range::Modulo, Start::Top { .. } | Start::Lowest) => {
-                let from_top = self.is_halfway(reduction.origin);
-                Range::Within { beyond: if from_top { 0.0 } else { self.slope * reduction.overshoot.max(0.0) } }
+        let turns = match (self.turns, self.start) {
+            (Turns::Modulo, Start::Top { .. } | Start::Lowest) => {
+                let beyond = if self.halfway { 0.0 } else { self.slope * reduction.overshoot.max(0.0) };
+                Turns::Within { beyond }
             }
-            (Range::Any, Start::Top { .. }) if mean.is_normal(reduction.float) => Range::Steady(mean),
+            (Turns::Counted, Start::Top { .. }) if mean.is_normal(reduction.float) => Turns::Steady(mean),
             _ => return self,
         };
-        let cheaper = Self { range, ..self.clone() };
+        let cheaper = Self { turns, ..self };
         let bound = Bound { truncation, phase, evaluation: 0.0 };
         let [own, others] = [&self, &cheaper].map(|turning| turning.own_rounding(reduction, &bound));
         let error = truncation + phase;
         if others <= own + LITTLE * error.min(limit - error) { cheaper } else { self }
-    }
-
-    /// Whether the angle is that from the top, half a turn from the lowest point that the turns count.
-    fn is_halfway(&self, origin: Origin) -> bool {
-        matches!(self.start, Start::Top { .. }) && origin == Origin::Anchor
     }
 
     /// 2π·phase.
@@ -224,13 +217,13 @@ impl Turning {
         b.add(angle, offset)
     }
 
-    /// 2π·(n − less) + angle, with 2π in two words.
-    fn with_turns(&self, b: &mut Builder, count: Id, angle: Id, less: f64) -> Id {
+    /// 2πn + angle, or 2π(n − ½) + angle, with 2π in two words.
+    fn with_turns(&self, b: &mut Builder, count: Id, angle: Id) -> Id {
         let float = b.float();
         let mut count = b.convert(count, Float::F64);
-        if less > 0.0 {
-            let less = b.constant(less);
-            count = b.sub(count, less);
+        if self.halfway {
+            let half = b.constant(0.5);
+            count = b.sub(count, half);
         }
         let angle = b.convert(angle, Float::F64);
         let turn = Double::PI * (2.0 * self.direction);
@@ -243,17 +236,18 @@ impl Turning {
     }
 
     /// What it rounds by. What holds an angle within half a turn leads away from no other than the exact ones beyond the
-    /// numbers that it may be, and there no farther than from these.
+    /// numbers that it may be, and there no farther than from these: the exact angles of the phase before it is narrowed,
+    /// which counts as the phase's error.
     fn own_rounding(&self, reduction: &Reduction, bound: &Bound) -> f64 {
         let error = bound.total();
-        if let Range::Steady(mean) = self.range {
+        if let Turns::Steady(mean) = self.turns {
             return self.rounding_of_mean(mean, reduction.float, error);
         }
-        let completed = self.rounding_from_lowest(reduction, error);
-        let of_turns = match self.range {
-            Range::Steady(_) | Range::Any => self.rounding_of_sums(reduction, error),
-            Range::Modulo => rounding_modulo(reduction.float),
-            Range::Within { beyond } => {
+        let completed = self.rounding_of_completion(reduction, error);
+        let of_turns = match self.turns {
+            Turns::Steady(_) | Turns::Counted => self.rounding_of_sums(reduction, error),
+            Turns::Modulo => rounding_modulo(reduction.float),
+            Turns::Within { beyond } => {
                 let evaluated = bound.truncation + bound.evaluation + completed;
                 (beyond + beyond_largest_number(Double::PI, reduction.float) - evaluated).max(0.0)
             }
@@ -263,7 +257,7 @@ impl Turning {
 
     /// Of [`Mean::lower`]: of the rate, the product, the angle at t = 0, the sum of that with what is periodic, and of all.
     fn rounding_of_mean(&self, Mean { rate, start }: Mean, float: Float, error: f64) -> f64 {
-        let turned = TAU * self.turns * (1.0 + ROUNDED);
+        let turned = TAU * self.most_turns * (1.0 + ROUNDED);
         let product = half_ulp(turned, float) + turned * (float.rest(rate) / rate.hi).abs();
         let periodic = if let Start::Top { largest } = self.start { largest } else { PI } + error;
         let shifted = if start == Double::ZERO { 0.0 } else { half_ulp(start.hi.abs() + periodic, float) };
@@ -275,11 +269,11 @@ impl Turning {
     fn rounding_of_sums(&self, reduction: &Reduction, error: f64) -> f64 {
         let float = reduction.float;
         let farthest = self.farthest(reduction);
-        let count = (self.turns + farthest + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);
+        let count = (self.most_turns + farthest + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);
         // Beyond, it is a rounded sum of a multiple of 8, the others, and the first number; less a half it is rounded again.
         // Each counts 2π times.
-        let exact = self.turns < EXACT_TURNS / reduction.pieces;
-        let roundings = if self.is_halfway(reduction.origin) { 21.0 } else { 14.0 };
+        let exact = count * reduction.pieces < EXACT_TURNS - 0.5;
+        let roundings = if self.halfway { 21.0 } else { 14.0 };
         let counted = if exact { 0.0 } else { roundings * half_ulp(count, Float::F64) };
         // 2π ends in three zeros: of few turns, and halves of them, products are exact.
         let few = !reduction.counts_pieces() && count < FEW_TURNS;
@@ -287,16 +281,16 @@ impl Turning {
         let lesser = count * Float::F64.rest(Double::PI * 2.0).abs();
         let sum = self.largest_angle(farthest, reduction) + lesser + error;
         let small = half_ulp(lesser, Float::F64) + half_ulp(sum, Float::F64);
-        let largest = (TAU * self.turns + PI) * (1.0 + ROUNDED) + error;
+        let largest = (TAU * self.most_turns + PI) * (1.0 + ROUNDED) + error;
         let converted = if float == Float::F32 { half_ulp(largest, float) } else { 0.0 };
         counted + product + small + half_ulp(largest, Float::F64) + converted
     }
 
-    /// That of the angle from the lowest point, made of that from the top: of the mean, up to half a turn, its constant and
+    /// That of the angle that is made of its periodic part from the top: of the mean, up to half a turn, its constant and
     /// product, and the sum with it, in which no more than the periodic part is lost, of which what approximates it is no
     /// more than four times as large (above Lebesgue's constant of a hundred points); if wrapped, from the top itself half a
     /// turn, too, and the sum with that.
-    fn rounding_from_lowest(&self, reduction: &Reduction, error: f64) -> f64 {
+    fn rounding_of_completion(&self, reduction: &Reduction, error: f64) -> f64 {
         let Start::Top { largest: periodic } = self.start else { return 0.0 };
         let float = reduction.float;
         // Phases, in anchors, overshoot half a turn, as angles do; rounded.
@@ -305,7 +299,7 @@ impl Turning {
         let mean = half_ulp(of_half_turn, float) + farthest * float.rest(self.turn()).abs() / self.unit.hi;
         let sum = half_ulp(of_half_turn + error, float).min(4.0 * periodic);
         let half = match reduction.origin {
-            Origin::Anchor if self.range != Range::Any => {
+            Origin::Anchor if self.turns != Turns::Counted => {
                 float.rest(Double::PI).abs() + half_ulp(of_half_turn + error, float)
             }
             _ => 0.0,
@@ -348,9 +342,8 @@ fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     b.name(angle, "angle");
     match b.float() {
         Float::F64 => angle,
-        // The `PI` of `f32` is above π.
         Float::F32 => {
-            let least = b.constant(-below_half_turn(Float::F32));
+            let least = b.constant(least_half_turn(Float::F32));
             b.push(Op::Max { limit: least, x: angle })
         }
     }
@@ -362,7 +355,7 @@ fn rounding_modulo(float: Float) -> f64 {
     if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(PI, float)) }
 }
 
-/// The nearest number in that interval: of mirror images the same, if it is its own.
+/// The nearest number in that interval.
 fn held(b: &mut Builder, angle: Id, [least, most]: [f64; 2]) -> Id {
     let (most, least) = (b.constant(most), b.constant(least));
     let angle = b.push(Op::Min { limit: most, x: angle });
@@ -370,10 +363,10 @@ fn held(b: &mut Builder, angle: Id, [least, most]: [f64; 2]) -> Id {
     b.push(Op::Max { limit: least, x: angle })
 }
 
-/// The nearest number in [−π, π), of which −π is one in `f64`.
+/// The nearest number in [−π, π).
 fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
-    let most = below_half_turn(b.float());
-    held(b, angle, [if b.float() == Float::F64 { -PI } else { -most }, most])
+    let (least, most) = (least_half_turn(b.float()), below_half_turn(b.float()));
+    held(b, angle, [least, most])
 }
 
 /// The largest number below the `PI` of `f64`, so that results are less than π as users write it, too.
@@ -382,6 +375,11 @@ fn below_half_turn(float: Float) -> f64 {
         Float::F64 => PI.next_down(),
         Float::F32 => f64::from(std::f32::consts::PI.next_down()),
     }
+}
+
+/// The least number in [−π, π): the `PI` of `f32` is above π.
+fn least_half_turn(float: Float) -> f64 {
+    if float == Float::F64 { -PI } else { -below_half_turn(float) }
 }
 
 /// By how much an angle, which is no farther beyond π than [`AT_TOP`], exceeds the largest number that it may become.

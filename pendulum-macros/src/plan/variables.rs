@@ -67,9 +67,9 @@ impl Unlimited {
             let value = function(&mut b, input);
             b.finish(vec![value]).run(float.round(p))[0]
         };
-        let (first, last) = (at(0.0), at(self.half * self.half));
+        let (last, falls) = (at(self.half * self.half), at(float.largest()) < at(0.0));
         let value = function(b, self.square);
-        if last < first { at_least(b, value, last) } else { at_most(b, value, last) }
+        if falls { at_least(b, value, last) } else { at_most(b, value, last) }
     }
 }
 

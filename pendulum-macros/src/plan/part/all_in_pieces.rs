@@ -41,7 +41,8 @@ impl AllInPieces {
         Piecewise::COUNTS.into_iter().filter(|_| serves).filter_map(all).collect()
     }
 
-    /// The cost of all outputs: the reduction, the clamp, the row and the polynomials, none of it in vectors; `None` where
+    /// The cost of all outputs: the reduction, the clamp, the row, the polynomials and what completes angles, none of it in
+    /// vectors; `None` where
     /// the phase isn't good enough.
     pub(in crate::plan) fn estimate(&self, task: &Task, reduction: &Reduction) -> Option<f64> {
         let kernel = |aim: &Aim| {

@@ -11,9 +11,9 @@ use super::aim::Aim;
 use super::curve::Curve;
 use super::kernel::{Core, Kernel};
 use super::observed::observed;
-use super::reduction::Reduction;
+use super::reduction::{Origin, Reduction};
 use super::task::Task;
-use super::turning::{AT_TOP, Finish, Range, Start, Turning};
+use super::turning::{AT_TOP, Finish, Start, Turning, Turns};
 use super::variables::Variables;
 use super::{Bound, MOSTLY_ROUNDING, Part};
 use crate::parse::{Float, Output};
@@ -150,6 +150,9 @@ impl Aim {
     pub(in crate::plan) fn cost_of_finish(&self, task: &Task, reduction: &Reduction, start: Start) -> f64 {
         // About what the approximation will be wrong by.
         let finish = self.finish(self.turning(task, reduction, start, [0.5 * self.limit, 0.0]));
+        if finish == Finish::Nothing {
+            return 0.0;
+        }
         let cost = |finish: &Finish| {
             let mut b = Builder::new(reduction.float);
             let t = b.input();
@@ -159,18 +162,23 @@ impl Aim {
             let finished = finish.lower(&mut b, &variables, vec![angle]);
             b.finish(finished.into_iter().chain([variables.magic]).collect()).cost()
         };
-        if finish == Finish::Nothing { 0.0 } else { cost(&finish) - cost(&Finish::Nothing) }
+        cost(&finish) - cost(&Finish::Nothing)
     }
 
     /// What completes the angle of a rotation that is computed from there, given the truncation and the error of the phase.
     fn turning(&self, task: &Task, reduction: &Reduction, start: Start, errors: [f64; 2]) -> Option<Turning> {
-        let Task { direction, turns, .. } = *task;
-        let range = if self.output == Output::Wrapped { Range::Modulo } else { Range::Any };
-        let (unit, slope) = (reduction.unit, self.size.slope);
         let mean = task.mean.filter(|_| self.output.is_angle())?;
-        let turning = Turning { start, unit, range, slope, direction, turns };
+        let turning = Turning {
+            start,
+            halfway: matches!(start, Start::Top { .. }) && reduction.origin == Origin::Anchor,
+            unit: reduction.unit,
+            turns: if self.output == Output::Wrapped { Turns::Modulo } else { Turns::Counted },
+            slope: self.size.slope,
+            direction: task.direction,
+            most_turns: task.turns,
+        };
         // At full precision an angle is as good as it can be where it is small, and its turns don't count.
-        let as_good = self.goal == Goal::Full && range == Range::Any;
+        let as_good = self.goal == Goal::Full && turning.turns == Turns::Counted;
         Some(if as_good { turning } else { turning.cheaper_if_good(reduction, mean, errors, self.limit) })
     }
 

@@ -62,7 +62,11 @@ impl Aim {
         other: &Part,
     ) -> Option<Part> {
         let (Core::Passage(own), Core::Passage(others)) = (&part.kernel.core, &other.kernel.core) else { return None };
-        let core = Core::Passage(Box::new(own.with_exponential_of(others)));
+        let shared = own.with_exponential_of(others);
+        if shared == **own {
+            return Some(part.clone());
+        }
+        let core = Core::Passage(Box::new(shared));
         let kernel = Kernel { core, finish: part.kernel.finish.clone() };
         let bound = Bound { evaluation: kernel.rounding(reduction, f64::INFINITY), ..part.bound };
         self.accept(&kernel, bound, reduction).ok()

@@ -14,7 +14,7 @@ pub(crate) use piecewise::{Piecewise, half, phase};
 
 use super::estrin::estrin;
 use super::reduction::Reduction;
-use super::turning::{Range, Turning};
+use super::turning::{Turning, Turns};
 use super::variables::clamp;
 use crate::program::rounding::Known;
 use crate::program::{Builder, Id, Node, Op, Program, RESULT};
@@ -63,7 +63,7 @@ impl Pieces {
         let from_lowest = |piece: usize| Double::new(piece as f64 / pieces as f64 - 0.5);
         for (piece, row) in self.rows.iter_mut().enumerate() {
             row[1] = row[1] + turning.turn();
-            if turning.range != Range::Any {
+            if turning.turns != Turns::Counted {
                 row[0] = row[0] + turning.of_turns(from_lowest(piece));
             }
         }

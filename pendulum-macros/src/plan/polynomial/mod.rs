@@ -163,7 +163,8 @@ impl Polynomial {
     }
 
     /// Whether it uses its variable once. LLVM makes a choice of results of a limit that is used once, if what is limited
-    /// has other uses: four operations in place of one. Then it is better to limit the results.
+    /// has other uses: four operations in place of one. Results are limited instead, where that saves the limits of what is
+    /// divided; of an even curve these are the variable's own.
     fn is_of_one_use(&self) -> bool {
         self.terms() < 3 || self.form == Form::Normalised
     }
@@ -185,6 +186,7 @@ impl Polynomial {
         let of = |b: &mut Builder, p: Id| argument(b, &Variables { p, ..*variables });
         let y = match late {
             Some(unlimited) if self.terms() < 3 => {
+                debug_assert!(!matches!(self.divided, Divided::Rest(..)) && self.map.is_none(), "a fraction, or a map");
                 return unlimited.limited(b, |b, p| {
                     let y = of(b, p);
                     self.blocks.lower(b, y)

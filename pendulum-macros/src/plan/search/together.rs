@@ -21,7 +21,7 @@ impl Candidate<'_> {
     pub(super) fn together(&self, scene: &Scene, mut parts: Vec<Part>, rejected: &mut Vec<Rejected>) -> Vec<Part> {
         let place = |output| parts.iter().position(|part| part.output == output);
         let (Some(theta), Some(velocity)) = (place(Output::Theta), place(Output::Velocity)) else { return parts };
-        self.share_exponential(&mut parts, [theta, velocity]);
+        self.share_exponential(scene, &mut parts, [theta, velocity]);
         let Some(found) = parts[velocity].kernel.polynomial() else { return parts };
         let (parity, first) = (found.parity, found.variant());
         let cost = |part: &Part| self.cost_beside(&parts[theta], part);
@@ -37,16 +37,18 @@ impl Candidate<'_> {
         parts
     }
 
-    /// Of passages that which has fewer terms takes the exponential of the other, if that costs less.
-    fn share_exponential(&self, parts: &mut [Part], [theta, velocity]: [usize; 2]) {
+    /// Passages take the nearer of both exponentials, if it costs less that they have one.
+    fn share_exponential(&self, scene: &Scene, parts: &mut [Part], [theta, velocity]: [usize; 2]) {
         let cost = |[theta, velocity]: [&Part; 2]| {
-            let cost = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost();
-            let alone = cost(&[&theta.kernel]) + cost(&[&velocity.kernel]);
-            cost(&[&theta.kernel, &velocity.kernel]) + ALONE * alone
+            let of = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost();
+            let alone = of(&[&theta.kernel]) + of(&[&velocity.kernel]);
+            of(&[&theta.kernel, &velocity.kernel]) + ALONE * alone
         };
+        let comfortable = Limits::of(scene.goal, self.reduction).comfortable;
         let with_that_of = |one: usize, other: usize| {
             let aim = &self.prospect.approximations[one].aim;
-            aim.with_exponential_of(self.reduction, &parts[one], &parts[other])
+            let part = aim.with_exponential_of(self.reduction, &parts[one], &parts[other])?;
+            (part.share <= parts[one].share.max(comfortable)).then_some(part)
         };
         let (Some(own), Some(others)) = (with_that_of(theta, velocity), with_that_of(velocity, theta)) else { return };
         if cost([&own, &others]) < cost([&parts[theta], &parts[velocity]]) {

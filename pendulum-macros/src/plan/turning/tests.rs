@@ -2,18 +2,18 @@ use super::*;
 use crate::motion::Regime;
 use crate::plan::tests::probe::Probe;
 use crate::plan::tests::truth::State;
-use crate::plan::{Plan, plan};
+use crate::plan::{Plan, Refusal, plan};
 use crate::testing::scene;
 use std::f64::consts::{PI, TAU};
 
 fn rotation(text: &str) -> (Turning, Plan) {
     let plan = plan(&scene(&format!("struct Motion; velocity0 = 3, {text}"))).unwrap();
     let Finish::Turning(turning) = &plan.parts[0].kernel.finish else { panic!("{text}: no turning angle") };
-    (turning.clone(), plan)
+    (*turning, plan)
 }
 
 fn is_held(plan: &Plan) -> bool {
-    matches!(&plan.parts[0].kernel.finish, Finish::Turning(Turning { range: Range::Within { .. }, .. }))
+    matches!(&plan.parts[0].kernel.finish, Finish::Turning(Turning { turns: Turns::Within { .. }, .. }))
 }
 
 /// What turns are rounded by if all else is evaluated with so large an error.
@@ -49,8 +49,8 @@ fn rounding_of_turns() {
     ] {
         let (turning, plan) = rotation(text);
         assert_eq!(plan.reduction.origin, origin, "{text}");
-        let range = if text.contains("wrapped") { turning.range } else { Range::Any };
-        let turning = Turning { range, turns: 1000.0, ..turning };
+        let turns = if text.contains("wrapped") { turning.turns } else { Turns::Counted };
+        let turning = Turning { turns, most_turns: 1000.0, ..turning };
         assert_near(rounding(&turning, &plan.reduction, 0.0), expected, 1e-3);
     }
 }
@@ -61,8 +61,8 @@ fn rounding_of_turns() {
 fn rounding_of_few_turns() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
     assert_eq!(plan.reduction.origin, Origin::Anchor);
-    let turning = Turning { range: Range::Any, ..turning };
-    let near = |turns, error| rounding(&Turning { turns, ..turning.clone() }, &plan.reduction, error);
+    let turning = Turning { turns: Turns::Counted, ..turning };
+    let near = |most_turns, error| rounding(&Turning { most_turns, ..turning }, &plan.reduction, error);
     let none = near(0.0, 0.0);
     for (turns, error, expected) in [
         (0.6, 0.0, 2f64.powi(-51)),
@@ -88,21 +88,22 @@ fn rounding_of_means() {
         (2.5, -3.0, 1000.0, 2.0 * 2f64.powi(-41) + 2f64.powi(-52)),
         (2.5, 0.0, 0.6, 2f64.powi(-52) + if 1.2 * PI + periodic > 4.0 { 2f64.powi(-51) } else { 2f64.powi(-52) }),
     ] {
-        let range = Range::Steady(Mean { rate: Double::new(rate), start: Double::new(start) });
-        let turning = Turning { range, turns, ..turning.clone() };
+        let mean = Turns::Steady(Mean { rate: Double::new(rate), start: Double::new(start) });
+        let turning = Turning { turns: mean, most_turns: turns, ..turning };
         assert_near(rounding(&turning, &plan.reduction, 0.0), expected, 1e-3);
     }
     let rate = Double::from_sum(2.5, 2f64.powi(-54));
-    let range = Range::Steady(Mean { rate, start: Double::from_sum(0.0, 0.0) });
-    let turning = Turning { range, turns: 1000.0, ..turning };
+    let turns = Turns::Steady(Mean { rate, start: Double::ZERO });
+    let turning = Turning { turns, most_turns: 1000.0, ..turning };
     let of_rate = TAU * 1000.0 * 2f64.powi(-54) / 2.5;
     assert_near(rounding(&turning, &plan.reduction, 0.0), 2.0 * 2f64.powi(-41) + of_rate, 1e-3);
 }
 
-/// At tolerances the mean rotation is added, unless its rounding were much of what is left of them; at full precision turns are.
+/// At tolerances the mean rotation is added, unless its rounding were much of what is left of them; at full precision turns
+/// are.
 #[test]
 fn mean_rotations() {
-    let steady = |text: &str| matches!(rotation(text).0.range, Range::Steady(_));
+    let steady = |text: &str| matches!(rotation(text).0.turns, Turns::Steady(_));
     for text in
         ["tol = 1e-6, t_max = 1e3", "tol = 1e-9, t_max = 1e3", "tol = 1e-3, t_max = 100, float = f32", "tol = 30"]
     {
@@ -110,6 +111,27 @@ fn mean_rotations() {
     }
     for text in ["t_max = 1e3", "t_max = 10, float = f32", "tol = 1e-14, t_max = 10"] {
         assert!(!steady(text), "{text}");
+    }
+}
+
+/// Up to 2⁵² of them and a half, at the end of a horizon of as many turns, they lose the half; their number as it is stated is
+/// a product that was rounded.
+#[test]
+fn halves_of_many_turns() {
+    for text in [
+        "velocity0 = 6.499, t_max = 4463014018575903.5, tol = 5",
+        "velocity0 = -3.838, t_max = 7968085813775628, tol = 4.5",
+        "velocity0 = 7.086, t_max = 4076665083184175, tol = 6",
+        "velocity0 = 7.492, t_max = 3847083445668163.5, tol = 6",
+    ] {
+        let scene = scene(&format!("struct Motion; {text}"));
+        for plan in crate::plan::search::every(&scene) {
+            let mut probe = Probe::new(&scene, &plan);
+            for t in [probe.horizon, -probe.horizon] {
+                assert!(probe.at(t) <= probe.bound, "{text}: {}", plan.reduction.describe());
+            }
+        }
+        assert!(!matches!(plan(&scene), Err(Refusal::Broken { .. })), "{text}");
     }
 }
 
@@ -129,7 +151,7 @@ fn rounding_of_turns_in_pieces() {
     for (turns, counted) in [(1000.0, 0.0), (2f64.powi(45), 0.0), (2f64.powi(47), 14.0)] {
         let of_turns = half_ulp(TAU * turns, Float::F64) * 2.0 + half_ulp(turns, Float::F64) * counted;
         let of_angle = 2f64.powi(-52);
-        let turning = Turning { turns, ..turning.clone() };
+        let turning = Turning { most_turns: turns, ..turning };
         assert_near(rounding(&turning, &plan.reduction, 0.0), of_turns + of_angle, 1e-6);
     }
 }
@@ -138,7 +160,7 @@ fn rounding_of_turns_in_pieces() {
 #[test]
 fn rounding_of_next_to_uniform_rotations() {
     let (turning, plan) = rotation("outputs = [wrapped], float = f32");
-    let uniform = Turning { start: Start::Top { largest: 1e-12 }, ..turning.clone() };
+    let uniform = Turning { start: Start::Top { largest: 1e-12 }, ..turning };
     // More than staying within half a turn changes.
     let evaluation = 1e-6;
     let lost = rounding(&turning, &plan.reduction, evaluation) - rounding(&uniform, &plan.reduction, evaluation);
