@@ -146,7 +146,17 @@ impl Turning {
         if let Turns::Steady(mean) = self.turns {
             return mean.lower(b, angle);
         }
-        let angle = match (self.start, variables.side) {
+        let angle = self.completed(b, variables, angle);
+        match self.turns {
+            Turns::Modulo => modulo_turn(b, angle),
+            Turns::Within { .. } => within_half_turn(b, angle),
+            _ => self.with_turns(b, variables.count, angle),
+        }
+    }
+
+    /// The angle from the lowest point, or left from the top to turns that are counted half-way.
+    fn completed(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
+        match (self.start, variables.side) {
             (Start::Lowest | Start::Piece, _) => angle,
             (Start::Top { .. }, Some(side)) => {
                 // Uniform rotation from the lowest point is 2πz, without any half turn to be taken off.
@@ -161,18 +171,12 @@ impl Turning {
                 let mean = self.mean(b, variables.distance);
                 b.add(mean, angle)
             }
-        };
-        match self.turns {
-            Turns::Counted => self.with_turns(b, variables.count, angle),
-            Turns::Modulo => modulo_turn(b, angle),
-            Turns::Within { .. } => within_half_turn(b, angle),
-            Turns::Steady(_) => unreachable!("it has no other parts"),
         }
     }
 
     /// The same in a cheaper way, where that adds little to the truncation and the error of the phase, and takes little of
-    /// what they leave of a limit. A wrapped one is held within half a turn, beyond which it is not if it is from the top, else as far as phases
-    /// overshoot; to another the mean rotation is added.
+    /// what they leave of a limit. A wrapped angle is held within half a turn, beyond which it is not if it is from the top,
+    /// else as far as phases overshoot; to another the mean rotation is added.
     pub(super) fn cheaper_if_good(
         self,
         reduction: &Reduction,
@@ -240,19 +244,17 @@ impl Turning {
     /// which counts as the phase's error.
     fn own_rounding(&self, reduction: &Reduction, bound: &Bound) -> f64 {
         let error = bound.total();
-        if let Turns::Steady(mean) = self.turns {
-            return self.rounding_of_mean(mean, reduction.float, error);
-        }
         let completed = self.rounding_of_completion(reduction, error);
-        let of_turns = match self.turns {
-            Turns::Steady(_) | Turns::Counted => self.rounding_of_sums(reduction, error),
-            Turns::Modulo => rounding_modulo(reduction.float),
+        match self.turns {
+            Turns::Steady(mean) => self.rounding_of_mean(mean, reduction.float, error),
+            Turns::Counted => completed + self.rounding_of_sums(reduction, error),
+            Turns::Modulo => completed + rounding_modulo(reduction.float),
             Turns::Within { beyond } => {
                 let evaluated = bound.truncation + bound.evaluation + completed;
-                (beyond + beyond_largest_number(Double::PI, reduction.float) - evaluated).max(0.0)
+                let held = beyond + beyond_largest_number(Double::PI, reduction.float);
+                completed + (held - evaluated).max(0.0)
             }
-        };
-        completed + of_turns
+        }
     }
 
     /// Of [`Mean::lower`]: of the rate, the product, the angle at t = 0, the sum of that with what is periodic, and of all.

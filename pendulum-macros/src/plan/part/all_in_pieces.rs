@@ -42,8 +42,7 @@ impl AllInPieces {
     }
 
     /// The cost of all outputs: the reduction, the clamp, the row, the polynomials and what completes angles, none of it in
-    /// vectors; `None` where
-    /// the phase isn't good enough.
+    /// vectors; `None` where the phase isn't good enough.
     pub(in crate::plan) fn estimate(&self, task: &Task, reduction: &Reduction) -> Option<f64> {
         let kernel = |aim: &Aim| {
             let polynomials = aim.cost_of_pieces(&aim.terms_of_pieces(self.pieces, reduction)?);
