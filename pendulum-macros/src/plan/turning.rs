@@ -174,8 +174,8 @@ impl Turning {
         }
     }
 
-    /// The same in a cheaper way, where that adds little to the truncation and the error of the phase, and takes little of
-    /// what they leave of a limit. A wrapped angle is held within half a turn, beyond which it is not if it is from the top,
+    /// The same in a cheaper way, where that adds little to the truncation and the error of the phase, and no more than they
+    /// leave of a limit. A wrapped angle is held within half a turn, beyond which it is not if it is from the top,
     /// else as far as phases overshoot; to another the mean rotation is added.
     pub(super) fn cheaper_if_good(
         self,
@@ -196,8 +196,8 @@ impl Turning {
         let cheaper = Self { turns, ..self };
         let bound = Bound { truncation, phase, evaluation: 0.0 };
         let [own, others] = [&self, &cheaper].map(|turning| turning.own_rounding(reduction, &bound));
-        let error = truncation + phase;
-        if others <= own + LITTLE * error.min(limit - error) { cheaper } else { self }
+        let (error, more) = (truncation + phase, others - own);
+        if more <= LITTLE * error && others <= limit - error { cheaper } else { self }
     }
 
     /// 2π·phase.
