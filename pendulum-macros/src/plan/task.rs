@@ -90,7 +90,7 @@ impl Task {
 
     fn whole(scene: &Scene, aims: Vec<Aim>, rate: Real, launch: Real, direction: f64) -> Self {
         let met = Met::within(scene, &rate, &launch);
-        let turns = scene.horizon() * rate.to_f64() + (launch.to_f64() - 0.5).abs();
+        let turns = scene.horizon() * rate.to_f64() + (&launch - rate.context().ratio(1, 2)).to_f64().abs();
         Self { aims, rate, launch, direction, passage: None, mean: None, turns, met, unreduced: None }
     }
 
