@@ -118,12 +118,15 @@ pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
 /// Below this, 2⁵², the number of turns is exact, halves of them included; that of pieces of a turn is below 2⁵².
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 
+/// Below this the product of a number of turns, or halves of them, with 2π is exact.
+const FEW_TURNS: f64 = 5.5;
+
 impl Mean {
     fn lower(self, b: &mut Builder, periodic: Id) -> Id {
         let rate = b.rounded(self.rate);
         let t = b.input();
         let mean = b.mul(t, rate);
-        let angle = if self.start == Double::ZERO { periodic } else { b.offset(periodic, self.start) };
+        let angle = b.offset(periodic, self.start);
         b.add(mean, angle)
     }
 
@@ -137,9 +140,6 @@ impl Mean {
         (least..=float.largest()).contains(&rate)
     }
 }
-
-/// Below this the product of a number of turns, or halves of them, with 2π is exact.
-const FEW_TURNS: f64 = 5.5;
 
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {

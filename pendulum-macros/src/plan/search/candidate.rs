@@ -87,20 +87,19 @@ impl<'a> Candidate<'a> {
     pub(super) fn all(prospect: &'a Prospect) -> Vec<Self> {
         let Prospect { task, approximations, reductions, pieces, .. } = prospect;
         let aims = &task.aims;
-        let finishes =
-            |reduction, start| -> f64 { aims.iter().map(|aim| aim.cost_of_finish(task, reduction, start)).sum() };
-        let candidate = |reduction, way, start, kernels: f64| {
-            let cost = skeleton(reduction, aims).cost() + kernels + finishes(reduction, start);
-            Self { prospect, reduction, way, cost }
+        let candidate = |reduction, way, kernels: f64| {
+            let start = if way == Way::Passage { Start::Lowest } else { Start::Top { largest: 0.0 } };
+            let finishes: f64 = aims.iter().map(|aim| aim.cost_of_finish(task, reduction, start)).sum();
+            Self { prospect, reduction, way, cost: skeleton(reduction, aims).cost() + kernels + finishes }
         };
         let polynomials = reductions.iter().filter_map(|reduction| {
             let cheapest = |all: &Approximations| Some(all.variants(reduction).first()?.1);
             let kernels = approximations.iter().map(cheapest).sum::<Option<f64>>()?;
-            Some(candidate(reduction, Way::Polynomials, Start::Top { largest: 0.0 }, kernels))
+            Some(candidate(reduction, Way::Polynomials, kernels))
         });
         let by_passage = |reduction| {
             let kernels = aims.iter().map(|aim| aim.passage_estimate(task, reduction)).sum();
-            let passage = candidate(reduction, Way::Passage, Start::Lowest, kernels);
+            let passage = candidate(reduction, Way::Passage, kernels);
             Self { cost: SLOWNESS * passage.cost, ..passage }
         };
         let passages = reductions.iter().filter(|reduction| task.passage_by(reduction).is_some()).map(by_passage);

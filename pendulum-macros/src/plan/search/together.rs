@@ -7,6 +7,7 @@ use crate::parse::Output;
 use crate::plan::Part;
 use crate::plan::form::Variant;
 use crate::plan::kernel::{self, Kernel};
+use crate::plan::polynomial::Polynomial;
 use crate::scene::Scene;
 
 /// Operations at most that a velocity may cost more by itself for what it shares with θ.
@@ -22,11 +23,12 @@ impl Candidate<'_> {
         let place = |output| parts.iter().position(|part| part.output == output);
         let (Some(theta), Some(velocity)) = (place(Output::Theta), place(Output::Velocity)) else { return parts };
         self.share_exponential(scene, &mut parts, [theta, velocity]);
-        let Some(found) = parts[velocity].kernel.polynomial() else { return parts };
+        let both = parts[theta].kernel.polynomial().and(parts[velocity].kernel.polynomial());
+        let Some(found) = both else { return parts };
         let (parity, first) = (found.parity, found.variant());
         let cost = |part: &Part| self.cost_beside(&parts[theta], part);
-        let Some(before) = cost(&parts[velocity]) else { return parts };
-        let others = self.others(scene, velocity, first).filter_map(|(other, part)| Some((cost(&part)?, other, part)));
+        let before = cost(&parts[velocity]);
+        let others = self.others(scene, velocity, first).map(|(other, part)| (cost(&part), other, part));
         let cheaper = others.filter(|(cost, ..)| *cost < before).min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((less, other, part)) = cheaper else { return parts };
         let output = Output::Velocity;
@@ -40,9 +42,8 @@ impl Candidate<'_> {
     /// Passages take the nearer of both exponentials, if it costs less that they have one.
     fn share_exponential(&self, scene: &Scene, parts: &mut [Part], [theta, velocity]: [usize; 2]) {
         let cost = |[theta, velocity]: [&Part; 2]| {
-            let of = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost();
-            let alone = of(&[&theta.kernel]) + of(&[&velocity.kernel]);
-            of(&[&theta.kernel, &velocity.kernel]) + ALONE * alone
+            let alone = kernel::function(self.reduction, &[&theta.kernel]).cost();
+            self.cost_beside(theta, velocity) + ALONE * alone
         };
         let comfortable = Limits::of(scene.goal, self.reduction).comfortable;
         let with_that_of = |one: usize, other: usize| {
@@ -56,12 +57,11 @@ impl Candidate<'_> {
         }
     }
 
-    /// What both cost in one function, and the velocity in one of its own, if both are polynomials.
-    fn cost_beside(&self, theta: &Part, velocity: &Part) -> Option<f64> {
-        theta.kernel.polynomial()?;
-        let waiting = velocity.kernel.polynomial()?.waiting();
+    /// What both cost in one function, and the velocity in one of its own.
+    fn cost_beside(&self, theta: &Part, velocity: &Part) -> f64 {
+        let waiting = velocity.kernel.polynomial().map_or(0.0, Polynomial::waiting);
         let cost = |kernels: &[&Kernel]| kernel::function(self.reduction, kernels).cost() + waiting;
-        Some(cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel]))
+        cost(&[&theta.kernel, &velocity.kernel]) + ALONE * cost(&[&velocity.kernel])
     }
 
     /// The output's variants that by themselves are little dearer than this one and keep the promise comfortably.

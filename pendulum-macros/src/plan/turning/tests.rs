@@ -70,6 +70,8 @@ fn rounding_of_few_turns() {
         (1.9, 0.0, 2f64.powi(-50)),
         (2.1, 0.0, 2f64.powi(-49)),
         (5.1, 0.0, 2.0 * 2f64.powi(-48)),
+        // Their number, too, is rounded.
+        (2f64.powi(52) - 0.5, 0.0, 2.0 * 2.0 + 21.0 * 0.5),
         (2f64.powi(52), 0.0, 2.0 * 2.0 + 21.0 * 0.5),
     ] {
         assert_near(near(turns, error) - none, expected - 2f64.powi(-52), 1e-3);
