@@ -12,6 +12,7 @@ use crate::motion::{Motion, Regime, Rotation, Separatrix, Swing, direction};
 use crate::parse::Output;
 use crate::program::rounding::INFLATION_OF_SUMS;
 use crate::scene::Scene;
+use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
 /// The motion in the planner's terms: its outputs as functions of one phase.
@@ -65,9 +66,11 @@ impl Task {
         // The turn that passes the lowest point at t = 0 began at the top numbered 0.
         let launch = &rotation.launch + rotation.launch.context().ratio(1, 2);
         let passage = Orbit::new(&scene.motion, &rotation.elliptic, -1.0, direction);
+        let rate = rotation.rate();
         let turned = |turns: &Real| (turns * turns.context().pi()).to_double() * (2.0 * direction);
-        let (rate, start) = (rotation.rate(), turned(&rotation.launch));
-        let mean = Some(Mean { rate: turned(&rate), start });
+        let horizon = rate.context().float(scene.horizon());
+        let most = horizon.map_or(Double::new(f64::INFINITY), |horizon| turned(&(&rate * horizon)).abs());
+        let mean = Some(Mean { rate: turned(&rate), start: turned(&rotation.launch), turned: most });
         Self { passage, mean, ..Self::whole(scene, aims, rate, launch, direction) }
     }
 

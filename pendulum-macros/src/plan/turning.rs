@@ -1,11 +1,12 @@
 //! What becomes of an angle: that of a rotation is wrapped to [−π, π), or gets its turns.
 
 use super::Bound;
+use super::curve::Size;
 use super::reduction::{Origin, ROUNDED, Reduction};
 use super::variables::Variables;
 use crate::parse::Float;
 use crate::power::two_to;
-use crate::program::rounding::half_ulp;
+use crate::program::rounding::{half_ulp, rounding_up_to};
 use crate::program::{Builder, Id, Op};
 use crate::supremum::larger;
 use pendulum_runtime::double::Double;
@@ -55,6 +56,12 @@ impl Finish {
         }
     }
 
+    /// What an error of the phase, which would change the angle itself by so much, does to what is computed of the phase: a
+    /// mean rotation is one of the time.
+    pub(super) fn felt(&self, reduction: &Reduction, phase: f64) -> f64 {
+        if let Self::Turning(turning) = self { turning.felt(reduction, phase) } else { phase }
+    }
+
     /// What the turns of a rotation's angle, and the mean that completes it, are rounded by, given what all else is wrong by.
     pub(crate) fn rounding_of_turns(&self, reduction: &Reduction, bound: &Bound) -> f64 {
         if let Self::Turning(turning) = self { turning.own_rounding(reduction, bound) } else { 0.0 }
@@ -84,8 +91,8 @@ pub(crate) struct Turning {
 pub(crate) enum Start {
     /// The angle from the lowest point of the latest passage.
     Lowest,
-    /// The periodic part of that from the top, of which that is the largest; 2π·phase completes it.
-    Top { largest: f64 },
+    /// The periodic part of that from the top, of that size; 2π·phase completes it.
+    Top(Size),
     /// If wrapped, as [`Self::Lowest`]; otherwise what 2π times the number of turns to the middle of a piece leaves.
     Piece,
 }
@@ -97,6 +104,8 @@ pub(crate) struct Mean {
     pub(crate) rate: Double,
     /// The angle at t = 0.
     pub(crate) start: Double,
+    /// The most that it turns by within the horizon.
+    pub(crate) turned: Double,
 }
 
 /// What is done about the number of turns.
@@ -158,7 +167,7 @@ impl Turning {
     fn completed(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
         match (self.start, variables.side) {
             (Start::Lowest | Start::Piece, _) => angle,
-            (Start::Top { .. }, Some(side)) => {
+            (Start::Top(_), Some(side)) => {
                 // Uniform rotation from the lowest point is 2πz, without any half turn to be taken off.
                 let opposite = b.constant(-1.0);
                 let opposite = b.mul(opposite, variables.magnitude);
@@ -166,8 +175,8 @@ impl Turning {
                 let mean = self.mean(b, z);
                 b.add(mean, angle)
             }
-            (Start::Top { .. }, None) if self.turns != Turns::Counted => self.other_side(b, variables, angle),
-            (Start::Top { .. }, None) => {
+            (Start::Top(_), None) if self.turns != Turns::Counted => self.other_side(b, variables, angle),
+            (Start::Top(_), None) => {
                 let mean = self.mean(b, variables.distance);
                 b.add(mean, angle)
             }
@@ -186,18 +195,20 @@ impl Turning {
     ) -> Self {
         const LITTLE: f64 = 0.25;
         let turns = match (self.turns, self.start) {
-            (Turns::Modulo, Start::Top { .. } | Start::Lowest) => {
+            (Turns::Modulo, Start::Top(_) | Start::Lowest) => {
                 let beyond = if self.halfway { 0.0 } else { self.slope * reduction.overshoot.max(0.0) };
                 Turns::Within { beyond }
             }
-            (Turns::Counted, Start::Top { .. }) if mean.is_normal(reduction.float) => Turns::Steady(mean),
+            (Turns::Counted, Start::Top(_)) if mean.is_normal(reduction.float) => Turns::Steady(mean),
             _ => return self,
         };
         let cheaper = Self { turns, ..self };
-        let bound = Bound { truncation, phase, evaluation: 0.0 };
-        let [own, others] = [&self, &cheaper].map(|turning| turning.own_rounding(reduction, &bound));
-        let (error, more) = (truncation + phase, others - own);
-        if more <= LITTLE * error && others <= limit - error { cheaper } else { self }
+        let total = |turning: &Self| {
+            let bound = Bound { truncation, phase: turning.felt(reduction, phase), evaluation: 0.0 };
+            bound.total() + turning.own_rounding(reduction, &bound)
+        };
+        let [own, others] = [total(&self), total(&cheaper)];
+        if others - own <= LITTLE * (truncation + phase) && others <= limit { cheaper } else { self }
     }
 
     /// 2π·phase.
@@ -239,6 +250,14 @@ impl Turning {
         b.convert(sum, float)
     }
 
+    /// As [`Finish::felt`].
+    fn felt(&self, reduction: &Reduction, phase: f64) -> f64 {
+        match (self.turns, self.start) {
+            (Turns::Steady(_), Start::Top(periodic)) => phase.min(periodic.phase_error(reduction)),
+            _ => phase,
+        }
+    }
+
     /// What it rounds by. What holds an angle within half a turn leads away from no other than the exact ones beyond the
     /// numbers that it may be, and there no farther than from these: the exact angles of the phase before it is narrowed,
     /// which counts as the phase's error.
@@ -257,13 +276,22 @@ impl Turning {
         }
     }
 
-    /// Of [`Mean::lower`]: of the rate, the product, the angle at t = 0, the sum of that with what is periodic, and of all.
-    fn rounding_of_mean(&self, Mean { rate, start }: Mean, float: Float, error: f64) -> f64 {
-        let turned = TAU * self.most_turns * (1.0 + ROUNDED);
-        let product = half_ulp(turned, float) + turned * (float.rest(rate) / rate.hi).abs();
-        let periodic = if let Start::Top { largest } = self.start { largest } else { PI } + error;
-        let shifted = if start == Double::ZERO { 0.0 } else { half_ulp(start.hi.abs() + periodic, float) };
-        product + float.rest(start).abs() + shifted + half_ulp(turned + periodic, float)
+    /// Of [`Mean::lower`]: of the rate, the product, the angle at t = 0, the sum of that with what is periodic, and of all,
+    /// none larger than with the largest product, as it is rounded.
+    fn rounding_of_mean(&self, Mean { rate, start, turned }: Mean, float: Float, error: f64) -> f64 {
+        let of_rate = turned.hi * (float.rest(rate) / rate.hi).abs();
+        let turned = turned + Double::new(of_rate);
+        let product = of_rate + rounding_up_to(turned, float);
+        let periodic = if let Start::Top(periodic) = self.start { periodic.largest } else { PI } + error;
+        let angle = start.hi.abs() + periodic;
+        let shifted = if start == Double::ZERO { 0.0 } else { half_ulp(angle, float) };
+        let largest = match float {
+            Float::F64 => turned.hi,
+            // Half-way between two of them it may be rounded up.
+            Float::F32 => float.round(turned.hi.next_up()),
+        };
+        let sum = Double::from_sum(largest, angle + shifted);
+        product + float.rest(start).abs() + shifted + rounding_up_to(sum, float)
     }
 
     /// Of [`Self::with_turns`]: of the number of turns, the products with both words of 2π, the sum of the lesser one with
@@ -293,7 +321,7 @@ impl Turning {
     /// more than four times as large (above Lebesgue's constant of a hundred points); if wrapped, from the top itself half a
     /// turn, too, and the sum with that.
     fn rounding_of_completion(&self, reduction: &Reduction, error: f64) -> f64 {
-        let Start::Top { largest: periodic } = self.start else { return 0.0 };
+        let Start::Top(Size { largest: periodic, .. }) = self.start else { return 0.0 };
         let float = reduction.float;
         // Phases, in anchors, overshoot half a turn, as angles do; rounded.
         let farthest = (0.5 + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);

@@ -314,6 +314,12 @@ impl Wave {
         (4.0 * self.linear.hi.abs() + self.constant.hi.abs() + kept + tail) * INFLATION_OF_SUMS
     }
 
+    /// Bounds |derivative| of what is periodic.
+    pub(crate) fn steepest(&self) -> f64 {
+        let kept: f64 = self.terms.iter().map(|&(m, a)| a.hi.abs() * PI * f64::from(m)).sum();
+        (kept + self.omitted_slope()) * INFLATION_OF_SUMS
+    }
+
     /// The series converges for |Im s| below this; infinite of a finite sum that is no part of one.
     pub(crate) fn strip(&self) -> f64 {
         self.envelope.map_or(f64::INFINITY, |envelope| envelope.rate / PI)

@@ -27,7 +27,7 @@ pub(crate) struct Curve {
 }
 
 /// How large a function of the phase s is, for real s.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     /// The largest magnitude.
     pub(crate) largest: f64,
@@ -147,6 +147,12 @@ impl Curve {
     /// Bounds |derivative| at the phase s, in one word.
     pub(crate) fn steepness(&self, s: f64) -> f64 {
         self.wave.slope_roughly(s).abs() + 1e-9 * self.size.slope + self.omitted_slope()
+    }
+
+    /// The size of what is periodic, of an angle that a mean rotation completes: |s| ≤ ½ bounds the conditioning.
+    pub(crate) fn periodic(&self) -> Size {
+        let slope = self.wave.steepest();
+        Size { largest: self.bound(0.0), slope, conditioning: 0.5 * slope, unit: self.size.unit }
     }
 
     /// Whether it is met in part.

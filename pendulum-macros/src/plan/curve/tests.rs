@@ -81,6 +81,12 @@ fn curves_of_rotations() {
             "{velocity0}: {} for {conditioning}",
             angle.size.conditioning
         );
+        // Alone, what is periodic is steepest at the lowest point.
+        let periodic = angle.periodic();
+        let [largest, slope, conditioning] = sampled(&angle, 0.0);
+        assert!(largest <= periodic.largest && periodic.largest < 1.8 * largest, "{velocity0}: {largest}");
+        assert!((periodic.slope / slope - 1.0).abs() < 1e-5, "{velocity0}: {} for {slope}", periodic.slope);
+        assert!(conditioning <= periodic.conditioning, "{velocity0}: {conditioning}");
         for curve in [curves.velocity(), curves.acceleration()] {
             let [largest, slope, conditioning] = sampled(&curve, 0.0);
             // Differences of a velocity that hardly changes are wrong by a millionth.

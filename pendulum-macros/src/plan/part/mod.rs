@@ -79,6 +79,7 @@ impl Aim {
 
     /// The part if it keeps the promise, else the bound reached, in units of the tolerance.
     pub(super) fn accept(&self, kernel: &Kernel, bound: Bound, reduction: &Reduction) -> Result<Part, f64> {
+        let bound = Bound { phase: kernel.finish.felt(reduction, bound.phase), ..bound };
         let judged = self.judged(kernel, bound, reduction);
         if judged.total().is_nan() || judged.total() > self.limit {
             return Err(judged.total() / self.size.unit);
@@ -126,7 +127,7 @@ impl Aim {
     fn beyond_bound(&self, reduction: &Reduction, phase: f64) -> f64 {
         let in_full = self.goal == Goal::Full && reduction.grows();
         let more = if in_full { (1.0 / observed(reduction.float) - 1.0) * phase } else { 0.0 };
-        more - self.size.slope * reduction.seldom
+        more - (self.size.slope * reduction.seldom).min(phase)
     }
 
     /// The bound that the promise is about: at full precision the turns of an angle that grows without bound cost what
@@ -170,7 +171,7 @@ impl Aim {
         let mean = task.mean.filter(|_| self.output.is_angle())?;
         let turning = Turning {
             start,
-            halfway: matches!(start, Start::Top { .. }) && reduction.origin == Origin::Anchor,
+            halfway: matches!(start, Start::Top(_)) && reduction.origin == Origin::Anchor,
             unit: reduction.unit,
             turns: if self.output == Output::Wrapped { Turns::Modulo } else { Turns::Counted },
             slope: self.size.slope,

@@ -283,7 +283,7 @@ impl Aim {
         match <[Polynomial; 2]>::try_from(polynomials) {
             Ok(factors) => Core::Circle(Box::new(factors)).into(),
             Err(mut single) => {
-                let start = Start::Top { largest: self.curves[0].bound(0.0) };
+                let start = Start::Top(self.curves[0].periodic());
                 let errors = [truncation, self.size.phase_error(reduction)];
                 let turning = self.turning(task, reduction, start, errors);
                 Kernel { core: Core::Polynomial(Box::new(single.swap_remove(0))), finish: self.finish(turning) }

@@ -88,8 +88,8 @@ impl<'a> Candidate<'a> {
         let Prospect { task, approximations, reductions, pieces, .. } = prospect;
         let aims = &task.aims;
         let candidate = |reduction, way, kernels: f64| {
-            let start = if way == Way::Passage { Start::Lowest } else { Start::Top { largest: 0.0 } };
-            let finishes: f64 = aims.iter().map(|aim| aim.cost_of_finish(task, reduction, start)).sum();
+            let start = |aim: &Aim| if way == Way::Passage { Start::Lowest } else { Start::Top(aim.size) };
+            let finishes: f64 = aims.iter().map(|aim| aim.cost_of_finish(task, reduction, start(aim))).sum();
             Self { prospect, reduction, way, cost: skeleton(reduction, aims).cost() + kernels + finishes }
         };
         let polynomials = reductions.iter().filter_map(|reduction| {

@@ -157,7 +157,7 @@ fn phases_that_are_no_finer() {
 }
 
 /// What a part takes of its limit: everything, but for the turns of an angle that grows at full precision, where within
-/// a horizon the error of the phase counts more.
+/// a horizon the error of the phase counts more, and for what the mean rotation doesn't feel of that.
 #[test]
 fn what_is_taken_of_limits() {
     for (text, grows) in [
@@ -172,13 +172,15 @@ fn what_is_taken_of_limits() {
         let (part, reduction) = (plan(&scene).unwrap().parts.remove(0), &reductions[0]);
         let limit = task.aims[0].limit;
         let bound = Bound { truncation: 0.125 * limit, phase: 0.25 * limit, evaluation: 0.125 * limit };
-        let turns = part.kernel.finish.rounding_of_turns(reduction, &bound);
+        let felt = Bound { phase: part.kernel.finish.felt(reduction, bound.phase), ..bound };
+        assert_eq!(felt != bound, text.contains("tol"), "{text}");
+        let turns = part.kernel.finish.rounding_of_turns(reduction, &felt);
         assert_eq!(turns > 0.0, text.starts_with('v'), "{text}");
         let accepted = task.aims[0].accept(&part.kernel, bound, reduction).unwrap();
         let met_in_full = if text == "velocity0 = 3, t_max = 1e6" { 0.25 / 0.79 - 0.25 } else { 0.0 };
-        let expected = 0.5 + met_in_full + if grows { 0.0 } else { turns / limit };
+        let expected = felt.total() / limit + met_in_full + if grows { 0.0 } else { turns / limit };
         assert!((accepted.share / expected - 1.0).abs() < 2e-12, "{text}: {} {expected}", accepted.share);
-        assert_eq!(accepted.bound, Bound { evaluation: 0.125 * limit + turns, ..bound }, "{text}");
+        assert_eq!(accepted.bound, Bound { evaluation: 0.125 * limit + turns, ..felt }, "{text}");
     }
 }
 

@@ -118,6 +118,7 @@ const TIGHT: &[(&str, f64)] = &[
     ("theta0 = 0.9384, tol = 3.4e-3, t_max = 0.4, method = fourier", 1.5),
     ("theta0 = 1.0064, tol = 8.1e-5, t_max = 0.10841, method = fourier", 1.5),
     // Roundings of a few turns, and of the mean.
+    ("velocity0 = 1e9, tol = 1e-10, t_max = 4e-9", 2.6),
     ("velocity0 = 1e9, tol = 1e-10, t_max = 1e-8", 2.0),
     ("velocity0 = 1e9, tol = 1e-10, t_max = 4e-9, outputs = [wrapped]", 2.6),
     ("velocity0 = 1e12, tol = 1e-6, t_max = 1e-11", 2.2),

@@ -83,22 +83,51 @@ fn rounding_of_few_turns() {
 #[test]
 fn rounding_of_means() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
-    let Start::Top { largest: periodic } = turning.start else { panic!("{turning:?}") };
+    let Start::Top(Size { largest: periodic, .. }) = turning.start else { panic!("{turning:?}") };
+    let mean = |rate: Double, start: f64, turns: f64| {
+        let turns = Turns::Steady(Mean { rate, start: Double::new(start), turned: Double::new(TAU * turns) });
+        rounding(&Turning { turns, ..turning }, &plan.reduction, 0.0)
+    };
     for (rate, start, turns, expected) in [
         (2.5, 0.0, 1000.0, 2.0 * 2f64.powi(-41)),
         (-2.5, 0.0, 1000.0, 2.0 * 2f64.powi(-41)),
         (2.5, -3.0, 1000.0, 2.0 * 2f64.powi(-41) + 2f64.powi(-52)),
         (2.5, 0.0, 0.6, 2f64.powi(-52) + if 1.2 * PI + periodic > 4.0 { 2f64.powi(-51) } else { 2f64.powi(-52) }),
     ] {
-        let mean = Turns::Steady(Mean { rate: Double::new(rate), start: Double::new(start) });
-        let turning = Turning { turns: mean, most_turns: turns, ..turning };
-        assert_near(rounding(&turning, &plan.reduction, 0.0), expected, 1e-3);
+        assert_near(mean(Double::new(rate), start, turns), expected, 1e-3);
     }
     let rate = Double::from_sum(2.5, 2f64.powi(-54));
-    let turns = Turns::Steady(Mean { rate, start: Double::ZERO });
-    let turning = Turning { turns, most_turns: 1000.0, ..turning };
     let of_rate = TAU * 1000.0 * 2f64.powi(-54) / 2.5;
-    assert_near(rounding(&turning, &plan.reduction, 0.0), 2.0 * 2f64.powi(-41) + of_rate, 1e-3);
+    assert_near(mean(rate, 0.0, 1000.0), 2.0 * 2f64.powi(-41) + of_rate, 1e-3);
+}
+
+/// The largest product counts as it is rounded: if that is a power of two, halves of the units below it do.
+#[test]
+fn rounding_of_means_up_to_powers_of_two() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
+    let Start::Top(periodic) = turning.start else { panic!("{turning:?}") };
+    let start = Start::Top(Size { largest: 1e-18, ..periodic });
+    let next = |above: f64| {
+        let (rate, turned) = (Double::new(2.5), Double::from_sum(4.0, above));
+        let turns = Turns::Steady(Mean { rate, start: Double::ZERO, turned });
+        rounding(&Turning { start, turns, ..turning }, &plan.reduction, 0.0)
+    };
+    let below = 2f64.powi(-52);
+    for (above, expected) in [(-1e-17, 2.0 * below), (2e-16, 2.0 * below), (3e-16, 3e-16 + below), (5e-16, 4.0 * below)]
+    {
+        assert_near(next(above), expected, 1e-3);
+    }
+}
+
+/// Only what is periodic feels an error of the phase where the mean rotation is added.
+#[test]
+fn phases_of_means() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
+    let Start::Top(periodic) = turning.start else { panic!("{turning:?}") };
+    let reduction = Reduction { error: 1e-9, relative_error: 0.0, ..plan.reduction };
+    assert_near(turning.felt(&reduction, 1.0), 1e-9 * periodic.slope, 1e-12);
+    assert_eq!(turning.felt(&reduction, 1e-12), 1e-12);
+    assert_eq!(Turning { turns: Turns::Counted, ..turning }.felt(&reduction, 1.0), 1.0);
 }
 
 /// At tolerances the mean rotation is added, unless its rounding were much of what is left of them; at full precision turns
@@ -106,12 +135,16 @@ fn rounding_of_means() {
 #[test]
 fn mean_rotations() {
     let steady = |text: &str| matches!(rotation(text).0.turns, Turns::Steady(_));
-    for text in
-        ["tol = 1e-6, t_max = 1e3", "tol = 1e-9, t_max = 1e3", "tol = 1e-3, t_max = 100, float = f32", "tol = 30"]
-    {
+    for text in [
+        "tol = 1e-6, t_max = 1e3",
+        "tol = 1e-9, t_max = 1e3",
+        "tol = 1e-14, t_max = 10",
+        "tol = 1e-3, t_max = 100, float = f32",
+        "tol = 30",
+    ] {
         assert!(steady(text), "{text}");
     }
-    for text in ["t_max = 1e3", "t_max = 10, float = f32", "tol = 1e-14, t_max = 10"] {
+    for text in ["t_max = 1e3", "t_max = 10, float = f32", "tol = 3e-15, t_max = 10"] {
         assert!(!steady(text), "{text}");
     }
 }
@@ -162,7 +195,8 @@ fn rounding_of_turns_in_pieces() {
 #[test]
 fn rounding_of_next_to_uniform_rotations() {
     let (turning, plan) = rotation("outputs = [wrapped], float = f32");
-    let uniform = Turning { start: Start::Top { largest: 1e-12 }, ..turning };
+    let Start::Top(periodic) = turning.start else { panic!("{turning:?}") };
+    let uniform = Turning { start: Start::Top(Size { largest: 1e-12, ..periodic }), ..turning };
     // More than staying within half a turn changes.
     let evaluation = 1e-6;
     let lost = rounding(&turning, &plan.reduction, evaluation) - rounding(&uniform, &plan.reduction, evaluation);

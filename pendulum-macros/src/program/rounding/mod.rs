@@ -15,9 +15,9 @@ mod adjoint;
 
 use super::{Id, Op, Program};
 use crate::parse::Float;
-use crate::power::{binade, is_power_of_two, power};
+use crate::power::{binade, is_power_of_two, power, two_to};
 use crate::supremum::{larger, norm};
-use pendulum_runtime::double::{two_prod, two_sum};
+use pendulum_runtime::double::{Double, two_prod, two_sum};
 use pendulum_runtime::support::{LEAST_UNDER_ROOT, NEXT_TO_ZERO, NEXT_TO_ZERO_SINGLE, ROOT_ERROR};
 
 /// Where a value lies and how wrong it can be.
@@ -130,6 +130,15 @@ pub(crate) fn half_ulp(magnitude: f64, float: Float) -> f64 {
         Float::F32 => f64::from(f32::from_bits(1)),
     };
     (binade(magnitude) * float.rounding_unit()).max(smallest)
+}
+
+/// What results up to `most` are rounded by: next above a power of two they are rounded to it, which is nearer than half a
+/// unit there.
+pub(crate) fn rounding_up_to(most: Double, float: Float) -> f64 {
+    let power = binade(most.hi);
+    // Of two words some binary places are lost.
+    let above = (most - Double::new(power)).hi + most.hi * two_to(-100);
+    above.max(half_ulp(power.next_down(), float)).min(half_ulp(most.hi, float))
 }
 
 impl Program {

@@ -35,6 +35,11 @@ fn halves_of_units_in_the_last_place() {
     ] {
         assert_eq!(half_ulp(magnitude, float), half, "{magnitude} {float:?}");
     }
+    // Next above a power of two as far as that, but no less than below it, of which the last binary places are unknown.
+    for (above, most) in [(-1e-20, U / 2.0), (1e-18, U / 2.0), (0.75 * U, 0.75 * U), (1.5 * U, U), (0.5, U)] {
+        let found = rounding_up_to(Double::from_sum(1.0, above), Float::F64);
+        assert!((most..most * (1.0 + 1e-12)).contains(&found), "{above:e}: {found:e}");
+    }
     // Up to a power of two the numbers below it count.
     for (magnitude, half) in [(1.0, U / 2.0), (1.25, U), (4.0, 2.0 * U)] {
         assert_eq!(rounding(0.0, magnitude, |_| true, Float::F64), half, "{magnitude}");
