@@ -226,15 +226,17 @@ impl<'a> Clock<'a> {
         let escape = f64::from(u8::from(crosses)) * half_ulp(half * WIDENED, self.float);
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * OF_RATE;
         let rounding = |anchors: f64| half_ulp(anchors / rate * WIDENED, self.float) * rate * OF_RATE;
+        let farthest = 0.5 + self.misplaced(rate, origin, 0.0);
         let (before, last) = if self.starts_on_half() {
             // Of three words the second difference is rounded, too, and half-way between two origins all three are.
             (0.0, count as f64 - 1.0 + self.halfway(origin))
         } else {
-            // Another launch is added last: a constant below a quarter, after differences below three quarters.
-            (count as f64 * rounding(0.75) + rounding(0.25), 1.0)
+            // Another launch is added last: a constant, after differences that are farther from 0 by as much.
+            let launch = self.distance_from_half();
+            (count as f64 * rounding(farthest + launch) + rounding(launch), 1.0)
         };
         let errors = match origin {
-            Origin::Anchor => [drift + before + last * rounding(0.5), 0.0],
+            Origin::Anchor => [drift + before + last * rounding(farthest), 0.0],
             Origin::Lowest => [drift + before, last * self.float.rounding_unit() * WIDENED],
         };
         let overshoot = self.misplaced(rate, origin, errors[0] + errors[1]);
@@ -317,6 +319,12 @@ impl<'a> Clock<'a> {
     /// Whether halves of an anchor, which are no matter of rounding, are passed at t = 0.
     fn starts_on_half(&self) -> bool {
         is_half(self.launch)
+    }
+
+    /// How far from there t = 0 is, in anchors.
+    fn distance_from_half(&self) -> f64 {
+        let halves = self.launch * 2.0;
+        0.5 * (halves - Double::new(halves.hi.round_ties_even())).hi.abs()
     }
 
     /// 1 where t = 0 is half-way between two origins, else 0. The phase is then what half an anchor is more than a

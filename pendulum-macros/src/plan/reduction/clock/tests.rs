@@ -139,6 +139,27 @@ fn roundings_of_differences() {
     }
 }
 
+/// Half the time between anchors is 0.97. A launch is added last: all differences are rounded as far beyond that, by twice as
+/// much from 1 on, and it is itself, and so is the sum. If it is 0.998, long horizons lead beyond 1 as well.
+#[test]
+fn roundings_of_differences_from_launches() {
+    let u = Float::F32.rounding_unit();
+    for (launch, beyond) in [(0.01, u / 2.0), (1.49, u / 2.0), (0.02, u), (-0.25, u)] {
+        for count in [2, 3] {
+            let (reduction, rate) = cody_waite("0.515463917526", launch, 3.0, (count, Origin::Anchor), Float::F32);
+            let (rate, from_half) = (rate.to_f64(), (2.0 * launch - (2.0 * launch).round()).abs() / 2.0);
+            let expected = count as f64 * beyond + half_ulp(from_half / rate, Float::F32) + u / 2.0;
+            let excess = reduction.error / (rate * expected) - 1.0;
+            assert!((-1e-15..2e-4).contains(&excess), "{launch} {reduction:?}: {excess:e}");
+        }
+    }
+    let rounding = |anchors: f64| {
+        let last = |count| cody_waite("0.501", 0.0, anchors, (count, Origin::Anchor), Float::F32).0;
+        last(3).error / (u / 2.0)
+    };
+    assert_eq!([rounding(2.0), rounding(3e4)].map(f64::round), [1.0, 2.0]);
+}
+
 /// Over long horizons it is what the words leave, and the rounding of the last one's products.
 #[test]
 fn errors_of_words() {
