@@ -113,8 +113,8 @@ pub(crate) struct Mean {
 pub(crate) enum Turns {
     /// They are added.
     Counted,
-    /// They are those of the mean rotation, which is added to what is periodic as one product with the time.
-    Steady(Mean),
+    /// They are those of the mean rotation, which is added to what is periodic, of that size, as one product with the time.
+    Steady(Mean, Size),
     /// They are left out, and one may have to be taken off, or added, beside the top.
     Modulo,
     /// They are left out, and the exact angle of the phase exceeds half a turn by at most so much.
@@ -139,20 +139,33 @@ impl Mean {
         b.add(mean, angle)
     }
 
-    /// Whether its rate has all digits in that type, and both words.
-    fn is_normal(self, float: Float) -> bool {
-        let least = match float {
-            Float::F64 => two_to(-900),
-            Float::F32 => f64::from(f32::MIN_POSITIVE),
+    /// What that is rounded by, of the rate, the product, the angle at t = 0, the sum of that with what is periodic, at most so
+    /// large, and of all; none larger than with the largest product, as it is rounded.
+    fn rounding(self, periodic: f64, float: Float) -> f64 {
+        let of_rate = self.turned.hi * (float.rest(self.rate) / self.rate.hi).abs();
+        let turned = self.turned + Double::new(of_rate);
+        let product = of_rate + rounding_up_to(turned, float);
+        let angle = self.start.hi.abs() + periodic;
+        let shifted = if self.start == Double::ZERO { 0.0 } else { half_ulp(angle, float) };
+        let largest = match float {
+            Float::F64 => turned.hi,
+            // Half-way between two of them it may be rounded up.
+            Float::F32 => float.round(turned.hi.next_up()),
         };
-        let rate = float.round(self.rate.hi).abs();
-        (least..=float.largest()).contains(&rate)
+        let sum = Double::from_sum(largest, angle + shifted);
+        product + float.rest(self.start).abs() + shifted + rounding_up_to(sum, float)
+    }
+
+    /// Whether the second word of its rate has all digits. In `f32` the first has, since a turn takes no more than the
+    /// largest number.
+    fn is_normal(self) -> bool {
+        self.rate.hi.abs() >= two_to(-900)
     }
 }
 
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
-        if let Turns::Steady(mean) = self.turns {
+        if let Turns::Steady(mean, _) = self.turns {
             return mean.lower(b, angle);
         }
         let angle = self.completed(b, variables, angle);
@@ -199,7 +212,7 @@ impl Turning {
                 let beyond = if self.halfway { 0.0 } else { self.slope * reduction.overshoot.max(0.0) };
                 Turns::Within { beyond }
             }
-            (Turns::Counted, Start::Top(_)) if mean.is_normal(reduction.float) => Turns::Steady(mean),
+            (Turns::Counted, Start::Top(periodic)) if mean.is_normal() => Turns::Steady(mean, periodic),
             _ => return self,
         };
         let cheaper = Self { turns, ..self };
@@ -252,10 +265,7 @@ impl Turning {
 
     /// As [`Finish::felt`].
     fn felt(&self, reduction: &Reduction, phase: f64) -> f64 {
-        match (self.turns, self.start) {
-            (Turns::Steady(_), Start::Top(periodic)) => phase.min(periodic.phase_error(reduction)),
-            _ => phase,
-        }
+        if let Turns::Steady(_, periodic) = self.turns { phase.min(periodic.phase_error(reduction)) } else { phase }
     }
 
     /// What it rounds by. What holds an angle within half a turn leads away from no other than the exact ones beyond the
@@ -265,7 +275,7 @@ impl Turning {
         let error = bound.total();
         let completed = self.rounding_of_completion(reduction, error);
         match self.turns {
-            Turns::Steady(mean) => self.rounding_of_mean(mean, reduction.float, error),
+            Turns::Steady(mean, periodic) => mean.rounding(periodic.largest + error, reduction.float),
             Turns::Counted => completed + self.rounding_of_sums(reduction, error),
             Turns::Modulo => completed + rounding_modulo(reduction.float),
             Turns::Within { beyond } => {
@@ -274,24 +284,6 @@ impl Turning {
                 completed + (held - evaluated).max(0.0)
             }
         }
-    }
-
-    /// Of [`Mean::lower`]: of the rate, the product, the angle at t = 0, the sum of that with what is periodic, and of all,
-    /// none larger than with the largest product, as it is rounded.
-    fn rounding_of_mean(&self, Mean { rate, start, turned }: Mean, float: Float, error: f64) -> f64 {
-        let of_rate = turned.hi * (float.rest(rate) / rate.hi).abs();
-        let turned = turned + Double::new(of_rate);
-        let product = of_rate + rounding_up_to(turned, float);
-        let periodic = if let Start::Top(periodic) = self.start { periodic.largest } else { PI } + error;
-        let angle = start.hi.abs() + periodic;
-        let shifted = if start == Double::ZERO { 0.0 } else { half_ulp(angle, float) };
-        let largest = match float {
-            Float::F64 => turned.hi,
-            // Half-way between two of them it may be rounded up.
-            Float::F32 => float.round(turned.hi.next_up()),
-        };
-        let sum = Double::from_sum(largest, angle + shifted);
-        product + float.rest(start).abs() + shifted + rounding_up_to(sum, float)
     }
 
     /// Of [`Self::with_turns`]: of the number of turns, the products with both words of 2π, the sum of the lesser one with

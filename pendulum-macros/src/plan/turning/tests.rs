@@ -82,59 +82,99 @@ fn rounding_of_few_turns() {
 /// t = 0, and the sum with that, if there is one.
 #[test]
 fn rounding_of_means() {
-    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
-    let Start::Top(Size { largest: periodic, .. }) = turning.start else { panic!("{turning:?}") };
-    let mean = |rate: Double, start: f64, turns: f64| {
-        let turns = Turns::Steady(Mean { rate, start: Double::new(start), turned: Double::new(TAU * turns) });
-        rounding(&Turning { turns, ..turning }, &plan.reduction, 0.0)
+    let mean = |rate: Double, start: Double, turns: f64, periodic: f64| {
+        Mean { rate, start, turned: Double::new(TAU * turns) }.rounding(periodic, Float::F64)
     };
-    for (rate, start, turns, expected) in [
-        (2.5, 0.0, 1000.0, 2.0 * 2f64.powi(-41)),
-        (-2.5, 0.0, 1000.0, 2.0 * 2f64.powi(-41)),
-        (2.5, -3.0, 1000.0, 2.0 * 2f64.powi(-41) + 2f64.powi(-52)),
-        (2.5, 0.0, 0.6, 2f64.powi(-52) + if 1.2 * PI + periodic > 4.0 { 2f64.powi(-51) } else { 2f64.powi(-52) }),
+    let rate = Double::new(2.5);
+    for (start, turns, periodic, expected) in [
+        (0.0, 1000.0, 0.1, 2.0 * 2f64.powi(-41)),
+        (-3.0, 1000.0, 0.1, 2.0 * 2f64.powi(-41) + 2f64.powi(-52)),
+        // 3.77, which what is periodic, and the angle at t = 0, may lead beyond 4.
+        (0.0, 0.6, 0.2, 2.0 * 2f64.powi(-52)),
+        (0.0, 0.6, 0.3, 2f64.powi(-52) + 2f64.powi(-51)),
+        (-3.9, 0.6, 0.2, 2f64.powi(-52) + 2.0 * 2f64.powi(-51)),
     ] {
-        assert_near(mean(Double::new(rate), start, turns), expected, 1e-3);
+        assert_near(mean(rate, Double::new(start), turns, periodic), expected, 1e-3);
+        assert_near(mean(-rate, Double::new(start), turns, periodic), expected, 1e-3);
     }
-    let rate = Double::from_sum(2.5, 2f64.powi(-54));
+    let in_two_words = Double::from_sum(2.5, 2f64.powi(-54));
     let of_rate = TAU * 1000.0 * 2f64.powi(-54) / 2.5;
-    assert_near(mean(rate, 0.0, 1000.0), 2.0 * 2f64.powi(-41) + of_rate, 1e-3);
+    assert_near(mean(in_two_words, Double::ZERO, 1000.0, 0.1), 2.0 * 2f64.powi(-41) + of_rate, 1e-3);
+    let start = Double::from_sum(-3.9, 1e-16);
+    assert_near(mean(rate, start, 0.6, 0.2), 1e-16 + 2f64.powi(-52) + 2.0 * 2f64.powi(-51), 1e-3);
 }
 
 /// The largest product counts as it is rounded: if that is a power of two, halves of the units below it do.
 #[test]
 fn rounding_of_means_up_to_powers_of_two() {
-    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
-    let Start::Top(periodic) = turning.start else { panic!("{turning:?}") };
-    let start = Start::Top(Size { largest: 1e-18, ..periodic });
-    let next = |above: f64| {
-        let (rate, turned) = (Double::new(2.5), Double::from_sum(4.0, above));
-        let turns = Turns::Steady(Mean { rate, start: Double::ZERO, turned });
-        rounding(&Turning { start, turns, ..turning }, &plan.reduction, 0.0)
+    let next = |above: f64, of_rate: f64| {
+        let (rate, turned) = (Double::from_sum(4.0, of_rate), Double::from_sum(4.0, above));
+        Mean { rate, start: Double::ZERO, turned }.rounding(1e-18, Float::F64)
     };
     let below = 2f64.powi(-52);
     for (above, expected) in [(-1e-17, 2.0 * below), (2e-16, 2.0 * below), (3e-16, 3e-16 + below), (5e-16, 4.0 * below)]
     {
-        assert_near(next(above), expected, 1e-3);
+        assert_near(next(above, 0.0), expected, 1e-3);
     }
+    assert_near(next(2e-16, 1e-16), 3e-16 + 1e-16 + below, 1e-3);
+    // In `f32`, half a unit above it, 2⁻²², products may be rounded to the next number.
+    let single = Mean { rate: Double::new(4.0), start: Double::ZERO, turned: Double::new(4.0 + 2f64.powi(-22)) };
+    assert_near(single.rounding(1e-9, Float::F32), 2.0 * 2f64.powi(-22), 1e-3);
 }
 
 /// Only what is periodic feels an error of the phase where the mean rotation is added.
 #[test]
 fn phases_of_means() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
-    let Start::Top(periodic) = turning.start else { panic!("{turning:?}") };
+    let Turns::Steady(_, periodic) = turning.turns else { panic!("{turning:?}") };
     let reduction = Reduction { error: 1e-9, relative_error: 0.0, ..plan.reduction };
     assert_near(turning.felt(&reduction, 1.0), 1e-9 * periodic.slope, 1e-12);
     assert_eq!(turning.felt(&reduction, 1e-12), 1e-12);
     assert_eq!(Turning { turns: Turns::Counted, ..turning }.felt(&reduction, 1.0), 1.0);
 }
 
+/// It may add a quarter to the error of what is approximated, and exceed no limit.
+#[test]
+fn means_that_are_good() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
+    let Turns::Steady(mean, periodic) = turning.turns else { panic!("{turning:?}") };
+    let counted = Turning { turns: Turns::Counted, ..turning };
+    let [own, others] = [counted, turning].map(|turning| rounding(&turning, &plan.reduction, 0.0));
+    let quarter = 4.0 * (others - own);
+    for ([truncation, phase], limit, good) in [
+        ([1.01, 0.0], 1e3, true),
+        ([0.99, 0.0], 1e3, false),
+        ([0.0, 1.01], 1e3, true),
+        ([0.5, 0.6], 1e3, true),
+        ([9.0, 0.0], 8.0, false),
+        ([9.0, 0.0], 9.1 + others / quarter, true),
+        ([9.0, 0.0], 8.9 + others / quarter, false),
+    ] {
+        // All of the phase's error is felt.
+        let error = quarter * phase / periodic.slope;
+        let reduction = Reduction { error, relative_error: 0.0, ..plan.reduction.clone() };
+        let errors = [truncation, phase].map(|error| error * quarter);
+        let chosen = counted.cheaper_if_good(&reduction, mean, errors, quarter * limit);
+        assert_eq!(chosen.turns != Turns::Counted, good, "{truncation} {phase} {limit}");
+    }
+}
+
+/// The second word of a rate has lost digits in the lowest binades.
+#[test]
+fn rates_without_all_digits() {
+    for (power, all) in [(-270, true), (-272, false)] {
+        let text =
+            format!("struct Motion; velocity0 = 3e{power}, omega = 1e{power}, tol = 1e-3, t_max = 10e{}", -power);
+        let Finish::Turning(turning) = &plan(&scene(&text)).unwrap().parts[0].kernel.finish else { panic!("no turns") };
+        assert_eq!(turning.turns != Turns::Counted, all, "{power}");
+    }
+}
+
 /// At tolerances the mean rotation is added, unless its rounding were much of what is left of them; at full precision turns
 /// are.
 #[test]
 fn mean_rotations() {
-    let steady = |text: &str| matches!(rotation(text).0.turns, Turns::Steady(_));
+    let steady = |text: &str| matches!(rotation(text).0.turns, Turns::Steady(..));
     for text in [
         "tol = 1e-6, t_max = 1e3",
         "tol = 1e-9, t_max = 1e3",
