@@ -102,6 +102,10 @@ fn rounding_of_means() {
     assert_near(mean(in_two_words, Double::ZERO, 1000.0, 0.1), 2.0 * 2f64.powi(-41) + of_rate, 1e-3);
     let start = Double::from_sum(-3.9, 1e-16);
     assert_near(mean(rate, start, 0.6, 0.2), 1e-16 + 2f64.powi(-52) + 2.0 * 2f64.powi(-51), 1e-3);
+    // 26.04, which an error of all else may lead beyond 32.
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
+    let [exact, wrong] = [0.0, 6.0].map(|error| rounding(&turning, &plan.reduction, error));
+    assert_near(wrong - exact, 2f64.powi(-49), 1e-3);
 }
 
 /// The largest product counts as it is rounded: if that is a power of two, halves of the units below it do.
