@@ -139,21 +139,19 @@ impl Mean {
         b.add(mean, angle)
     }
 
-    /// What that is rounded by, of the rate, the product, the angle at t = 0, the sum of that with what is periodic, at most so
-    /// large, and of all; none larger than with the largest product, as it is rounded.
+    /// What that is rounded by: the rate, the product, the angle at t = 0, the sum of that with what is periodic, at most so
+    /// large, and of both, which no sum is larger than with the largest product, as it is rounded. Since what is rounded to
+    /// a sum isn't farther from it than a part of it that is a number, no more is lost than the other part.
     fn rounding(self, periodic: f64, float: Float) -> f64 {
         let of_rate = self.turned.hi * (float.rest(self.rate) / self.rate.hi).abs();
         let turned = self.turned + Double::new(of_rate);
         let product = of_rate + rounding_up_to(turned, float);
-        let angle = self.start.hi.abs() + periodic;
-        let shifted = if self.start == Double::ZERO { 0.0 } else { half_ulp(angle, float) };
-        let largest = match float {
-            Float::F64 => turned.hi,
-            // Half-way between two of them it may be rounded up.
-            Float::F32 => float.round(turned.hi.next_up()),
-        };
-        let sum = Double::from_sum(largest, angle + shifted);
-        product + float.rest(self.start).abs() + shifted + rounding_up_to(sum, float)
+        let of_start = float.rest(self.start).abs();
+        let angle = self.start.hi.abs() + of_start + periodic;
+        let shifted = if self.start == Double::ZERO { 0.0 } else { half_ulp(angle, float).min(periodic) };
+        let added = angle + shifted;
+        let sum = rounding_up_to(Double::from_sum(float.round(turned.hi), added), float).min(added);
+        product + of_start + shifted + sum
     }
 
     /// Whether the second word of its rate has all digits. In `f32` the first has, since a turn takes no more than the
@@ -196,9 +194,9 @@ impl Turning {
         }
     }
 
-    /// The same in a cheaper way, where that adds little to the truncation and the error of the phase, and no more than they
-    /// leave of a limit. A wrapped angle is held within half a turn, beyond which it is not if it is from the top,
-    /// else as far as phases overshoot; to another the mean rotation is added.
+    /// The same in a cheaper way, where the truncation and the error of the phase leave enough of a limit for that. A wrapped
+    /// angle is held within half a turn, beyond which it is not if it is from the top, else as far as phases overshoot:
+    /// that is hardly ever met, and had better add little to the others. To another the mean rotation is added.
     pub(super) fn cheaper_if_good(
         self,
         reduction: &Reduction,
@@ -221,7 +219,8 @@ impl Turning {
             bound.total() + turning.own_rounding(reduction, &bound)
         };
         let [own, others] = [total(&self), total(&cheaper)];
-        if others - own <= LITTLE * (truncation + phase) && others <= limit { cheaper } else { self }
+        let is_little = matches!(turns, Turns::Steady(..)) || others - own <= LITTLE * (truncation + phase);
+        if is_little && others <= limit { cheaper } else { self }
     }
 
     /// 2π·phase.

@@ -108,22 +108,42 @@ fn rounding_of_means() {
     assert_near(wrong - exact, 2f64.powi(-49), 1e-3);
 }
 
-/// The largest product counts as it is rounded: if that is a power of two, halves of the units below it do.
+/// Products are rounded to a power of two that is nearer than half a unit above it, and sums count from there.
 #[test]
 fn rounding_of_means_up_to_powers_of_two() {
-    let next = |above: f64, of_rate: f64| {
+    let next = |above: f64, of_rate: f64, periodic: f64| {
         let (rate, turned) = (Double::from_sum(4.0, of_rate), Double::from_sum(4.0, above));
-        Mean { rate, start: Double::ZERO, turned }.rounding(1e-18, Float::F64)
+        Mean { rate, start: Double::ZERO, turned }.rounding(periodic, Float::F64)
     };
     let below = 2f64.powi(-52);
-    for (above, expected) in [(-1e-17, 2.0 * below), (2e-16, 2.0 * below), (3e-16, 3e-16 + below), (5e-16, 4.0 * below)]
-    {
-        assert_near(next(above, 0.0), expected, 1e-3);
+    for (above, of_rate, expected) in [
+        (-1e-17, 0.0, below),
+        (2e-16, 0.0, below),
+        (3e-16, 0.0, 3e-16),
+        (5e-16, 0.0, 2.0 * below),
+        (2e-16, 1e-16, 3e-16 + 1e-16),
+    ] {
+        assert_near(next(above, of_rate, 0.0), expected, 1e-3);
     }
-    assert_near(next(2e-16, 1e-16), 3e-16 + 1e-16 + below, 1e-3);
-    // In `f32`, half a unit above it, 2⁻²², products may be rounded to the next number.
-    let single = Mean { rate: Double::new(4.0), start: Double::ZERO, turned: Double::new(4.0 + 2f64.powi(-22)) };
-    assert_near(single.rounding(1e-9, Float::F32), 2.0 * 2f64.powi(-22), 1e-3);
+    for (periodic, sum) in [(1e-17, 1e-17), (3e-16, 3e-16), (5e-16, 2.0 * below), (1e-9, 2.0 * below)] {
+        assert_near(next(2e-16, 0.0, periodic), below + sum, 1e-3);
+    }
+}
+
+/// No sum loses more than what is periodic, if that is next to nothing.
+#[test]
+fn rounding_of_means_that_are_all() {
+    let mean = |start: f64, periodic: f64| {
+        let mean = Mean { rate: Double::new(2.5), start: Double::new(start), turned: Double::new(100.0) };
+        mean.rounding(periodic, Float::F64)
+    };
+    let product = mean(0.0, 0.0);
+    assert_near(product, 2f64.powi(-47), 1e-9);
+    for periodic in [1e-20, 1e-17] {
+        assert_near(mean(0.0, periodic) - product, periodic, 1e-3);
+        // Next to the start it is lost once, and that is rounded with the product.
+        assert_near(mean(1.0, periodic) - product, product + periodic, 1e-3);
+    }
 }
 
 /// Only what is periodic feels an error of the phase where the mean rotation is added.
@@ -137,29 +157,49 @@ fn phases_of_means() {
     assert_eq!(Turning { turns: Turns::Counted, ..turning }.felt(&reduction, 1.0), 1.0);
 }
 
-/// It may add a quarter to the error of what is approximated, and exceed no limit.
+/// The mean rotation may take all that is left of a limit.
 #[test]
 fn means_that_are_good() {
     let (turning, plan) = rotation("tol = 1e-6, t_max = 10");
     let Turns::Steady(mean, periodic) = turning.turns else { panic!("{turning:?}") };
     let counted = Turning { turns: Turns::Counted, ..turning };
-    let [own, others] = [counted, turning].map(|turning| rounding(&turning, &plan.reduction, 0.0));
-    let quarter = 4.0 * (others - own);
+    let added = rounding(&turning, &plan.reduction, 0.0);
     for ([truncation, phase], limit, good) in [
-        ([1.01, 0.0], 1e3, true),
-        ([0.99, 0.0], 1e3, false),
-        ([0.0, 1.01], 1e3, true),
-        ([0.5, 0.6], 1e3, true),
-        ([9.0, 0.0], 8.0, false),
-        ([9.0, 0.0], 9.1 + others / quarter, true),
-        ([9.0, 0.0], 8.9 + others / quarter, false),
+        ([9.0, 0.0], 9.9, false),
+        ([9.0, 0.0], 10.1, true),
+        ([0.0, 0.0], 1.1, true),
+        ([4.0, 5.0], 9.9, false),
+        ([4.0, 5.0], 10.1, true),
+        ([4.0, 50.0], 10.1, true),
     ] {
-        // All of the phase's error is felt.
-        let error = quarter * phase / periodic.slope;
-        let reduction = Reduction { error, relative_error: 0.0, ..plan.reduction.clone() };
-        let errors = [truncation, phase].map(|error| error * quarter);
-        let chosen = counted.cheaper_if_good(&reduction, mean, errors, quarter * limit);
+        // Of the phase's error so much is felt.
+        let reduction =
+            Reduction { error: added * 5.0 / periodic.slope, relative_error: 0.0, ..plan.reduction.clone() };
+        let errors = [truncation, phase].map(|error| error * added);
+        let chosen = counted.cheaper_if_good(&reduction, mean, errors, limit * added);
         assert_eq!(chosen.turns != Turns::Counted, good, "{truncation} {phase} {limit}");
+    }
+}
+
+/// Angles that phases lead beyond half a turn are held there if that adds at most a quarter to other errors.
+#[test]
+fn held_angles_that_are_good() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10, outputs = [wrapped]");
+    let modulo = Turning { turns: Turns::Modulo, halfway: false, ..turning };
+    let mean = Mean { rate: Double::ONE, start: Double::ZERO, turned: Double::ONE };
+    let reduction = Reduction { overshoot: 1e-3, ..plan.reduction };
+    let beyond = 1e-3 * turning.slope;
+    for ([truncation, phase], limit, good) in [
+        ([0.81, 0.0], 2.0, true),
+        ([0.79, 0.0], 2.0, false),
+        ([0.5, 1.51], 3.0, true),
+        ([0.5, 1.49], 3.0, false),
+        ([0.81, 0.0], 0.99, false),
+        ([0.81, 0.0], 1.01, true),
+    ] {
+        let errors = [truncation, phase].map(|error| error * beyond);
+        let chosen = modulo.cheaper_if_good(&reduction, mean, errors, limit * beyond);
+        assert_eq!(chosen.turns != Turns::Modulo, good, "{truncation} {phase} {limit}");
     }
 }
 
