@@ -219,21 +219,24 @@ impl<'a> Clock<'a> {
         let rate = self.float.round(self.rate.to_f64());
         let left = words.iter().fold(time, |rest, &word| rest - self.real(word)).abs().to_f64();
         let last = words.last().copied().unwrap_or(0.0).abs();
+        let halfway = self.halfway(origin);
         // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a
-        // time next to half an anchor, where that is next to a power of two, escapes both.
-        let half = 0.5 / rate;
-        let crosses = exponent(half * OF_RATE) != exponent(half / OF_RATE);
-        let escape = f64::from(u8::from(crosses)) * half_ulp(half * WIDENED, self.float);
+        // time about half an anchor, no farther from it than a launch moves it, where a power of two is, escapes both.
+        // Half-way between two origins it is rounded anyway.
+        let launch = self.distance_from_half();
+        let [nearest, farthest] = [0.5 - launch, 0.5 + launch].map(|anchors| anchors / rate);
+        let crosses = exponent(farthest * OF_RATE) != exponent(nearest / OF_RATE);
+        let escape = if crosses && !halfway { half_ulp(farthest * WIDENED, self.float) } else { 0.0 };
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * OF_RATE;
         let rounding = |anchors: f64| half_ulp(anchors / rate * WIDENED, self.float) * rate * OF_RATE;
         let farthest = 0.5 + self.misplaced(rate, origin, 0.0);
+        // Of three words the second difference is rounded, too, and half-way all three are.
+        let differences = if halfway { count } else { count - 1 } as f64;
         let (before, last) = if self.starts_on_half() {
-            // Of three words the second difference is rounded, too, and half-way between two origins all three are.
-            (0.0, count as f64 - 1.0 + self.halfway(origin))
+            (0.0, differences)
         } else {
             // Another launch is added last: a constant, after differences that are farther from 0 by as much.
-            let launch = self.distance_from_half();
-            (count as f64 * rounding(farthest + launch) + rounding(launch), 1.0)
+            (differences * rounding(farthest + launch) + rounding(launch), 1.0)
         };
         let errors = match origin {
             Origin::Anchor => [drift + before + last * rounding(farthest), 0.0],
@@ -327,11 +330,12 @@ impl<'a> Clock<'a> {
         0.5 * (halves - Double::new(halves.hi.round_ties_even())).hi.abs()
     }
 
-    /// 1 where t = 0 is half-way between two origins, else 0. The phase is then what half an anchor is more than a
-    /// small time of finer digits: this difference is rounded, too, if it is above a quarter of an anchor.
-    fn halfway(&self, origin: Origin) -> f64 {
-        let from_origin = self.launch.hi - if origin == Origin::Anchor { 0.5 } else { 0.0 };
-        f64::from(u8::from(self.launch.lo == 0.0 && from_origin.fract() == 0.0))
+    /// Whether t = 0 is half-way between two origins, or next to there. The phase is then what half an anchor is more than
+    /// a small time of finer digits: this difference is rounded, too, if it is above a quarter of an anchor.
+    fn halfway(&self, origin: Origin) -> bool {
+        let half = 0.5 * (2.0 * self.launch.hi).round_ties_even();
+        let from_origin = half - if origin == Origin::Anchor { 0.5 } else { 0.0 };
+        from_origin.fract() == 0.0
     }
 
     fn real(&self, x: f64) -> Real {

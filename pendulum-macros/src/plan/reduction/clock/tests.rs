@@ -124,31 +124,37 @@ fn roundings_of_differences() {
     let u = Float::F64.rounding_unit();
     for (rate, half, escapes) in [("0.7", u / 2.0, 0.0), ("0.49999995", u, u), ("0.50000005", u, u)] {
         for (count, launch, differences) in [(2, 0.0, 1.0), (3, 0.0, 2.0), (2, 0.5, 2.0), (3, 0.5, 3.0)] {
+            // Half-way between two origins the first counts anyway.
+            let [of_anchors, of_lowest] = if launch == 0.0 { [escapes, 0.0] } else { [0.0, escapes] };
             let (from_anchor, rate) = cody_waite(rate, launch, 3.0, (count, Origin::Anchor), Float::F64);
             let (from_lowest, _) =
                 cody_waite(&rate.to_f64().to_string(), launch, 3.0, (count, Origin::Lowest), Float::F64);
             let rate = rate.to_f64();
-            let excess = from_anchor.error / (rate * (escapes + differences * half)) - 1.0;
+            let excess = from_anchor.error / (rate * (of_anchors + differences * half)) - 1.0;
             assert!((-1e-15..2e-6).contains(&excess), "{from_anchor:?}: {excess:e}");
             // Half an anchor on, an origin is half-way between two of the others.
             let differences = 2.0 * count as f64 - 1.0 - differences;
             let excess = from_lowest.relative_error / (differences * u) - 1.0;
             assert!((0.0..2e-3).contains(&excess), "{from_lowest:?}: {excess:e}");
-            assert!((from_lowest.error - rate * escapes).abs() <= 2e-6 * u, "{from_lowest:?}");
+            assert!((from_lowest.error - rate * of_lowest).abs() <= 2e-6 * u, "{from_lowest:?}");
         }
     }
 }
 
-/// Half the time between anchors is 0.97. A launch is added last: all differences are rounded as far beyond that, by twice as
-/// much from 1 on, and it is itself, and so is the sum. If it is 0.998, long horizons lead beyond 1 as well.
+/// Half the time between anchors is 0.97. A launch is added last: differences are rounded as far beyond that, by twice as much
+/// from 1 on, and it is itself, and so is the sum. If it is next to an origin, the first difference is exact unless it leads
+/// beyond 1. Of 0.998 long horizons lead beyond 1 as well.
 #[test]
 fn roundings_of_differences_from_launches() {
     let u = Float::F32.rounding_unit();
-    for (launch, beyond) in [(0.01, u / 2.0), (1.49, u / 2.0), (0.02, u), (-0.25, u)] {
+    for (launch, first, others) in
+        [(0.01, 0.0, u / 2.0), (0.02, u, u), (-0.25, u, u), (1.49, u / 2.0, u / 2.0), (0.48, u, u)]
+    {
         for count in [2, 3] {
             let (reduction, rate) = cody_waite("0.515463917526", launch, 3.0, (count, Origin::Anchor), Float::F32);
             let (rate, from_half) = (rate.to_f64(), (2.0 * launch - (2.0 * launch).round()).abs() / 2.0);
-            let expected = count as f64 * beyond + half_ulp(from_half / rate, Float::F32) + u / 2.0;
+            let differences = first + (count as f64 - 1.0) * others;
+            let expected = differences + half_ulp(from_half / rate, Float::F32) + u / 2.0;
             let excess = reduction.error / (rate * expected) - 1.0;
             assert!((-1e-15..2e-4).contains(&excess), "{launch} {reduction:?}: {excess:e}");
         }
