@@ -118,13 +118,13 @@ const TIGHT: &[(&str, f64)] = &[
     ("theta0 = 0.9384, tol = 3.4e-3, t_max = 0.4, method = fourier", 1.5),
     ("theta0 = 1.0064, tol = 8.1e-5, t_max = 0.10841, method = fourier", 1.5),
     // Roundings of a few turns, and of the mean.
-    ("velocity0 = 1e9, tol = 1e-10, t_max = 4e-9", 2.6),
-    ("velocity0 = 1e9, tol = 1e-10, t_max = 1e-8", 2.0),
+    ("velocity0 = 1e9, tol = 1e-10, t_max = 4e-9", 1.2),
+    ("velocity0 = 1e9, tol = 1e-10, t_max = 1e-8", 1.2),
     ("velocity0 = 1e9, tol = 1e-10, t_max = 4e-9, outputs = [wrapped]", 2.6),
-    ("velocity0 = 1e12, tol = 1e-6, t_max = 1e-11", 2.2),
-    ("velocity0 = 6407.99, tol = 1e-4, t_max = 5.802e-4, float = f32", 3.5),
+    ("velocity0 = 1e12, tol = 1e-6, t_max = 1e-11", 1.2),
+    ("velocity0 = 6407.99, tol = 1e-4, t_max = 5.802e-4, float = f32", 1.4),
     // A launch hardly moves what words leave of half a turn.
-    ("theta0 = 0.135, velocity0 = 28472.7542, tol = 4e-3, t_max = 1.105e-4, float = f32, outputs = [wrapped]", 3.9),
+    ("theta0 = 0.135, velocity0 = 28472.7542, tol = 4e-3, t_max = 1.105e-4, float = f32, outputs = [wrapped]", 3.5),
 ];
 
 /// A bound that is too large is as wrong as one that is too small.
