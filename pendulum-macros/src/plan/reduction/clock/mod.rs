@@ -219,24 +219,18 @@ impl<'a> Clock<'a> {
         let rate = self.float.round(self.rate.to_f64());
         let left = words.iter().fold(time, |rest, &word| rest - self.real(word)).abs().to_f64();
         let last = words.last().copied().unwrap_or(0.0).abs();
-        let halfway = self.halfway(origin);
-        // The first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade; only a
-        // time about half an anchor, no farther from it than a launch moves it, where a power of two is, escapes both.
-        // Half-way between two origins it is rounded anyway.
-        let launch = self.distance_from_half();
-        let [nearest, farthest] = [0.5 - launch, 0.5 + launch].map(|anchors| anchors / rate);
-        let crosses = exponent(farthest * OF_RATE) != exponent(nearest / OF_RATE);
-        let escape = if crosses && !halfway { half_ulp(farthest * WIDENED, self.float) } else { 0.0 };
+        // Of three words the second difference is rounded, too, and half-way between two origins all three are.
+        let (differences, escape) =
+            if self.halfway(origin) { (count, 0.0) } else { (count - 1, self.escape_of_first_difference(rate)) };
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * OF_RATE;
         let rounding = |anchors: f64| half_ulp(anchors / rate * WIDENED, self.float) * rate * OF_RATE;
         let farthest = 0.5 + self.misplaced(rate, origin, 0.0);
-        // Of three words the second difference is rounded, too, and half-way all three are.
-        let differences = if halfway { count } else { count - 1 } as f64;
         let (before, last) = if self.starts_on_half() {
-            (0.0, differences)
+            (0.0, differences as f64)
         } else {
             // Another launch is added last: a constant, after differences that are farther from 0 by as much.
-            (differences * rounding(farthest + launch) + rounding(launch), 1.0)
+            let launch = self.distance_from_half();
+            (differences as f64 * rounding(farthest + launch) + rounding(launch), 1.0)
         };
         let errors = match origin {
             Origin::Anchor => [drift + before + last * rounding(farthest), 0.0],
@@ -244,6 +238,15 @@ impl<'a> Clock<'a> {
         };
         let overshoot = self.misplaced(rate, origin, errors[0] + errors[1]);
         Some(self.reduction(Scheme::CodyWaite { rate, words }, origin, errors, overshoot))
+    }
+
+    /// Next to an origin the first difference is exact by Sterbenz's lemma, or as a multiple of t's unit within t's binade;
+    /// only a time about half an anchor, no farther from it than a launch moves it, where a power of two is, escapes both.
+    fn escape_of_first_difference(&self, rate: f64) -> f64 {
+        let launch = self.distance_from_half();
+        let [nearest, farthest] = [0.5 - launch, 0.5 + launch].map(|anchors| anchors / rate);
+        let crosses = exponent(farthest * OF_RATE) != exponent(nearest / OF_RATE);
+        if crosses { half_ulp(farthest * WIDENED, self.float) } else { 0.0 }
     }
 
     /// Whether the time between anchors is one whose multiples, up to one beyond the horizon, and whose product with the
@@ -324,17 +327,20 @@ impl<'a> Clock<'a> {
         is_half(self.launch)
     }
 
+    /// How many anchors are passed at t = 0, to the nearest half.
+    fn nearest_half(&self) -> f64 {
+        0.5 * (2.0 * self.launch.hi).round_ties_even()
+    }
+
     /// How far from there t = 0 is, in anchors.
     fn distance_from_half(&self) -> f64 {
-        let halves = self.launch * 2.0;
-        0.5 * (halves - Double::new(halves.hi.round_ties_even())).hi.abs()
+        (self.launch - Double::new(self.nearest_half())).hi.abs()
     }
 
     /// Whether t = 0 is half-way between two origins, or next to there. The phase is then what half an anchor is more than
     /// a small time of finer digits: this difference is rounded, too, if it is above a quarter of an anchor.
     fn halfway(&self, origin: Origin) -> bool {
-        let half = 0.5 * (2.0 * self.launch.hi).round_ties_even();
-        let from_origin = half - if origin == Origin::Anchor { 0.5 } else { 0.0 };
+        let from_origin = self.nearest_half() - if origin == Origin::Anchor { 0.5 } else { 0.0 };
         from_origin.fract() == 0.0
     }
 
