@@ -30,7 +30,7 @@ impl AllInPieces {
         let serves = task.aims.iter().all(Aim::has_pieces);
         let all = |pieces: usize| {
             let reductions: Vec<Reduction> =
-                reductions.iter().filter_map(|reduction| reduction.in_pieces(pieces as f64)).collect();
+                reductions.iter().filter_map(|reduction| reduction.in_pieces(pieces)).collect();
             let few = |aim: &Aim, reduction: &Reduction| {
                 let terms = aim.terms_of_pieces(pieces, reduction);
                 terms.is_some_and(|terms| terms.into_iter().all(|terms| terms <= Piecewise::MOST_TERMS))

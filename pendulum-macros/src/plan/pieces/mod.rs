@@ -155,7 +155,7 @@ mod tests {
     fn cosine(terms: u32, direction: f64) -> Pieces {
         let rate = Context::for_digits(40).ratio(1, 2);
         let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: 200.0, float: Float::F64 };
-        let in_pieces = |reduction: &Reduction| reduction.in_pieces(8.0);
+        let in_pieces = |reduction: &Reduction| reduction.in_pieces(8);
         let reduction = clock.reductions().iter().find_map(in_pieces).unwrap();
         let derivative = |angle: f64, order: u32| {
             let (sine, cosine) = libm::sincos(angle);

@@ -161,7 +161,7 @@ mod tests {
     fn to_pieces(pieces: usize, time: f64, horizon: f64) -> Reduction {
         let rate = crate::exact::Context::for_digits(40).float(1.0 / time).unwrap();
         let clock = Clock { rate: &rate, launch: Double::ZERO, horizon, float: Float::F64 };
-        clock.reductions().iter().find_map(|reduction| reduction.in_pieces(pieces as f64)).unwrap()
+        clock.reductions().iter().find_map(|reduction| reduction.in_pieces(pieces)).unwrap()
     }
 
     /// Curves of either parity, alternating and not, near the top and far from it.
@@ -201,7 +201,7 @@ mod tests {
                 assert_eq!((piecewise.pieces(), reduction.unit), (pieces, Double::new(unit)));
                 let (kernel, truncation) = piecewise.kernel(&reduction, limit).unwrap();
                 // Remainders from fewer pieces go beyond what was interpolated.
-                let fewer = reduction.in_pieces(pieces as f64 / 2.0).unwrap();
+                let fewer = reduction.in_pieces(pieces / 2).unwrap();
                 assert!(piecewise.kernel(&fewer, limit).is_none());
                 assert!(truncation <= limit && kernel.terms() == piecewise.terms_for(limit, &reduction).unwrap());
                 let mut b = Builder::new(Float::F64);

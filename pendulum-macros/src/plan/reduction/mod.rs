@@ -188,7 +188,8 @@ impl Reduction {
     /// the magic sum: where that mirrors of |t|, since those of a negative sum would count backwards. `None` where
     /// products with n would no longer be exact, or where there are so many anchors that their pieces can't be told. What
     /// rounds remainders is relative to them, by up to twice as much just above a power of two as just below it.
-    pub(crate) fn in_pieces(&self, pieces: f64) -> Option<Self> {
+    pub(crate) fn in_pieces(&self, pieces: usize) -> Option<Self> {
+        let pieces = pieces as f64;
         let error = self.error - self.rounding * (1.0 - 2.0 / pieces);
         let seldom = self.seldom / pieces;
         // Every piece is met whole, whether beyond the horizon or not.

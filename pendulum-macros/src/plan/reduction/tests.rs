@@ -131,7 +131,7 @@ fn halves_cost_pieces_nothing() {
     for (horizon, float) in [30.0, f64::INFINITY].map(|h| [(h, Float::F64), (h, Float::F32)]).concat() {
         let operations = |launch: f64| {
             let clock = Clock { rate: &rate, launch: Double::new(launch), horizon, float };
-            let in_pieces = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64.0));
+            let in_pieces = clock.reductions().iter().find_map(|reduction| reduction.in_pieces(64));
             in_pieces.unwrap().operations()
         };
         let on_anchor = operations(0.0);
@@ -159,7 +159,7 @@ fn errors_are_those_promised() {
                 // Little beyond half an anchor but what the phase is wrong by.
                 assert!(reduction.overshoot <= 4.0 * reduction.error + 0.01, "{reduction:?}");
                 // The same, from the nearest of the pieces of an anchor.
-                for reduction in [2.0, 32.0].into_iter().filter_map(|pieces| reduction.in_pieces(pieces)) {
+                for reduction in [2, 32].into_iter().filter_map(|pieces| reduction.in_pieces(pieces)) {
                     let mut trial = Trial { reduction, rate: rate.clone(), launch: phase.clone(), horizon, worst: 0.0 };
                     trial.run(&mut Random::new(in_pieces), 20);
                     in_pieces += 1;
@@ -303,10 +303,7 @@ fn negative_times_mirror() {
             let released = clock.reductions().into_iter().map(Reduction::released);
             for reduction in released.filter(|reduction| reduction.mirror == Mirror::Sign) {
                 count += 1;
-                assert_eq!(
-                    reduction.in_pieces(4.0).map_or(Mirror::Magnitude, |pieces| pieces.mirror),
-                    Mirror::Magnitude
-                );
+                assert_eq!(reduction.in_pieces(4).map_or(Mirror::Magnitude, |pieces| pieces.mirror), Mirror::Magnitude);
                 let [program, of_magnitude] = [true, false].map(|signs| phase(&reduction.with_signs(signs)));
                 for _ in 0..5000 {
                     let t = float.round(2f64.powf(-60.0 + (largest + 60.0) * random.unit().powi(2)));

@@ -144,7 +144,7 @@ impl Whole {
     /// A reduction to its pieces, the most that may be tried, if both can be had.
     pub(super) fn in_pieces(&self, reduction: &Reduction) -> Option<Reduction> {
         let of_sum = || self.sum_in_pieces().map(|_| SumInPieces::most_pieces());
-        reduction.in_pieces(self.count().or_else(of_sum)? as f64)
+        reduction.in_pieces(self.count().or_else(of_sum)?)
     }
 
     fn one_polynomial(&self) -> Option<&Approximation> {

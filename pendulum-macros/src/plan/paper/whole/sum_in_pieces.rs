@@ -58,7 +58,7 @@ impl SumInPieces {
     ) -> Option<(Kernel, Bound)> {
         let mut least: Option<(Kernel, Bound)> = None;
         for (index, count) in COUNTS.into_iter().enumerate() {
-            let Some(reduction) = reduction.in_pieces(count as f64) else { continue };
+            let Some(reduction) = reduction.in_pieces(count) else { continue };
             let Some(piecewise) = self.piecewise(index) else { continue };
             let allowance = allowance(&reduction);
             let made = piecewise.kernel(&reduction, allowance.truncation / self.slope);

@@ -361,7 +361,7 @@ fn remainders_in_pieces_are_rounded_less() {
         let last = clock.reductions().into_iter().rfind(Reduction::has_pieces).unwrap();
         let wide = clock.reductions().into_iter().find(|reduction| matches!(reduction.scheme, Scheme::Wide { .. }));
         let reduction = if horizon.is_finite() { wide.unwrap() } else { last };
-        let in_pieces = reduction.in_pieces(64.0).unwrap();
+        let in_pieces = reduction.in_pieces(64).unwrap();
         assert!((least..most).contains(&in_pieces.error), "{in_pieces:?}");
         assert!(
             reduction.error >= in_pieces.error && in_pieces.half() < 0.51 / 64.0 / in_pieces.unit.hi,
@@ -378,9 +378,7 @@ fn pieces_that_cannot_be_told() {
         let clock = Clock { rate: &rate, launch: Double::ZERO, horizon: t_max, float: Float::F64 };
         clock.reductions().into_iter().find(|reduction| matches!(reduction.scheme, Scheme::OneWord { .. })).unwrap()
     };
-    for (t_max, pieces, serves) in
-        [(2f64.powi(36), 32.0, true), (2f64.powi(42), 32.0, false), (2f64.powi(42), 2.0, true)]
-    {
+    for (t_max, pieces, serves) in [(2f64.powi(36), 32, true), (2f64.powi(42), 32, false), (2f64.powi(42), 2, true)] {
         let reduction = one_word(t_max);
         assert_eq!(reduction.in_pieces(pieces).is_some(), serves, "{pieces}: {reduction:?}");
     }

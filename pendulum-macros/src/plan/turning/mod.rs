@@ -1,16 +1,24 @@
 //! What becomes of an angle: that of a rotation is wrapped to [−π, π), or gets its turns.
 
+mod half_turn;
+mod mean;
+
 use super::Bound;
 use super::curve::Size;
 use super::reduction::{Origin, ROUNDED, Reduction};
 use super::variables::Variables;
 use crate::parse::Float;
-use crate::power::two_to;
-use crate::program::rounding::{half_ulp, rounding_up_to};
+use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
 use crate::supremum::larger;
+use half_turn::{below_half_turn, beyond_largest_number, held, modulo_turn, rounding_modulo, within_half_turn};
 use pendulum_runtime::double::Double;
 use std::f64::consts::{PI, TAU};
+
+pub(super) use half_turn::AT_TOP;
+#[cfg(test)]
+pub(crate) use half_turn::is_wrapped;
+pub(crate) use mean::Mean;
 
 /// What becomes of what is computed of the phase.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,32 +105,18 @@ pub(crate) enum Start {
     Piece,
 }
 
-/// The uniform rotation that an angle deviates from periodically.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Mean {
-    /// In rad per time.
-    pub(crate) rate: Double,
-    /// The angle at t = 0.
-    pub(crate) start: Double,
-    /// The most that it turns by within the horizon.
-    pub(crate) turned: Double,
-}
-
 /// What is done about the number of turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Turns {
     /// They are added.
     Counted,
-    /// They are those of the mean rotation, which is added to what is periodic, of that size, as one product with the time.
-    Steady(Mean, Size),
+    /// They are those of the mean rotation, which is added to what is periodic as one product with the time.
+    Steady(Mean),
     /// They are left out, and one may have to be taken off, or added, beside the top.
     Modulo,
     /// They are left out, and the exact angle of the phase exceeds half a turn by at most so much.
     Within { beyond: f64 },
 }
-
-/// An arc that leads no farther beyond π counts as at the top: some more than a curve in two words is wrong by.
-pub(super) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
 
 /// Below this, 2⁵², the number of turns is exact, halves of them included; that of pieces of a turn is below 2⁵².
 const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
@@ -130,40 +124,9 @@ const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
 /// Below this the product of a number of turns, or halves of them, with 2π is exact.
 const FEW_TURNS: f64 = 5.5;
 
-impl Mean {
-    fn lower(self, b: &mut Builder, periodic: Id) -> Id {
-        let rate = b.rounded(self.rate);
-        let t = b.input();
-        let mean = b.mul(t, rate);
-        let angle = b.offset(periodic, self.start);
-        b.add(mean, angle)
-    }
-
-    /// What that is rounded by: the rate, the product, the angle at t = 0, the sum of that with what is periodic, at most so
-    /// large, and of both, which no sum is larger than with the largest product, as it is rounded. Since what is rounded to
-    /// a sum isn't farther from it than a part of it that is a number, no more is lost than the other part.
-    fn rounding(self, periodic: f64, float: Float) -> f64 {
-        let of_rate = self.turned.hi * (float.rest(self.rate) / self.rate.hi).abs();
-        let turned = self.turned + Double::new(of_rate);
-        let product = of_rate + rounding_up_to(turned, float);
-        let of_start = float.rest(self.start).abs();
-        let angle = self.start.hi.abs() + of_start + periodic;
-        let shifted = if self.start == Double::ZERO { 0.0 } else { half_ulp(angle, float).min(periodic) };
-        let added = angle + shifted;
-        let sum = rounding_up_to(Double::from_sum(float.round(turned.hi), added), float).min(added);
-        product + of_start + shifted + sum
-    }
-
-    /// Whether the second word of its rate has all digits. In `f32` the first has, since a turn takes no more than the
-    /// largest number.
-    fn is_normal(self) -> bool {
-        self.rate.hi.abs() >= two_to(-900)
-    }
-}
-
 impl Turning {
     fn lower(&self, b: &mut Builder, variables: &Variables, angle: Id) -> Id {
-        if let Turns::Steady(mean, _) = self.turns {
+        if let Turns::Steady(mean) = self.turns {
             return mean.lower(b, angle);
         }
         let angle = self.completed(b, variables, angle);
@@ -210,7 +173,7 @@ impl Turning {
                 let beyond = if self.halfway { 0.0 } else { self.slope * reduction.overshoot.max(0.0) };
                 Turns::Within { beyond }
             }
-            (Turns::Counted, Start::Top(periodic)) if mean.is_normal() => Turns::Steady(mean, periodic),
+            (Turns::Counted, Start::Top(_)) if mean.is_normal() => Turns::Steady(mean),
             _ => return self,
         };
         let cheaper = Self { turns, ..self };
@@ -219,7 +182,7 @@ impl Turning {
             bound.total() + turning.own_rounding(reduction, &bound)
         };
         let [own, others] = [total(&self), total(&cheaper)];
-        let is_little = matches!(turns, Turns::Steady(..)) || others - own <= LITTLE * (truncation + phase);
+        let is_little = matches!(turns, Turns::Steady(_)) || others - own <= LITTLE * (truncation + phase);
         if is_little && others <= limit { cheaper } else { self }
     }
 
@@ -264,7 +227,10 @@ impl Turning {
 
     /// As [`Finish::felt`].
     fn felt(&self, reduction: &Reduction, phase: f64) -> f64 {
-        if let Turns::Steady(_, periodic) = self.turns { phase.min(periodic.phase_error(reduction)) } else { phase }
+        match (self.turns, self.start) {
+            (Turns::Steady(_), Start::Top(periodic)) => phase.min(periodic.phase_error(reduction)),
+            _ => phase,
+        }
     }
 
     /// What it rounds by. What holds an angle within half a turn leads away from no other than the exact ones beyond the
@@ -274,7 +240,7 @@ impl Turning {
         let error = bound.total();
         let completed = self.rounding_of_completion(reduction, error);
         match self.turns {
-            Turns::Steady(mean, periodic) => mean.rounding(periodic.largest + error, reduction.float),
+            Turns::Steady(mean) => mean.rounding(self.periodic() + error, reduction.float),
             Turns::Counted => completed + self.rounding_of_sums(reduction, error),
             Turns::Modulo => completed + rounding_modulo(reduction.float),
             Turns::Within { beyond } => {
@@ -312,13 +278,15 @@ impl Turning {
     /// more than four times as large (above Lebesgue's constant of a hundred points); if wrapped, from the top itself half a
     /// turn, too, and the sum with that.
     fn rounding_of_completion(&self, reduction: &Reduction, error: f64) -> f64 {
-        let Start::Top(Size { largest: periodic, .. }) = self.start else { return 0.0 };
+        if !matches!(self.start, Start::Top(_)) {
+            return 0.0;
+        }
         let float = reduction.float;
         // Phases, in anchors, overshoot half a turn, as angles do; rounded.
         let farthest = (0.5 + reduction.overshoot.max(0.0)) * (1.0 + ROUNDED);
         let of_half_turn = self.largest_angle(0.5, reduction);
         let mean = half_ulp(of_half_turn, float) + farthest * float.rest(self.turn()).abs() / self.unit.hi;
-        let sum = half_ulp(of_half_turn + error, float).min(4.0 * periodic);
+        let sum = half_ulp(of_half_turn + error, float).min(4.0 * self.periodic());
         let half = match reduction.origin {
             Origin::Anchor if self.turns != Turns::Counted => {
                 float.rest(Double::PI).abs() + half_ulp(of_half_turn + error, float)
@@ -326,6 +294,11 @@ impl Turning {
             _ => 0.0,
         };
         mean + sum + half
+    }
+
+    /// The largest angle of what is computed of the phase, where that is periodic.
+    fn periodic(&self) -> f64 {
+        if let Start::Top(periodic) = self.start { periodic.largest } else { 0.0 }
     }
 
     /// Bounds the angle of so many turns, and as much farther as phases overshoot.
@@ -348,72 +321,6 @@ impl Turning {
     pub(super) fn of_turns(&self, turns: Double) -> Double {
         Double::PI * turns * (2.0 * self.direction)
     }
-}
-
-/// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
-/// or after. Both differences are exact, and never are both taken.
-fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
-    let (half, minus) = (b.constant(PI), b.constant(-PI));
-    let turn = b.rounded(Double::PI * 2.0);
-    let back = b.sub(angle, turn);
-    let angle = b.push(Op::Select { a: angle, b: half, then: angle, otherwise: back });
-    b.name(angle, "angle");
-    let forth = b.add(angle, turn);
-    let angle = b.push(Op::Select { a: angle, b: minus, then: forth, otherwise: angle });
-    b.name(angle, "angle");
-    match b.float() {
-        Float::F64 => angle,
-        Float::F32 => {
-            let least = b.constant(least_half_turn(Float::F32));
-            b.push(Op::Max { limit: least, x: angle })
-        }
-    }
-}
-
-/// What [`modulo_turn`] changes: by what a turn is rounded, or from −`PI` of `f32` to the next number, an ulp.
-fn rounding_modulo(float: Float) -> f64 {
-    let turn = float.rest(Double::PI * 2.0).abs();
-    if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(PI, float)) }
-}
-
-/// The nearest number in that interval.
-fn held(b: &mut Builder, angle: Id, [least, most]: [f64; 2]) -> Id {
-    let (most, least) = (b.constant(most), b.constant(least));
-    let angle = b.push(Op::Min { limit: most, x: angle });
-    b.name(angle, "angle");
-    b.push(Op::Max { limit: least, x: angle })
-}
-
-/// The nearest number in [−π, π).
-fn within_half_turn(b: &mut Builder, angle: Id) -> Id {
-    let (least, most) = (least_half_turn(b.float()), below_half_turn(b.float()));
-    held(b, angle, [least, most])
-}
-
-/// The largest number below the `PI` of `f64`, so that results are less than π as users write it, too.
-fn below_half_turn(float: Float) -> f64 {
-    match float {
-        Float::F64 => PI.next_down(),
-        Float::F32 => f64::from(std::f32::consts::PI.next_down()),
-    }
-}
-
-/// The least number in [−π, π): the `PI` of `f32` is above π.
-fn least_half_turn(float: Float) -> f64 {
-    if float == Float::F64 { -PI } else { -below_half_turn(float) }
-}
-
-/// By how much an angle, which is no farther beyond π than [`AT_TOP`], exceeds the largest number that it may become.
-fn beyond_largest_number(angle: Double, float: Float) -> f64 {
-    let most = Double::new(below_half_turn(float));
-    let [by, to_top] = [angle, Double::PI].map(|angle| (angle - most).hi + AT_TOP);
-    by.clamp(0.0, to_top)
-}
-
-/// Whether an angle is in [−π, π), of either type: `f32`'s π is above that of `f64`.
-#[cfg(test)]
-pub(crate) fn is_wrapped(angle: f64) -> bool {
-    (-PI..PI).contains(&angle)
 }
 
 #[cfg(test)]
