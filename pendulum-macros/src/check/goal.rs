@@ -5,8 +5,6 @@ use crate::exact::Real;
 use crate::motion::{ALWAYS_OVERSHOOTS, Motion, Regime};
 use crate::parse::{Given, Method, Output, Parameter};
 use crate::scene::Goal;
-use proc_macro2::{TokenStream, TokenTree};
-use quote::ToTokens;
 
 /// Terms that are proposed where they serve: with so many the paper reaches 7π/8 within 0.4 %.
 const USUAL_TERMS: usize = 4;
@@ -177,7 +175,7 @@ impl Checker<'_> {
                 _ => (DERIVATIVES, "use `method = polynomial`, or leave `method` out"),
             };
             let message = format!("output `{word}`: `{method}` gives {given}: {remedy}");
-            verdict = Err(self.refuse(word_in(&outputs.tokens, word), message));
+            verdict = Err(self.refuse(outputs.tokens_of(output), message));
         }
         verdict
     }
@@ -210,13 +208,4 @@ fn kind(regime: &Regime) -> &'static str {
         Regime::Rotation(_) => "a rotation over the top",
         Regime::Separatrix(_) => "the separatrix, the motion that takes for ever to reach the top",
     }
-}
-
-/// The token of one word in a list, for its span.
-pub(super) fn word_in(list: &TokenStream, word: &str) -> TokenStream {
-    let inside = list.clone().into_iter().find_map(|tree| match tree {
-        TokenTree::Group(group) => group.stream().into_iter().find(|tree| tree.to_string() == word),
-        _ => None,
-    });
-    inside.map_or_else(|| list.clone(), |tree| tree.to_token_stream())
 }

@@ -105,7 +105,7 @@ impl Checker<'_> {
                 second.word(),
                 first.word()
             );
-            return Err(self.refuse(goal::word_in(&given.tokens, second.word()), message));
+            return Err(self.refuse(given.tokens_of(*second), message));
         }
         if let Some(motion) = motion {
             self.representable_outputs(motion, &outputs)?;

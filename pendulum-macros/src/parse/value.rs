@@ -5,7 +5,7 @@ use super::words::{Keyword, Output, one_of, one_word};
 use super::{parameter, source};
 use crate::report::Report;
 use crate::report::list;
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use std::fmt::{self, Display, Formatter};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
@@ -23,6 +23,17 @@ pub(crate) struct Given<T> {
 impl<T> Display for Given<T> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         write!(f, "{} = {}", self.name, source::value(&self.tokens))
+    }
+}
+
+impl Given<Vec<Output>> {
+    /// The token of one of them, for its span.
+    pub(crate) fn tokens_of(&self, output: Output) -> TokenStream {
+        let inside = self.tokens.clone().into_iter().find_map(|tree| match tree {
+            TokenTree::Group(group) => group.stream().into_iter().find(|tree| tree.to_string() == output.word()),
+            _ => None,
+        });
+        inside.map_or_else(|| self.tokens.clone(), TokenStream::from)
     }
 }
 
