@@ -1,10 +1,8 @@
 //! A proven bound of |θ̂ − θ|, by branch and bound.
 //!
-//! Rounding, with u = 2⁻⁵³. Next to an overshoot the margin dn² + ρ(2y − ρ) cancels and then is under a root, so what it is
-//! rounded by is counted ([`OF_MARGIN`]); as is what its ρ is ([`OF_TAIL`]). Of the harmonic j steps after the first of a
-//! tail, |sin| is wrong by an argument of (2n − 1)πu at most, and by j² times what a step of the recurrence is rounded by,
-//! 4u; with j < n both together are below (2n − 1)²·2⁻⁵⁰. So the tail is wrong by 2⁻⁵⁰ times the bound of its second
-//! derivative, and its slope by as much of the third. All else is relative, and the 10⁻⁹ of `certified_bound` cover it.
+//! What cancels is counted as it is rounded, with u = 2⁻⁵³: the tail ([`OF_TAIL`]), and next to an overshoot the margin
+//! dn² + ρ(2y − ρ), which then is under a root ([`OF_MARGIN`]). All else is relative, and the 10⁻⁹ of `certified_bound` cover
+//! it.
 
 use super::{FourierAnalysis, distance};
 use libm::sqrt;
@@ -20,11 +18,14 @@ pub(super) struct Cells<'a> {
     third: f64,
 }
 
-/// What a tail is wrong by, in units of the bound of its second derivative.
+/// What a tail is wrong by, in units of the bound of its second derivative, Σ k b₂ₙ₋₁ (2n − 1)²; its slope by as much of the
+/// third. Of its term of sin((2n − 1)w) the argument is wrong by (2n − 1)πu at most; it is j < n steps of the recurrence after
+/// the first, each rounded by 4u, which adds j²·4u. Both together are below (2n − 1)²·2⁻⁵⁰.
 const OF_TAIL: f64 = 1.0 / (1_u64 << 50) as f64;
 
-/// Above what dn² and ρ(2y − ρ) are wrong by, each of itself. Where k′ is small dn is small, too, as sums that cancel: by
-/// 23u of itself at k′ = 10⁻⁶, less with k′ larger, and more as its logarithm grows.
+/// Above what dn² and ρ(2y − ρ) are wrong by, each of itself. Where it is computed dn is ½ √k′ at least, by an exponential of
+/// which the exponent is wrong by 2u of itself: dn by 2u ln(4/√k′), and by some 20u at most of all else. That is 43u at
+/// k′ = 9·10⁻¹⁰, beyond which the macro has no use for Eq. 22 (`smallest_working_terms`). Found are up to 7u.
 const OF_MARGIN: f64 = 128.0 / (1_u64 << 53) as f64;
 
 impl<'a> Cells<'a> {

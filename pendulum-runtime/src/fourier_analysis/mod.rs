@@ -26,7 +26,7 @@ use libm::sqrt;
 /// falls off geometrically shows as a sample above both neighbours, to be refined from there.
 const SAMPLES: usize = 12;
 
-/// More terms than any `f64` amplitude needs (the last one below π needs 600).
+/// More terms than any motion needs: the last `f64` below π 600, launches that stop nearer to the top up to some 1,300.
 const MOST_TERMS: usize = 4096;
 
 /// Halvings of a cell of `certified_bound`, which each make its excess about half as large: more than it ever takes.
@@ -36,6 +36,8 @@ const DEEPEST: u32 = 40;
 #[derive(Clone, Copy, Debug)]
 pub struct FourierAnalysis {
     k: Double,
+    /// k′.
+    kc: f64,
     /// √q.
     root: Double,
     /// 2π/K.
@@ -95,6 +97,7 @@ impl FourierAnalysis {
         let mean = agm_double(kc);
         Self {
             k,
+            kc: kc.hi,
             root: root_of_nome(k, kc),
             scale: mean.scale(4.0), // 2π/K = 4 AGM(1, k′)
             swing: Swing::new(k, kc, mean.hi, f64::INFINITY),
@@ -179,8 +182,14 @@ impl FourierAnalysis {
     /// Everything at z turns from the zero crossing, 0 ≤ z ≤ ¼.
     fn sample(&self, terms: usize, z: f64) -> Sample {
         let (y, _) = self.swing.half_angle(SwingPhase::at_crossing(z));
-        let dn = self.rotation.velocity(Reduced { turns: 0.0, high: 2.0 * z, low: 0.0 });
-        Sample { y, dn, tail: self.tail(terms, z) }
+        Sample { y, dn: self.dn(z), tail: self.tail(terms, z) }
+    }
+
+    /// cos(θ/2) likewise. Nearer to the turning point it is that at the mirrored phase which says how small it is there:
+    /// dn(K − u) = k′/dn(u) (DLMF 22.4.3), and half-way both are √k′.
+    fn dn(&self, z: f64) -> f64 {
+        let velocity = |z: f64| self.rotation.velocity(Reduced { turns: 0.0, high: 2.0 * z, low: 0.0 });
+        if z <= 0.125 { velocity(z) } else { self.kc / velocity(0.25 - z) }
     }
 
     /// ρ = Σ_{n>N} k b₂ₙ₋₁ sin((2n − 1)w) and dρ/dw, to the last digit.

@@ -34,6 +34,28 @@ fn distances_of_arcsines() {
     }
 }
 
+/// By multiprecision, at 1/16, 1/8, 3/16 and 15/64 of a period from the crossing.
+#[test]
+fn cosines_of_half_angles() {
+    for (kc, exact) in [
+        (
+            1e-3,
+            [0.247_573_188_254_172_16, 0.031_622_776_601_683_79, 0.004_039_209_605_255_58, 0.001_137_393_591_100_890_9],
+        ),
+        (1e-6, [0.044_699_010_050_557_89, 1e-3, 2.237_186_011_209_031_2e-5, 1.486_349_380_855_725_5e-6]),
+        (1e-10, [0.004_472_113_594_431_608, 1e-5, 2.236_079_157_839_677e-8, 2.408_044_452_935_900_6e-10]),
+        (1e-20, [1.414_213_562_302_384_4e-5, 1e-10, 7.071_067_812_219_028e-16, 9.721_920_700_877_319e-20]),
+    ] {
+        let kc = Double::new(kc);
+        let analysis = FourierAnalysis::new((Double::ONE - kc * kc).sqrt(), kc);
+        for (z, exact) in [1.0 / 16.0, 1.0 / 8.0, 3.0 / 16.0, 15.0 / 64.0].into_iter().zip(exact) {
+            let ratio = analysis.dn(z) / exact;
+            assert!((ratio - 1.0).abs() <= 4.0 * f64::EPSILON, "{kc:?} {z}: {ratio}");
+        }
+        assert_eq!(analysis.dn(0.25), kc.hi);
+    }
+}
+
 #[test]
 fn harmonics_over_several_turns() {
     for i in 0..3000 {
