@@ -1,5 +1,6 @@
 //! Bounds over intervals, from bounds on parts of them; and norms.
 
+use crate::power::two_to;
 use std::collections::BinaryHeap;
 
 /// The larger of two errors; infinite if one is no number.
@@ -48,7 +49,8 @@ pub(crate) struct Halving {
 }
 
 impl Halving {
-    /// Bounds a function on [low, high], given one on any interval.
+    /// Bounds a function on [low, high], given a bound on any interval; or, once that is known to exceed the cap, gives some
+    /// number above the cap, which bounds nothing.
     pub(crate) fn largest(self, [low, high]: [f64; 2], bound: impl Fn(f64, f64) -> f64) -> f64 {
         const GAIN: f64 = 0.97;
         const NARROW: f64 = 1.0 / 512.0;
@@ -57,7 +59,7 @@ impl Halving {
         };
         let slice = 1.001 * (high - low) / f64::from(self.slices);
         let part = |low: f64, high: f64| [worst([bound(low, high)]), low, high];
-        // Numbers that are positive have the order of their bits.
+        // Bounds, which aren't negative, have the order of their bits; of the ends none is needed.
         let ordered = |part: [f64; 3]| part.map(f64::to_bits);
         let mut open: BinaryHeap<[u64; 3]> =
             (0..self.cells).map(|index| ordered(part(at(index), at(index + 1)))).collect();
@@ -76,7 +78,7 @@ impl Halving {
                 continue;
             }
             if before > self.cap {
-                // What a part of it is bounded by the whole is found to be at least, and mostly it is hardly more.
+                // Where a narrow part isn't bounded below the cap the whole won't be either, however it is halved.
                 let [there, ..] = part(middle, middle + NARROW * (high - low));
                 if there > self.cap {
                     return there;
@@ -109,7 +111,7 @@ pub(crate) fn by_halves(interval: [f64; 2], cells: u32, most: usize, bound: impl
 
 /// √Σx², also where the squares overflow or underflow.
 pub(crate) fn norm(parts: impl Iterator<Item = f64>) -> f64 {
-    const FAR: f64 = 3.273_390_607_896_142e150; // 2⁵⁰⁰
+    const FAR: f64 = two_to(500);
     let parts: Vec<f64> = parts.collect();
     let scaled = |factor: f64| parts.iter().map(|x| x * factor).map(|x| x * x).sum::<f64>().sqrt() / factor;
     match parts.iter().fold(0.0, |most: f64, x| most.max(x.abs())) {

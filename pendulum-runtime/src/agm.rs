@@ -73,6 +73,7 @@ pub(crate) fn sqrt_nome(k: f64, kc: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::double::relative_error;
+    use crate::kernel::two_to;
 
     /// Expected values by mpmath.
     #[test]
@@ -86,7 +87,7 @@ mod tests {
         for (x, expected) in cases {
             let error = relative_error(agm_double(x), expected);
             // At 1e-300 the second words underflow.
-            let bound = if x.hi < 1e-290 { 1e-24 } else { 1.0 / (1_u128 << 102) as f64 };
+            let bound = if x.hi < 1e-290 { 1e-24 } else { two_to(-102) };
             assert!(error <= bound, "{x:?}: {error:e}");
             assert!((agm(x.hi) / expected.hi - 1.0).abs() <= 2.0 * f64::EPSILON);
         }
@@ -105,7 +106,7 @@ mod tests {
             let (a, b) = ((x + Double::ONE).scale(0.5), x.sqrt());
             let (mean, same) = (agm_double(x), a * agm_double(b / a));
             // Twice 2⁻¹⁰³ as derived there, and a few roundings here.
-            assert!(relative_error(mean, same) <= 1.0 / (1_u128 << 101) as f64, "{x:?}");
+            assert!(relative_error(mean, same) <= two_to(-101), "{x:?}");
             assert!((agm(x.hi) / mean.hi - 1.0).abs() <= 2.0 * f64::EPSILON, "{x:?}");
         }
     }

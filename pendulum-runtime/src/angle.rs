@@ -119,6 +119,7 @@ fn words_to_double(words: [u64; 4]) -> Double {
 mod tests {
     use super::*;
     use crate::double::relative_error;
+    use crate::kernel::two_to;
 
     /// Expected values by mpmath with 400 digits; the fourth is the `f64` nearest to an odd multiple of π/2.
     #[test]
@@ -133,7 +134,7 @@ mod tests {
         ];
         for (theta, expected) in cases {
             let error = relative_error(reduce(theta).angle, expected);
-            assert!(error <= 1.0 / (1_u128 << 100) as f64, "{theta:e}: {error:e}");
+            assert!(error <= two_to(-100), "{theta:e}: {error:e}");
             assert_eq!(reduce(-theta).angle, -reduce(theta).angle);
         }
     }
@@ -151,7 +152,7 @@ mod tests {
             (4.0, Double { hi: 0.8584073464102068, lo: -1.1442377452219664e-17 }),
         ] {
             let error = relative_error(reduce(theta).from_top, expected);
-            assert!(error <= 1.0 / (1_u128 << 100) as f64, "{theta:e}: {error:e}");
+            assert!(error <= two_to(-100), "{theta:e}: {error:e}");
             assert_eq!(reduce(-theta).from_top, reduce(theta).from_top);
         }
     }

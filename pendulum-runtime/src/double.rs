@@ -4,8 +4,8 @@
 //! (Dekker 1971) and `two_prod` with Veltkamp's splitting. No fused multiply-add is used, so the bits are the same on
 //! every IEEE target. The error bounds quoted of sums and products are those of Joldes, Muller and Popescu, "Tight and
 //! rigorous error bounds for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017), with u = 2⁻⁵³.
-//! Splitting overflows above 2⁹⁹⁵, and `two_prod` is inexact where the product's low word underflows; callers stay within
-//! that.
+//! Splitting serves up to 2⁹⁹⁶, beyond which it soon overflows, and `two_prod` is inexact where the product's low word
+//! underflows; callers stay within that.
 
 #![expect(
     clippy::inline_always,
@@ -23,7 +23,7 @@ pub struct Double {
     pub lo: f64,
 }
 
-/// The largest number, but for some powers of ten, that [`two_prod`] can split.
+/// Numbers up to this are split without overflow, and have room for a factor of 10⁹.
 pub(crate) const LARGEST: f64 = 1e290;
 
 /// `a + b = s + e` exactly.
@@ -72,7 +72,7 @@ impl Double {
     /// ln 2 to 107 bits.
     pub const LN_2: Self = Self { hi: core::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
     /// 2π.
-    pub(crate) const TURN: Self = Self::PI.scale(2.0);
+    pub const TURN: Self = Self::PI.scale(2.0);
     /// 1/(2π).
     pub(crate) const INVERSE_TURN: Self = Self { hi: 0.159_154_943_091_895_35, lo: -9.839_338_337_591_243e-18 };
 

@@ -90,9 +90,10 @@ pub(crate) fn supplement(theta: Double) -> Double {
 mod tests {
     use super::*;
     use crate::double::relative_error;
+    use crate::kernel::two_to;
 
     /// 2⁻¹⁰², as promised.
-    const BOUND: f64 = 1.0 / (1_u128 << 102) as f64;
+    const BOUND: f64 = two_to(-102);
 
     /// Expected values by mpmath.
     #[test]

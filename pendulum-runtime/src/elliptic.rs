@@ -27,13 +27,14 @@ use crate::angle::{nearest_period, reduce};
 use crate::carlson::carlson_rf;
 use crate::double::{Double, LARGEST};
 use crate::double_trig::half_angle;
+use crate::kernel::two_to;
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced, is_odd};
 use crate::rotation::Rotation;
 use core::f64::consts::PI;
 
 /// 2⁻⁶⁴.
-const SMALL: f64 = 1.0 / (1_u128 << 64) as f64;
+const SMALL: f64 = two_to(-64);
 
 /// One modulus, prepared for repeated evaluation of the functions of Jacobi: about as much work as
 /// [`Pendulum::from_state`](crate::Pendulum::from_state) once, then a few dozen nanoseconds per value.
@@ -143,7 +144,7 @@ impl Jacobi {
         } else if self.kc.hi == 0.0 {
             halves.hi * f64::INFINITY
         } else {
-            // Scaled so that the quotient of the largest φ isn't split beyond 2⁹⁹⁵.
+            // Scaled so that the quotient of the largest φ isn't split beyond 2⁹⁹⁶.
             let whole = halves.scale(SMALL) / agm_double(self.kc);
             (partial.scale(SMALL) + whole).to_f64() / SMALL
         }

@@ -1,7 +1,7 @@
 //! What can be wrong with a request.
 
 use crate::double::LARGEST;
-use crate::rotation::MOST_TURNS;
+use crate::inverse::MOST_TURNS;
 use core::fmt;
 
 /// Why a motion, or something asked of it, does not exist. Values are given as `f64`, whatever the type of float.

@@ -3,16 +3,16 @@
 use crate::double::Double;
 use crate::error::Error;
 use crate::fourier_analysis::FourierAnalysis;
-use crate::kernel::sin_turns;
+use crate::kernel::{sin_turns, two_to};
 use crate::motion::{Motion, Shape, with_turns};
 use crate::phase::Phase;
 use crate::scalar::Scalar;
 use crate::swing::SwingPhase;
 use core::marker::PhantomData;
 
-/// 2⁻²⁰⁰: of so small a part of the first, coefficients change no bit of a sum, whose terms are at most 2N − 1 times as much
+/// Of so small a part of the first, coefficients change no bit of a sum, whose terms are at most 2N − 1 times as much
 /// beside it; subnormal ones would take the recurrence twice the time.
-const NOTHING: f64 = 6.223_015_277_861_142e-61;
+const NOTHING: f64 = two_to(-200);
 
 /// θ̂(t) = 2 arcsin(k snᴺ(ωt + K)) with snᴺ(u) = Σ b₂ₙ₋₁ sin((2n − 1)πu/(2K)), n = 1 … N (Eqs. 20 to 22).
 ///

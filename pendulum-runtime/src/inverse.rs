@@ -21,15 +21,17 @@ use crate::carlson::carlson_rf;
 use crate::double::Double;
 use crate::double_trig::{half_angle, supplement};
 use crate::error::{Error, finite};
-use crate::kernel::round;
+use crate::kernel::{round, two_to};
 use crate::launch::hypotenuse;
 use crate::motion::{Moduli, Motion, Shape};
 use crate::phase::unit_of;
-use crate::rotation::MOST_TURNS;
 use core::f64::consts::{PI, TAU};
 
+/// Times to angles of rotations are told within so many turns: from there on neighbouring `f64` are about a radian apart.
+pub(crate) const MOST_TURNS: f64 = 1e15;
+
 /// Swings of an amplitude below this are linear to their last digit.
-const LINEAR: f64 = 1.0 / (1_u128 << 100) as f64;
+const LINEAR: f64 = two_to(-100);
 
 impl Motion {
     /// The first t ≥ 0 at which θ(t) = `angle`; what a swing stays short of by at most `beyond` is its turning point.
@@ -44,7 +46,7 @@ impl Motion {
             Shape::Separatrix(..) => (separatrix(self, &way), Double::ONE),
             Shape::Rotation(..) => (rotation(self, &way), self.k),
         };
-        // Scaled so that no product is split beyond 2⁹⁹⁵.
+        // Scaled so that no product is split beyond 2⁹⁹⁶.
         let unit = unit_of(self.omega);
         let time = |r: Double| (r / (k * (self.omega / unit))).to_f64() / unit;
         r.map(time).ok_or(Error::NeverReached { angle })

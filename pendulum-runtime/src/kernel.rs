@@ -24,6 +24,17 @@ pub(crate) fn horner<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
     sum
 }
 
+/// 2ⁿ exactly, as far as it is a number.
+#[must_use]
+pub const fn two_to(n: i32) -> f64 {
+    match n {
+        ..-1074 => 0.0,
+        -1074..-1022 => f64::from_bits(1 << (n + 1074)),
+        -1022..1024 => f64::from_bits(((n + 1023) as u64) << 52),
+        1024.. => f64::INFINITY,
+    }
+}
+
 /// xⁿ for n ≥ 0 by squaring.
 #[must_use]
 pub fn power(x: f64, n: i32) -> f64 {
@@ -167,6 +178,8 @@ mod tests {
 
     #[test]
     fn powers() {
+        assert_eq!([0, -53, 1023, -1022].map(two_to), [1.0, U, 2.0 / f64::MIN_POSITIVE, f64::MIN_POSITIVE]);
+        assert_eq!([-1023, -1074, -1075, 1024].map(two_to), [0.5 * f64::MIN_POSITIVE, 5e-324, 0.0, f64::INFINITY]);
         assert_eq!((power(3.0, 0), power(3.0, 5), power(0.0, 0), power(0.0, 2)), (1.0, 243.0, 1.0, 0.0));
     }
 

@@ -171,7 +171,7 @@ fn amplitude(k: Double, kc: Double) -> f64 {
     near + 2.0 * (k * cosine - kc * sine).to_f64()
 }
 
-/// 2ωk, within the finite numbers; scaled so that no product is split beyond 2⁹⁹⁵.
+/// 2ωk, within the finite numbers; scaled so that no product is split beyond 2⁹⁹⁶.
 fn top_speed(k: Double, omega: f64) -> f64 {
     let unit = unit_of(omega);
     ((k * (2.0 * (omega / unit))).to_f64() * unit).min(f64::MAX)

@@ -48,7 +48,7 @@ mod theta_quotient;
 pub use error::Error;
 pub use fourier::Fourier;
 #[doc(hidden)]
-pub use kernel::power;
+pub use kernel::{power, two_to};
 pub use pendulum::Pendulum;
 pub use regime::Regime;
 pub use scalar::Scalar;

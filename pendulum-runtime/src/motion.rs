@@ -8,7 +8,7 @@
 
 use crate::agm::complete;
 use crate::double::{Double, LARGEST, two_prod, two_sum};
-use crate::kernel::sin_turns;
+use crate::kernel::{sin_turns, two_to};
 use crate::nome::nome_of;
 use crate::phase::{Phase, Reduced, unit_of};
 use crate::regime::Regime;
@@ -51,7 +51,7 @@ pub(crate) enum Shape {
     Swing(Swing, Phase),
     /// Phase counted from the bottom, one per turn.
     Rotation(Rotation, Phase),
-    /// ωt at t = 0 since (or, negative, until) the bottom.
+    /// ωt from the bottom to t = 0; negative before the bottom.
     Separatrix(Rotation, Double),
 }
 
@@ -84,7 +84,7 @@ impl Motion {
     /// ωt + u₀, where only |u| < 42 matters; NaN for NaN and ±∞.
     fn separatrix_phase(&self, start: Double, t: f64) -> Reduced {
         let product = self.omega * t;
-        let unit = unit_of(self.omega); // scaled so that neither factor is split beyond 2⁹⁹⁵
+        let unit = unit_of(self.omega); // scaled so that neither factor is split beyond 2⁹⁹⁶
         let exact = Double::from_product(self.omega / unit, t * unit) + start;
         let u = if product.abs() < 1e9 { exact.hi } else { product };
         let high = if t.is_finite() { u.clamp(-1e9, 1e9) } else { f64::NAN };
@@ -165,8 +165,8 @@ impl Motion {
 
     /// θ̇²/2ω² + 1 − cos θ = 2k²; ∞ where that is no number.
     pub(crate) fn energy(&self) -> f64 {
-        // Of the square of half of the binary places no word overflows.
-        let unit = if self.k.hi < 1e150 { 1.0 } else { f64::from_bits(0x5ff0_0000_0000_0000) };
+        // In units of 2⁵¹² neither word of a square overflows.
+        let unit = if self.k.hi < 1e150 { 1.0 } else { two_to(512) };
         let k = self.k.scale(1.0 / unit);
         (k * k).scale(2.0).to_f64() * unit * unit
     }

@@ -60,11 +60,12 @@ mod tests {
     use super::*;
     use crate::agm::sqrt_nome;
     use crate::double::relative_error;
+    use crate::kernel::two_to;
 
     /// Expected values by mpmath, exp(−πK′/(2K)).
     #[test]
     fn roots_in_two_words() {
-        let bound = 1.0 / (1_u128 << 97) as f64;
+        let bound = two_to(-97);
         let root = root_of_nome(Double::new(0.5), Double { hi: 0.8660254037844386, lo: 5.0175421109034514e-17 });
         assert!(relative_error(root, Double { hi: 0.1340611316115422, lo: -3.377252941970281e-18 }) <= bound);
         let kc = Double::new(1e-12);

@@ -1,15 +1,15 @@
 //! Phase reduction: from the time to the fraction of a period, exactly enough for 2⁴⁵ periods.
 
 use crate::double::{Double, quick_two_sum, split, two_sum};
-use crate::kernel::round;
+use crate::kernel::{round, two_to};
 
 /// 2⁵⁰ turns, within what `round` can do.
-const FAR: f64 = 1_125_899_906_842_624.0;
+const FAR: f64 = two_to(50);
 
 /// A uniform phase φ(t) = rate · t + offset, in turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Phase {
-    /// A power of two of the order of the rate, so that no product underflows or is split beyond 2⁹⁹⁵.
+    /// A power of two of the order of the rate, so that no product underflows or is split beyond 2⁹⁹⁶.
     scale: f64,
     /// rate/scale in two words.
     rate: Double,
@@ -116,9 +116,9 @@ fn normalise(whole: f64, sum: f64, low: f64) -> Reduced {
 }
 
 /// 2⁵³, from which on there are only even numbers.
-const EVEN: f64 = 9_007_199_254_740_992.0;
+const EVEN: f64 = two_to(53);
 
-/// What follows the point of x, which is finite, with its sign: x less what a cast leaves of it, exactly.
+/// The fractional part of a finite x, with its sign: x less what a cast leaves of it, exactly.
 fn fraction(x: f64) -> f64 {
     if x.abs() < EVEN { x - (x as i64) as f64 } else { 0.0 }
 }
@@ -153,7 +153,7 @@ mod tests {
                 let (t, sign) = (whole as f64, if e % 2 == 0 { 1.0 } else { -1.0 });
                 let reduced = phase.reduce(t);
                 // 2⁻¹⁰⁶ of the turns, and the rounding of a sum of four fractions.
-                let slack = t / (1_u128 << 106) as f64 + 2.0 * f64::EPSILON;
+                let slack = t * two_to(-106) + 2.0 * f64::EPSILON;
                 let off = reduced.high - (sign / 3.0 + offset);
                 assert!((off - round(off)).abs() <= slack && reduced.high.abs() <= 0.5, "2^{e} {offset}: {reduced:?}");
                 // As long as floats count turns, they are counted.

@@ -18,9 +18,6 @@ use core::f64::consts::{LOG2_E, PI, TAU};
 /// κ′ above which the direct series serve: q = 0.1 at κ′ = 0.4445.
 const DIRECT_FROM: f64 = 0.45;
 
-/// Rotations reach angles within so many turns: of more an `f64` tells no part.
-pub(crate) const MOST_TURNS: f64 = 1e15;
-
 /// π/ln 2, in two words since the exponent that it is part of is rounded besides.
 const PI_LOG2_E: Double = Double { hi: 4.532_360_141_827_194, lo: -3.458_117_459_229_868_6e-16 };
 

@@ -1,5 +1,7 @@
 //! What generated code may call, and what the macro has to know of it. Not part of the public interface.
 
+use crate::kernel::two_to;
+
 /// √x for normal x > 0, within [`ROOT_ERROR`] units of rounding, by + − × and bits alone: loops over it vectorise,
 /// which they don't over the hardware's instruction, and constants can be made of it.
 ///
@@ -27,11 +29,11 @@ pub const ROOT_ERROR: f64 = 3.5;
 /// [`NEXT_TO_ZERO_SINGLE`]. Farther below neither is a number.
 pub const LEAST_UNDER_ROOT: f64 = -0.2;
 
-/// 2⁻⁵⁰⁰.
-pub const NEXT_TO_ZERO: f64 = f64::from_bits((1023 - 500) << 52);
+/// How near.
+pub const NEXT_TO_ZERO: f64 = two_to(-500);
 
-/// 2⁻⁵⁰.
-pub const NEXT_TO_ZERO_SINGLE: f64 = 1.0 / (1_u64 << 50) as f64;
+/// The same in single precision.
+pub const NEXT_TO_ZERO_SINGLE: f64 = two_to(-50);
 
 const fn nearer(x: f64, r: f64) -> f64 {
     let e = 1.0 - x * r * r;

@@ -4,7 +4,7 @@
 //! need nothing new: η = −4 sinh² X. So a theta quotient is one sine (or exponential) and two short polynomials,
 //! whatever the number of harmonics.
 
-use crate::kernel::power;
+use crate::kernel::{power, two_to};
 
 /// Which harmonics are expanded; each is 1 for j = 0.
 #[derive(Clone, Copy)]
@@ -19,9 +19,9 @@ pub(crate) enum Harmonics {
     EvenSine,
 }
 
-/// Weights below this, 2⁻⁹⁰⁰, are left out: they are nothing beside others, and subnormal numbers, which they or their
+/// Weights below this are left out: they are nothing beside others, and subnormal numbers, which they or their
 /// products could be, take as long as a hundred others.
-const NOTHING: f64 = 1.183_052_186_166_774_7e-271;
+const NOTHING: f64 = two_to(-900);
 
 /// The coefficients, lowest power of η first, of Σⱼ weightⱼ Pⱼ(η).
 pub(crate) fn polynomial<const N: usize>(harmonics: Harmonics, weight: impl Fn(i32) -> f64) -> [f64; N] {

@@ -79,30 +79,10 @@ impl Checker<'_> {
         if let Some(n) = &self.request.n
             && method != Method::Fourier
         {
-            let message = format!(
-                "`{given}` takes no `n` (`n = {}`), which counts the terms of `fourier`: drop one of them{}",
-                n.value,
-                if matches!(method, Method::Series | Method::Polynomial) {
-                    ", or state the error as `tol`"
-                } else {
-                    ""
-                }
-            );
-            return Err(self.refuse(&given.tokens, message));
+            return Err(self.refuse(&given.tokens, takes_no_terms(given, n.value)));
         }
         match regime {
-            Some(regime) if !serves(method, regime) => {
-                let message = format!(
-                    "`{given}` can't serve {}: {}",
-                    kind(regime),
-                    if serves(Method::Polynomial, regime) {
-                        "use `polynomial`, or leave `method` out"
-                    } else {
-                        "leave `method` out"
-                    }
-                );
-                Err(self.refuse(&given.tokens, message))
-            }
+            Some(regime) if !serves(method, regime) => Err(self.refuse(&given.tokens, cannot_serve(given, regime))),
             _ if method == Method::Fourier
                 && !self.request.mentions(Parameter::N)
                 && !self.request.mentions(Parameter::Tol) =>
@@ -189,6 +169,17 @@ fn gives(method: Method, output: Output) -> bool {
         (_, Output::Position) => method == Method::Fourier,
         (_, Output::Wrapped) => false,
     }
+}
+
+fn takes_no_terms(method: &Given<Method>, terms: usize) -> String {
+    let or =
+        if matches!(method.value, Method::Series | Method::Polynomial) { ", or state the error as `tol`" } else { "" };
+    format!("`{method}` takes no `n` (`n = {terms}`), which counts the terms of `fourier`: drop one of them{or}")
+}
+
+fn cannot_serve(method: &Given<Method>, regime: &Regime) -> String {
+    let polynomials = if serves(Method::Polynomial, regime) { "use `polynomial`, or " } else { "" };
+    format!("`{method}` can't serve {}: {polynomials}leave `method` out", kind(regime))
 }
 
 /// Which motions a method describes. Eqs. 17 and 22 are written for release from rest; a swing launched in mid-motion

@@ -1,5 +1,6 @@
-//! Semantic checks: [`Request`] → [`Scene`]. Everything that can be wrong with a well-formed request is told here, at
-//! the smallest token to blame, with the parameter, its value and a remedy; nothing is emitted.
+//! Semantic checks: [`Request`] → [`Scene`]. Whatever can be told to be wrong with a well-formed request without planning
+//! is told here, at the smallest token to blame, with the parameter, its value and a remedy. What only the planner can tell
+//! is a [`Refusal`](crate::plan::Refusal).
 
 mod goal;
 mod range;

@@ -32,18 +32,20 @@ impl Met {
         [least, farthest]
     }
 
-    /// The same of phases so near to those that a reduction over so short a horizon may give them instead: wrong by a few
-    /// units of rounding of an anchor, or, where an anchor is passed at t = 0, of themselves.
+    /// The same of what a reduction may give for these phases.
     pub(super) fn distances_as_reduced(self, launch: &Real, scene: &Scene) -> [f64; 2] {
         let ([least, farthest], wrong) = (self.distances(), self.wrong(launch, scene));
         [(least - wrong).max(0.0), (farthest + wrong).min(0.5)]
     }
 
-    /// What those may be wrong by; of the shortest horizons, as they underflow. To reproduce the paper's θ̂ may take
-    /// pieces, and in `f32` these a phase that is rounded once from `f64`, however short the horizon.
+    /// What that may be wrong by over so short a horizon: some units of rounding of an anchor or, where an anchor is passed at
+    /// t = 0, of the farthest phase. To reproduce the paper's θ̂ may take pieces, and in `f32` these a phase that is rounded
+    /// once from `f64`, however short the horizon.
     pub(super) fn wrong(self, launch: &Real, scene: &Scene) -> f64 {
+        const UNITS: f64 = 16.0;
+        // A piece, of 32 or more; and phases nearer to an anchor underflow.
         let least = if let Goal::Terms(_) = scene.goal { 1.0 / 32.0 } else { 1e-30 };
-        16.0 * scene.float.rounding_unit() * if launch.is_zero() { self.farthest().max(least) } else { 1.0 }
+        UNITS * scene.float.rounding_unit() * if launch.is_zero() { self.farthest().max(least) } else { 1.0 }
     }
 
     /// How far polynomials have to reach, `None` if as far as ever.

@@ -95,7 +95,7 @@ impl Asking<'_> {
     /// What was reached for another goal may be far from what can be promised: that is asked for in strides, each of twice
     /// as many decades as the one before. `None` if there is nothing.
     fn far_below(&mut self, Kept { mut tolerance, .. }: Kept) -> Option<Kept> {
-        let (mut found, mut stride) = (None, STEP * STEP);
+        let (mut found, mut stride) = (None, FIRST_STRIDE);
         loop {
             let next = three_digits(tolerance / stride);
             let is_new = next > 0.0 && self.refused.iter().all(|&refused| refused < next);
@@ -154,7 +154,7 @@ impl Below {
     /// So much below it hardly any is kept.
     fn step(self) -> f64 {
         match self {
-            Self::Near => STEP,
+            Self::Near => 8.0,
             Self::Coarse => 1e8,
             Self::Anything => f64::INFINITY,
         }
@@ -171,8 +171,8 @@ impl Below {
     }
 }
 
-/// So much below one that was found from what was reached hardly any is kept.
-const STEP: f64 = 8.0;
+/// As many times less is asked for first where nothing is known.
+const FIRST_STRIDE: f64 = 64.0;
 
 /// As a message prints it.
 fn three_digits(x: f64) -> f64 {

@@ -33,18 +33,21 @@ pub(super) fn rounding_of(
 /// what it is.
 pub(super) fn over_phases(reduction: &Reduction, cap: f64, bound: impl Fn(f64, f64) -> f64) -> f64 {
     let [low, high] = reduction.range();
-    let slice = (high - low) / f64::from(CELLS.pow(4));
+    let slice = (high - low) / f64::from(ENDS);
     let (first, last) = ([low, low + slice], [high - slice, high]);
     let ends = if reduction.origin == Origin::Anchor { [last, first] } else { [first, last] };
     let at_ends = largest(ends.into_iter().map(|[from, to]| bound(from, to)), cap);
     let least = if cap.is_finite() { cap / NOTHING } else { 0.0 };
-    let halving = Halving { cells: CELLS, slices: CELLS * CELLS, most: MOST_HALVED, least, cap };
+    let halving = Halving { cells: CELLS, slices: SLICES, most: MOST_HALVED, least, cap };
     if at_ends > cap { at_ends } else { halving.largest([low, high], bound) }
 }
 
-/// The square of this is the number of subintervals of the phase on which the rounding is analysed separately, at least
-/// where it is worst, and those are halved as often as that gains something.
-pub(super) const CELLS: u32 = 8;
+/// The parts of the range of phases on which rounding is analysed separately at first; where it is worst they are halved
+/// until there would be so many slices, and further as often as that gains something.
+const CELLS: u32 = 8;
+pub(super) const SLICES: u32 = 64;
+/// The parts that the range's ends, which are looked at before, would be two of.
+const ENDS: u32 = 4096;
 const MOST_HALVED: usize = 48;
 /// A rounding that many times less than what there is room for needs to be known no better.
 const NOTHING: f64 = 512.0;

@@ -71,7 +71,7 @@ impl Aim {
             curves if curves.iter().any(|curve| curve.omitted().is_infinite()) => None,
             // From the top numbered 0, half a turn before the lowest point; the curve is what it has beside uniform turns.
             [curve] if task.turns_over() && self.output.is_angle() => {
-                let exact = curve.at(s) + (s - Double::new(0.5)) * Double::PI * 2.0;
+                let exact = curve.at(s) + (s - Double::new(0.5)) * Double::TURN;
                 let context = number.context();
                 let [value, high, low] = [values[0] * task.direction, exact.hi, exact.lo].map(|x| context.float(x));
                 let turn = context.pi().scale(1);

@@ -65,8 +65,8 @@ pub(crate) fn lanes_lost(float: Float) -> f64 {
 }
 
 /// Measured on x86-64, without and with AVX2, `f64` and `f32`, by `cargo run --release -p pendula-benches --bin
-/// weights`, but for tables; docs/BENCHMARKS.md has the figures. Only their order matters to the planner, and that they are about
-/// right.
+/// weights`, but for tables; docs/BENCHMARKS.md has the figures. The planner compares candidates by them, for which they have
+/// to be about right only.
 fn weight(op: Op) -> f64 {
     match op {
         Op::Input | Op::Constant { .. } | Op::Entry { .. } => 0.0,

@@ -1,4 +1,4 @@
-//! What rounding depends on.
+//! The two types as the analysis of programs sees them: units, ranges, rounding.
 
 use crate::parse::Float;
 use pendulum_runtime::double::Double;

@@ -75,7 +75,7 @@ impl Wave {
 
     /// sin(θ/2) = k sn of a swing about its turning point: (2π/K) Σ (−1)ⁿ⁻¹ q^(n−½)/(1 − q²ⁿ⁻¹) cos((2n−1)πs) (Eq. 20).
     pub(crate) fn half_sine(swing: &Swing) -> Self {
-        let front = Double::PI * 2.0 / swing.elliptic.quarter.to_double();
+        let front = Double::TURN / swing.elliptic.quarter.to_double();
         Self::sn_or_cn(&swing.elliptic, front, Parity::Even)
     }
 
@@ -110,7 +110,7 @@ impl Wave {
             (2 * n, if negative { -amplitude } else { amplitude })
         });
         let (parity, polynomial) = match order {
-            0 => (Parity::Odd, [Double::PI * 2.0 * unit, Double::ZERO]),
+            0 => (Parity::Odd, [Double::TURN * unit, Double::ZERO]),
             1 => (Parity::Even, [Double::ZERO, turn * 2.0 * unit]),
             _ => (if order % 2 == 0 { Parity::Odd } else { Parity::Even }, [Double::ZERO; 2]),
         };
@@ -152,7 +152,7 @@ impl Wave {
     /// (2π/(κK)) Σ (−1)ⁿ q^(n+½) cos((2n+1)πs)/(1 − q²ⁿ⁺¹) and −(2π/(κK)) Σ (−1)ⁿ q^(n+½) sin((2n+1)πs)/(1 + q²ⁿ⁺¹).
     pub(crate) fn from_top(rotation: &Rotation, parity: Parity) -> Self {
         let elliptic = &rotation.elliptic;
-        let front = Double::PI * 2.0 / (&elliptic.modulus * &elliptic.quarter).to_double();
+        let front = Double::TURN / (&elliptic.modulus * &elliptic.quarter).to_double();
         Self::sn_or_cn(elliptic, front, parity)
     }
 

@@ -5,6 +5,7 @@
 //! it.
 
 use super::{FourierAnalysis, distance};
+use crate::kernel::two_to;
 use libm::sqrt;
 
 /// The quarter period, to be cut into cells until each is bounded by the goal.
@@ -21,12 +22,12 @@ pub(super) struct Cells<'a> {
 /// What a tail is wrong by, in units of the bound of its second derivative, Σ k b₂ₙ₋₁ (2n − 1)²; its slope by as much of the
 /// third. Of its term of sin((2n − 1)w) the argument is wrong by (2n − 1)πu at most; it is j < n steps of the recurrence after
 /// the first, each rounded by 4u, which adds j²·4u. Both together are below (2n − 1)²·2⁻⁵⁰.
-const OF_TAIL: f64 = 1.0 / (1_u64 << 50) as f64;
+const OF_TAIL: f64 = two_to(-50);
 
 /// Above what dn² and ρ(2y − ρ) are wrong by, each of itself. Where it is computed dn is ½ √k′ at least, by an exponential of
 /// which the exponent is wrong by 2u of itself: dn by 2u ln(4/√k′), and by some 20u at most of all else. That is 43u at
 /// k′ = 9·10⁻¹⁰, beyond which the macro has no use for Eq. 22 (`smallest_working_terms`). Found are up to 7u.
-const OF_MARGIN: f64 = 128.0 / (1_u64 << 53) as f64;
+const OF_MARGIN: f64 = two_to(7 - 53);
 
 impl<'a> Cells<'a> {
     pub(super) fn new(analysis: &'a FourierAnalysis, terms: usize, goal: f64) -> Self {

@@ -40,9 +40,10 @@ pub(crate) struct Size {
 }
 
 impl Size {
-    /// What the reduction's error of the phase does to the function: the integral of |f′| over the way from the true phase
-    /// to the computed one, which is at most e + r|z| long for every z on it if it is for both its ends. A reduction's r is
-    /// a thousandth more than for the true one, which is enough for the computed one but for what e adds to it.
+    /// What the reduction's error of the phase does to the function: at most the integral of |f′| over the way from the true
+    /// phase to the computed one. That is at most e + r|z| long for both its ends, so for every z on it, and the integral is
+    /// at most e sup |f′| + r sup |z f′|. The r of a reduction serves for the true phase with a thousandth to spare, which is
+    /// enough for the computed one, too, but for what e adds to it: the factor 1 + r.
     pub(crate) fn phase_error(&self, reduction: &Reduction) -> f64 {
         let relative = match reduction.relative_error {
             0.0 => 0.0,

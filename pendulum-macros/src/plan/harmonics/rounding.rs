@@ -4,7 +4,7 @@
 use super::recurrence::Recurrence;
 use super::{ARGUMENT, COSINE, Harmonics, SINE, SLOPE, Sines};
 use crate::plan::cosines::{Cosines, Local};
-use crate::plan::phases::{CELLS, over_phases};
+use crate::plan::phases::{SLICES, over_phases};
 use crate::plan::polynomial::Polynomial;
 use crate::plan::reduction::{Origin, Reduction};
 use crate::program::rounding::Known;
@@ -35,7 +35,7 @@ impl Harmonics {
             by_steps.as_ref().map_or(closed, |by_steps| closed.min(by_steps(low, high)))
         };
         if self.peaks() {
-            return by_halves(reduction.range(), CELLS * CELLS, MOST_HALVED, between);
+            return by_halves(reduction.range(), SLICES, MOST_HALVED, between);
         }
         over_phases(reduction, cap, between)
     }

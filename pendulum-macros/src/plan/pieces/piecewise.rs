@@ -1,8 +1,8 @@
 //! A curve as Chebyshev series in the pieces from an anchor to the middle between two.
 //!
 //! Each piece is interpolated at M Chebyshev points. On the ellipse with parameter ρ about a piece of half width h the
-//! phase stays within the strip |Im s| ≤ h(ρ − 1/ρ)/2, where the Fourier series bounds the curve by B: the interpolants'
-//! errors are at most 4Bρ^(1−M)/(ρ − 1), as in [`crate::plan::polynomial`]. What is dropped is known.
+//! phase stays within the strip |Im s| ≤ h(ρ − 1/ρ)/2, where the Fourier series bounds the curve, and so the interpolants'
+//! errors ([`crate::chebyshev::interpolation_error`]). What is dropped is known.
 
 use super::Pieces;
 use crate::chebyshev::{CosineTable, Interpolation, lebesgue, rounding_of_powers, scale, to_powers};

@@ -1,12 +1,12 @@
 //! A curve as a Chebyshev series in the square p of the phase, with a bound of its error. Over an arc without symmetry
 //! p = (s + ½)/4 takes the place of the square.
 //!
-//! The curve is interpolated at M Chebyshev points of p ∈ [0, ¼]. On the ellipse with parameter ρ, s stays within the
-//! strip |Im s| ≤ sinh(½ ln ρ)/2, where the Fourier series bounds the curve by B; the interpolant's error is at most
-//! 4Bρ^(1−M)/(ρ − 1) (Trefethen, *Approximation Theory and Approximation Practice*, theorem 8.2). Dropping its
-//! coefficients beyond the degree d adds at most the sum of their magnitudes, and less where they cancel, or where the
-//! others make up for it (`nearest.rs`): the supremum of what is left out is bounded in `tail.rs`. M is chosen so that
-//! the former is negligible; the latter, explicitly known, is the truncation error.
+//! The curve is interpolated at the fewest Chebyshev points of p ∈ [0, ¼] of which the error is negligible
+//! ([`Interpolation::fewest`]). On the ellipse with parameter ρ, s stays within the strip |Im s| ≤ sinh(½ ln ρ)/2; each of
+//! [`Curve::ellipses`] comes with a bound of the curve, by its Fourier series or, between the poles, by its pulses.
+//! Dropping the interpolant's coefficients beyond the degree d adds at most the sum of their magnitudes, and less where
+//! they cancel, or where the others make up for it (`nearest.rs`): the supremum of what is left out, explicitly known, is
+//! bounded in `tail.rs`. That is the truncation error.
 
 use super::interval;
 use super::leeway::Leeway;

@@ -98,7 +98,7 @@ const MOST_BEYOND: f64 = 16.0;
 /// Bounds of so many times what the sum is at the angles need be no nearer.
 const CLOSE: f64 = 1.01;
 
-/// Of so many derivatives, two orders apart, the values at the angles are looked at.
+/// So many even derivatives, from the second on, are sampled at the angles; of the next the sum of magnitudes is taken.
 const DEEPEST: usize = 3;
 
 /// cosh x, or hardly more: 1 + x²/2 + x⁴/24·cosh x where x is small, as nearly always.

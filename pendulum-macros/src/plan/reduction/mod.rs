@@ -35,8 +35,8 @@ pub(crate) struct Reduction {
     pub(crate) launch: Double,
     /// Where the reduced phase is zero.
     pub(crate) origin: Origin,
-    /// |computed − true| of the phase over the horizon, in anchors, is at most `error` + `relative_error`·|phase|, of
-    /// the true phase to a thousandth of `relative_error` less.
+    /// |computed − true| of the phase s over the horizon, in anchors, is at most `error` + `relative_error`·|s| of the
+    /// computed s; of the true one `relative_error`/1.001 is enough.
     pub(crate) error: f64,
     pub(crate) relative_error: f64,
     /// The part of `error` that is the rounding of remainders up to ½, and falls with them.
@@ -290,7 +290,7 @@ impl Reduction {
         one_word && exact && self.origin == Origin::Anchor
     }
 
-    /// Whether the phase is known at all at the end of the horizon, by numbers that there are.
+    /// Whether the phase is known to half an anchor at the end of the horizon, and every constant is finite.
     fn is_useful(&self) -> bool {
         self.error < 0.5 && self.half().is_finite() && self.program().is_finite()
     }

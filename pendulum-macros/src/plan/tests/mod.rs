@@ -403,8 +403,8 @@ fn refusals_are_explained() {
         ("theta0 = 1, tol = 1e-12, method = harmonic, float = f32", "or leave `method` out, and use `float = f64`"),
         ("velocity0 = 2.5, tol = 1e-3, float = f32, method = polynomial", "or give a `t_max`"),
         ("theta0 = 0.731π, n = 1", "`n = 1`: the argument of the arcsine in Eq. 22 exceeds 1 by "),
-        // It is 1 − 9e-18.
-        ("theta0 = 2.8417893156955566, n = 2", "can't be told from one that exceeds 1"),
+        // It is 1 − 6e-19.
+        ("theta0 = 2.841789315695556635, n = 2", "can't be told from one that exceeds 1"),
         ("theta0 = 0.731π, n = 1", "the smallest number of terms that works is `n = 2`"),
         ("theta0 = π - 1e-14, n = 3", "no number of terms that `f64` can use works"),
         ("theta0 = 1, n = 40", "use an `n` from 1 to 10"),

@@ -1,19 +1,20 @@
 //! Keeping angles within half a turn, [−π, π).
 
 use crate::parse::Float;
+use crate::power::two_to;
 use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
 use pendulum_runtime::double::Double;
 use std::f64::consts::PI;
 
 /// An arc that leads no farther beyond π counts as at the top: some more than a curve in two words is wrong by.
-pub(in crate::plan) const AT_TOP: f64 = PI / (1_u128 << 70) as f64;
+pub(in crate::plan) const AT_TOP: f64 = PI * two_to(-70);
 
 /// Less a turn, or more one, to be within [−π, π): beside the top the phase may have been counted from the turn before
 /// or after. Both differences are exact, and never are both taken.
 pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
     let (half, minus) = (b.constant(PI), b.constant(-PI));
-    let turn = b.rounded(Double::PI * 2.0);
+    let turn = b.rounded(Double::TURN);
     let back = b.sub(angle, turn);
     let angle = b.push(Op::Select { a: angle, b: half, then: angle, otherwise: back });
     b.name(angle, "angle");
@@ -31,7 +32,7 @@ pub(super) fn modulo_turn(b: &mut Builder, angle: Id) -> Id {
 
 /// What [`modulo_turn`] changes: by what a turn is rounded, or from −`PI` of `f32` to the next number, an ulp.
 pub(super) fn rounding_modulo(float: Float) -> f64 {
-    let turn = float.rest(Double::PI * 2.0).abs();
+    let turn = float.rest(Double::TURN).abs();
     if float == Float::F64 { turn } else { turn.max(2.0 * half_ulp(PI, float)) }
 }
 

@@ -8,6 +8,7 @@ use super::curve::Size;
 use super::reduction::{Origin, ROUNDED, Reduction};
 use super::variables::Variables;
 use crate::parse::Float;
+use crate::power::two_to;
 use crate::program::rounding::half_ulp;
 use crate::program::{Builder, Id, Op};
 use crate::supremum::larger;
@@ -118,8 +119,8 @@ pub(crate) enum Turns {
     Within { beyond: f64 },
 }
 
-/// Below this, 2⁵², the number of turns is exact, halves of them included; that of pieces of a turn is below 2⁵².
-const EXACT_TURNS: f64 = (1_u64 << 52) as f64;
+/// Below this the number of turns, or of pieces of a turn, is exact, halves included.
+const EXACT_TURNS: f64 = two_to(52);
 
 /// Below this the product of a number of turns, or halves of them, with 2π is exact.
 const FEW_TURNS: f64 = 5.5;
@@ -265,7 +266,7 @@ impl Turning {
         // 2π ends in three zeros: of few turns, and halves of them, products are exact.
         let few = !reduction.counts_pieces() && count < FEW_TURNS;
         let product = if few { 0.0 } else { half_ulp(TAU * count, Float::F64) };
-        let lesser = count * Float::F64.rest(Double::PI * 2.0).abs();
+        let lesser = count * Float::F64.rest(Double::TURN).abs();
         let sum = self.largest_angle(farthest, reduction) + lesser + error;
         let small = half_ulp(lesser, Float::F64) + half_ulp(sum, Float::F64);
         let largest = (TAU * self.most_turns + PI) * (1.0 + ROUNDED) + error;

@@ -28,7 +28,7 @@ pub(super) fn twice_arcsine(y: Double) -> Option<Double> {
     for _ in 0..2 {
         x = x + (y - sin_pi(x)) / (Double::PI * cos_pi(x));
     }
-    (y.hi.abs() < 1.0).then_some(x * Double::PI * 2.0)
+    (y.hi.abs() < 1.0).then_some(x * Double::TURN)
 }
 
 /// Bounds |R| for the interpolant Q, at a phase for each u, of |u| ≤ 1, by another interpolation.
@@ -41,7 +41,7 @@ pub(super) fn largest_residual(
     phase: impl Fn(Double) -> Double,
     interpolation: Interpolation,
 ) -> f64 {
-    let at = |u: Double| (sum.at(phase(u)) - sin_pi(value(series, u) / (Double::PI * 2.0))).hi.abs();
+    let at = |u: Double| (sum.at(phase(u)) - sin_pi(value(series, u) / Double::TURN)).hi.abs();
     let size: f64 = sum.terms().iter().map(|&(m, w)| f64::from(m + 1) * w.hi.abs()).sum();
     let rounding = sum.sampling_error() + rounding_of_value(series) + size * two_to(-96);
     interpolation.supremum(CosineTable::new(interpolation.points).points().map(at))

@@ -6,9 +6,9 @@
 //!
 //! **Error.** That θ̂ is analytic in some ellipse is awkward to prove. Instead the interpolant Q is tested afterwards:
 //! the residual R = y − sin(Q/2) is analytic wherever p is finite, and |y| and |sin(Q/2)| ≤ sinh(|Q|/2) are bounded on
-//! an ellipse by their coefficients. So its own interpolation at M points has an error of at most 4Bρ^(1−M)/(ρ − 1)
-//! ([`crate::chebyshev::interpolation_error`]), and its values there, multiplied by Lebesgue's constant, bound the rest: Λ ≤
-//! (2/π) ln M + 1 (Rivlin 1974). What follows from sup |R| is in [`super::residual`].
+//! an ellipse by their coefficients. That bounds what its own interpolation at M points is wrong by
+//! ([`crate::chebyshev::interpolation_error`]), and its values there, multiplied by Lebesgue's constant, bound the rest
+//! ([`crate::chebyshev::lebesgue`]). What follows from sup |R| is in [`super::residual`].
 
 use super::Allowance;
 use super::residual::{OF_RESIDUAL, largest_residual, of_residual, twice_arcsine};

@@ -13,7 +13,7 @@ use crate::scene::Scene;
 use pendulum_runtime::double::Double;
 
 /// The longest horizon in anchors, 2⁵⁴: 2⁵³ periods of a swing, which passes two in each.
-const UNLIMITED: f64 = (1_u64 << 54) as f64;
+const UNLIMITED: f64 = two_to(54);
 
 /// The rounding of remainders up to ½ as they become `f32`.
 const NARROWING: f64 = f32::EPSILON as f64 / 8.0;
