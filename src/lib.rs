@@ -45,8 +45,8 @@
 //! coefficients mask the index of its row, so that no row is missed and no check is needed. The run-time part takes
 //! correctly rounded square roots besides. A fused multiply-add, whose bits would differ, is in neither. So the bits are
 //! the same on every target with IEEE 754's arithmetic (32-bit x86 without SSE2 has another) and at every optimisation
-//! level, but for the sign and payload of a NaN, which the standard leaves open. Another version may plan differently: where
-//! bits are compared, as in replays and lockstep, pin it.
+//! level, but for the sign and payload of a NaN, which the standard leaves open. Another version may plan differently, also
+//! of what the planner depends on: where bits are compared, as in replays and lockstep, commit `Cargo.lock`.
 #![forbid(unsafe_code)]
 #![no_std]
 

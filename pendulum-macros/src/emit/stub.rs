@@ -60,7 +60,7 @@ fn structure(
     let scalars = Output::ALL.iter().filter(|&&output| output != Output::Position);
     let functions = scalars.map(|output| format_ident!("{}", output.word()));
     let terms = terms.map_or_else(|| quote!({ Self::REFUSED as usize }), |terms| quote!(#terms));
-    let allowed = allowed();
+    let allowed = allowed(attributes);
     let conditions = conditions(attributes);
     quote! {
         #(#attributes)*
@@ -69,7 +69,6 @@ fn structure(
 
         #(#conditions)*
         #allowed
-        #[allow(missing_docs)]
         impl #name {
             const REFUSED: #float = { #(#errors)* 1.0 };
             #(#known)*

@@ -161,10 +161,9 @@ struct Arrays {
 }
 
 impl<'ast> Visit<'ast> for Arrays {
-    fn visit_item_const(&mut self, table: &'ast syn::ItemConst) {
+    fn visit_item_static(&mut self, table: &'ast syn::ItemStatic) {
         let lengths = quote!(#table).to_string();
-        if let syn::Expr::Reference(reference) = &*table.expr
-            && let syn::Expr::Array(rows) = &*reference.expr
+        if let syn::Expr::Array(rows) = &*table.expr
             && let Some(syn::Expr::Array(first)) = rows.elems.first()
             && self.rows == 0
             && rows.elems.len().is_power_of_two()

@@ -1,7 +1,9 @@
 //! `#[…] vis struct Name;`, which comes before the parameters of an item.
 
 use super::words::Parameter;
+use crate::report::Report;
 use proc_macro2::{Delimiter, TokenTree};
+use quote::ToTokens as _;
 use syn::parse::ParseStream;
 use syn::{Attribute, Error, Ident, Result, Token, Visibility};
 
@@ -22,14 +24,18 @@ pub(crate) struct Item {
     pub(crate) name: Ident,
 }
 
-/// The header of an item, or nothing.
-pub(super) fn shape(input: ParseStream) -> Result<Shape> {
+/// The header of an item, or nothing. A mistake after which the name is known is recorded, and what is no parameter skipped.
+pub(super) fn shape(input: ParseStream, report: &mut Report) -> Result<Shape> {
     let start = input.cursor();
     let attributes = attributes(input)?;
     let visibility: Visibility = input.parse()?;
     let bare = attributes.is_empty() && matches!(visibility, Visibility::Inherited);
     if bare && !input.peek(Token![struct]) {
-        return header_without_struct(input).map_or(Ok(Shape::Expression), Err);
+        let Some((mistake, name)) = header_without_struct(input) else { return Ok(Shape::Expression) };
+        let name = name.ok_or_else(|| mistake.clone())?;
+        report.add(mistake);
+        skip_to_parameters(input)?;
+        return Ok(Shape::Item(Item { attributes, visibility, name }));
     }
     // What lacks at the end is told of where something is.
     let expected = |what: &str| {
@@ -44,7 +50,8 @@ pub(super) fn shape(input: ParseStream) -> Result<Shape> {
     }
     let name = input.parse()?;
     if input.parse::<Option<Token![;]>>()?.is_none() {
-        return Err(expected("`;`: the struct is a unit struct, its parameters follow after the semicolon"));
+        report.add(expected("`;`: the struct is a unit struct, its parameters follow after the semicolon"));
+        skip_to_parameters(input)?;
     }
     Ok(Shape::Item(Item { attributes, visibility, name }))
 }
@@ -57,12 +64,27 @@ fn attributes(input: ParseStream) -> Result<Vec<Attribute>> {
     })
 }
 
-/// The mistake of `Clock;`, `enum Clock;` or `Clock { … }` where `struct Clock;` was meant.
-fn header_without_struct(input: ParseStream) -> Option<Error> {
+/// What comes before the first `name =`, or in a generic header before what follows its semicolon.
+fn skip_to_parameters(input: ParseStream) -> Result<()> {
+    let trees: Vec<TokenTree> = input.cursor().token_stream().into_iter().collect();
+    let first =
+        |sign: char| trees.iter().position(|tree| matches!(tree, TokenTree::Punct(found) if found.as_char() == sign));
+    let behind_generics = first(';').filter(|_| first('<') == Some(0)).map(|semicolon| semicolon + 1);
+    let skipped = behind_generics.or_else(|| Some(first('=')?.saturating_sub(1)));
+    for _ in 0..skipped.unwrap_or(trees.len()) {
+        input.parse::<TokenTree>()?;
+    }
+    Ok(())
+}
+
+/// The mistake of `Clock;`, `enum Clock;` or `Clock { … }` where `struct Clock;` was meant, or of `unsafe struct Clock;`, and
+/// the name.
+fn header_without_struct(input: ParseStream) -> Option<(Error, Option<Ident>)> {
     let (first, rest) = input.cursor().ident()?;
     let is_parameter = |name: &Ident| Parameter::like(&name.to_string()).is_some();
-    // `type` is what `float` may be taken for, and the beginning of an item.
-    if is_parameter(&first) && first != "type" {
+    // What `float` and `n` may be taken for, and the beginning of an item.
+    let begins_item = |name: &Ident| name == "type" || name == "fn";
+    if is_parameter(&first) && !begins_item(&first) {
         return None;
     }
     let mut following = rest.token_stream().into_iter();
@@ -70,7 +92,7 @@ fn header_without_struct(input: ParseStream) -> Option<Error> {
     let name = match &next {
         TokenTree::Ident(keyword) if keyword == "struct" => return Some(word_before_struct(&first, following.next())),
         // `let theta0 = 1` is no header.
-        TokenTree::Ident(second) if is_parameter(second) && second != "type" => return None,
+        TokenTree::Ident(second) if is_parameter(second) && !begins_item(second) => return None,
         TokenTree::Ident(second) => second,
         TokenTree::Punct(punct) if matches!(punct.as_char(), ';' | '<') => &first,
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => &first,
@@ -78,11 +100,16 @@ fn header_without_struct(input: ParseStream) -> Option<Error> {
     };
     let message =
         format!("expected `struct {name};` and then the parameters, or nothing but parameters, `name = value`");
-    Some(Error::new(first.span(), message))
+    Some((Error::new(first.span(), message), as_name(name)))
 }
 
-/// The mistake of `unsafe struct Clock;`.
-fn word_before_struct(word: &Ident, name: Option<TokenTree>) -> Error {
-    let name = name.map_or_else(|| "Name".to_owned(), |name| name.to_string());
-    Error::new(word.span(), format!("`{word}` has no place before `struct {name};`: leave it out"))
+fn word_before_struct(word: &Ident, name: Option<TokenTree>) -> (Error, Option<Ident>) {
+    let name = name.and_then(|tree| if let TokenTree::Ident(name) = tree { as_name(&name) } else { None });
+    let shown = name.as_ref().map_or_else(|| "Name".to_owned(), Ident::to_string);
+    (Error::new(word.span(), format!("`{word}` has no place before `struct {shown};`: leave it out")), name)
+}
+
+/// The word, if it is no keyword.
+fn as_name(word: &Ident) -> Option<Ident> {
+    syn::parse2(word.to_token_stream()).ok()
 }

@@ -29,12 +29,15 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Request>
         return None;
     }
     let parsed = (|input: ParseStream| {
-        let shape = header::shape(input)?;
+        let shape = header::shape(input, report)?;
         Ok((shape, input.parse::<TokenStream>()?))
     })
     .parse2(tokens);
     let (shape, parameters) = report.take(parsed)?;
     let mut request = Request::new(shape);
+    if parameters.is_empty() && !report.is_clean() {
+        request.skipped();
+    }
     let parameters = match request.shape {
         Shape::Item(_) => before_another(parameters, report),
         Shape::Expression => parameters,

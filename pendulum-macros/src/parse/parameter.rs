@@ -52,7 +52,7 @@ fn separator(tree: &TokenTree, piece: &[TokenTree], rest: &[TokenTree], many: &s
             ',' if !lists(piece, rest) => Some(Ok(punct.span())),
             // Of a header where none belongs enough is said.
             ';' if is_header(piece) => Some(Ok(punct.span())),
-            ';' if rest.is_empty() => Some(mistake(punct.span(), "remove this `;`")),
+            ';' if piece.is_empty() || rest.is_empty() => Some(mistake(punct.span(), "remove this `;`")),
             ';' => Some(mistake(punct.span(), "write `,`")),
             _ => None,
         },

@@ -61,6 +61,11 @@ pub(crate) struct Written {
 }
 
 impl Request {
+    /// Records that what may have been parameters wasn't understood at all.
+    pub(super) fn skipped(&mut self) {
+        self.written.push(Written { parameter: None, exact: false, understood: false, value: TokenStream::new() });
+    }
+
     /// The parameters as they were written, evenly spaced: `theta0 = 7π/8, n = 4`.
     pub(crate) fn source(&self) -> String {
         let parameter = |Written { parameter, value, .. }: &Written| {

@@ -27,23 +27,7 @@
 /// * `series`: it takes 12 harmonics at least, of three operations each, and a cosine
 /// * `fourier`: a polynomial for the arcsine of its sum takes no fewer terms than one for θ, and the sum has an error besides
 pub struct Clock;
-#[allow(
-    dead_code,
-    deprecated,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::arithmetic_side_effects,
-    clippy::as_conversions,
-    clippy::float_arithmetic,
-    clippy::float_cmp,
-    clippy::indexing_slicing,
-    clippy::min_ident_chars,
-    clippy::missing_inline_in_public_items,
-    clippy::missing_docs_in_private_items,
-    clippy::single_call_fn
-)]
+#[allow(clippy::approx_constant, clippy::float_arithmetic, clippy::neg_multiply)]
 impl Clock {
     /// θ at t = 0, rad.
     pub const THETA0: f64 = 2.748893571891069;

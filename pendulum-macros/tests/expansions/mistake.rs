@@ -5,24 +5,7 @@
 
 ///
 pub struct Wrong;
-#[allow(
-    dead_code,
-    deprecated,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::arithmetic_side_effects,
-    clippy::as_conversions,
-    clippy::float_arithmetic,
-    clippy::float_cmp,
-    clippy::indexing_slicing,
-    clippy::min_ident_chars,
-    clippy::missing_inline_in_public_items,
-    clippy::missing_docs_in_private_items,
-    clippy::single_call_fn
-)]
-#[allow(missing_docs)]
+#[allow(clippy::approx_constant, clippy::float_arithmetic, clippy::neg_multiply)]
 impl Wrong {
     const REFUSED: f64 = {
         compile_error! {

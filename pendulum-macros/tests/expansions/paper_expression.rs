@@ -14,27 +14,11 @@ fn expression() -> impl Copy {
     /// * phase s, in half periods from the nearest turning point: exact products with the rate in 4 words, wrong by at most 1.7e-16 half periods
     /// * theta: 4 harmonics, twice the arcsine of their sum as 32 polynomials of 12 terms, one for each part of half a period; error ≤ 1.098e-2 rad, proven: 1.098e-2 of truncation, 1.242e-16 of phase, 1.074e-15 of evaluation; 53 operations
     /// * coefficients of sn: b1 = 1.1523081413695546, b3 = 0.18163662447513268, b5 = 0.03502170732398364, b7 = 0.0067987238779056575
-    #[allow(
-        dead_code,
-        deprecated,
-        unused_qualifications,
-        clippy::all,
-        clippy::pedantic,
-        clippy::nursery,
-        clippy::arithmetic_side_effects,
-        clippy::as_conversions,
-        clippy::float_arithmetic,
-        clippy::float_cmp,
-        clippy::indexing_slicing,
-        clippy::min_ident_chars,
-        clippy::missing_inline_in_public_items,
-        clippy::missing_docs_in_private_items,
-        clippy::single_call_fn
-    )]
+    #[allow(clippy::approx_constant, clippy::float_arithmetic, clippy::neg_multiply)]
     #[inline(always)]
     const fn theta(t: f64) -> f64 {
         /// A row for each of 32 parts of the way from one turning point (top) to the next, the first part about it: coefficients of powers of the phase from the part's middle, and what else depends on the part.
-        const TABLE: &[[f64; 12]; 32] = &[
+        static TABLE: [[f64; 12]; 32] = [
             [
                 2.7379291667973695,
                 0.0,

@@ -22,7 +22,7 @@ pub(super) fn body(program: &Program, support: &TokenStream) -> TokenStream {
     }
 }
 
-/// The table, if there is one, by reference: of an array by value each call might make a copy.
+/// The table, if there is one: a static, of which there is one, where of a constant each codegen unit would keep its own.
 fn table(program: &Program) -> Option<TokenStream> {
     let entry = program.nodes.iter().find(|node| matches!(node.op, Op::Entry { .. }))?;
     let float = entry.float;
@@ -36,7 +36,7 @@ fn table(program: &Program) -> Option<TokenStream> {
     let doc = format!(
         " A row for each of {rows} parts of the way from one turning point (top) to the next, the first part about it: coefficients of powers of the phase from the part's middle, and what else depends on the part."
     );
-    Some(quote!(#[doc = #doc] const TABLE: &[[#float; #columns]; #rows] = &[#(#table),*];))
+    Some(quote!(#[doc = #doc] static TABLE: [[#float; #columns]; #rows] = [#(#table),*];))
 }
 
 /// The variable that each node is bound to; `None` if it's written where it is used, or is what is returned.

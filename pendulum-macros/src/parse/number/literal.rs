@@ -83,7 +83,7 @@ fn suffix(name: &Ident, value: &TokenStream, suffix: &str) -> Option<String> {
 }
 
 /// Of the units that there are, the one that was written otherwise.
-fn meant(suffix: &str, units: &[&'static str]) -> Option<&'static str> {
+pub(super) fn meant(suffix: &str, units: &[&'static str]) -> Option<&'static str> {
     let unit = match suffix.to_lowercase().as_str() {
         "deg" | "degs" | "degree" | "degrees" | "d" => "deg",
         "rad" | "rads" | "radian" | "radians" | "r" => "rad",

@@ -389,6 +389,9 @@ mod tests {
         assert!(error(".25").contains("write `0.25`"));
         assert!(error("+1").contains("leave it out"));
         assert!(error("30degrees").contains("write it `deg`"));
+        assert!(error("90*deg").contains("`deg` ends literals, as in `90deg`, and one is `1deg`"));
+        assert!(error("Degrees(90)").contains("`Degrees` is no number: `deg` ends literals"));
+        assert!(error("d*90").contains("`d` can't be evaluated"));
         assert!(error("2.0_f64.sqrt()").contains("nothing can be called here"));
         assert!(error("157.deg").contains("leave this point out"));
         assert!(error("1.e-3").contains("leave this point out, as in `1e-3`"));

@@ -68,8 +68,14 @@ pub(super) fn parse(input: ParseStream) -> Result<Tree> {
         other if literal::means_a_period(other) => {
             Err(Error::new(ident.span(), format!("`{other}` isn't known here: {}", literal::A_PERIOD)))
         }
-        other => Err(Error::new(ident.span(), unknown(other, other))),
+        other => Err(Error::new(ident.span(), of_a_unit(other).unwrap_or_else(|| unknown(other, other)))),
     }
+}
+
+/// What is said of `90*deg` and `deg(90)`.
+fn of_a_unit(word: &str) -> Option<String> {
+    let unit = literal::meant(word, &["deg", "rad"]).filter(|_| word.len() > 1)?;
+    Some(format!("`{word}` is no number: `{unit}` ends literals, as in `90{unit}`, and one is `1{unit}`"))
 }
 
 /// What is said of a name, or of a path that ends in one.
