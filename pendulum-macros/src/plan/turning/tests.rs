@@ -146,6 +146,17 @@ fn held_angles_that_are_good() {
     }
 }
 
+/// What holds an angle leads away from exact ones that are farther beyond half a turn than what is evaluated is wrong.
+#[test]
+fn rounding_of_held_angles() {
+    let (turning, plan) = rotation("tol = 1e-6, t_max = 10, outputs = [wrapped]");
+    let held = Turning { turns: Turns::Within { beyond: 1e-3 }, ..turning };
+    for (truncation, evaluation, expected) in [(2e-4, 3e-4, 5e-4), (0.0, 0.0, 1e-3), (2e-4, 9e-4, 0.0)] {
+        let bound = Bound { truncation, phase: 0.1, evaluation };
+        assert!((held.own_rounding(&plan.reduction, &bound) - expected).abs() <= 1e-14, "{truncation} {evaluation}");
+    }
+}
+
 /// The second word of a rate has lost digits in the lowest binades.
 #[test]
 fn rates_without_all_digits() {
