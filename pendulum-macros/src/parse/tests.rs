@@ -36,6 +36,51 @@ fn mistakes(text: &str) -> Vec<String> {
     request(text).err().into_iter().flatten().map(|error| error.to_string()).collect()
 }
 
+/// What comes after the name is skipped up to the first parameter, so that a mistake there hides no others, nor the name.
+#[test]
+fn parameters_after_a_mistake_in_the_header() {
+    for header in [
+        "struct Clock,",
+        "struct Clock:",
+        "struct Clock",
+        "struct Clock { hand: f64 }",
+        "struct Clock<T>;",
+        "struct Clock<T = f64>;",
+        "unsafe struct Clock;",
+        "Clock;",
+        "Clock {}",
+        "enum Clock;",
+        "type Clock;",
+        "fn Clock() -> f64;",
+    ] {
+        let mut report = Report::default();
+        let request = parse(format!("{header} theta0 = 4, n = 3").parse().unwrap(), &mut report).unwrap();
+        let Shape::Item(item) = &request.shape else { panic!("{header}: no item") };
+        assert_eq!(item.name, "Clock", "{header}");
+        assert!(request.is_understood() && !request.mentions_a_stranger(), "{header}");
+        assert_eq!(
+            (request.source().as_str(), request.n.map(|given| given.value)),
+            ("theta0 = 4, n = 3", Some(3)),
+            "{header}"
+        );
+        assert_eq!(report.finish().unwrap_err().into_iter().count(), 1, "{header}");
+    }
+    // Nothing is missing where nothing could be read, and no keyword is a name.
+    let mut report = Report::default();
+    assert!(parse("struct Clock {}".parse().unwrap(), &mut report).unwrap().mentions_a_stranger());
+    for header in ["self;", "unsafe struct fn;", "struct;"] {
+        let tokens = header.parse();
+        assert!(tokens.is_err() || parse(tokens.unwrap(), &mut report).is_none(), "{header}");
+    }
+}
+
+#[test]
+fn signs_between_parameters() {
+    refused("struct Clock;; theta0 = 1", &["remove this `;`"]);
+    refused("struct Clock; theta0 = 1; n = 4", &["write `,`"]);
+    refused("struct Clock; theta0 = 1, n = 4;", &["remove this `;`"]);
+}
+
 /// The messages, one for each mistake, that contain these.
 #[track_caller]
 fn refused(text: &str, parts: &[&str]) {

@@ -3,7 +3,7 @@
 #![forbid(warnings, unused, dead_code, deprecated, missing_docs, unsafe_code, unused_qualifications)]
 
 pendula::pendulum! {
-    /// A function is used, the others are not.
+    /// A function is used, the others are not; none is deprecated.
     pub struct Clock;
     theta0 = 1, outputs = [theta, velocity, acceleration, position]
 }

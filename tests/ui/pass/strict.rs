@@ -44,6 +44,22 @@ pub mod motions {
         pub struct Series;
         theta0 = 1π/2, tol = 1e-6, method = series
     }
+
+    pendula::pendulum! {
+        /// Nothing but the attribute says so.
+        #[deprecated]
+        #[derive(Clone, Copy, Debug)]
+        pub struct Old;
+        theta0 = 1, tol = 1e-6
+    }
+
+    pendula::pendulum! {
+        /// Nor does a condition.
+        #[cfg_attr(all(), deprecated)]
+        #[derive(Clone, Copy, Debug)]
+        pub struct Older;
+        theta0 = 1, tol = 1e-6
+    }
 }
 
 fn main() {
