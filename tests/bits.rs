@@ -165,12 +165,12 @@ fn runtime() -> String {
 /// All constants of a motion, and all its functions at times that `round` gives its type.
 fn motion<F: Scalar + Bits>(p: &Pendulum<F>, round: impl Fn(f64) -> F) -> u64 {
     let mut hash = Hash::EMPTY;
-    [p.period(), p.amplitude(), p.modulus(), p.nome(), p.complete_integral(), p.energy()].hash(&mut hash);
+    [p.period(), p.amplitude(), p.modulus(), p.complementary_modulus(), p.nome(), p.energy()].hash(&mut hash);
     let paper = p.fourier::<5>().ok();
     paper.as_ref().map(Fourier::max_error).hash(&mut hash);
     for t in times().map(round) {
         p.position(t).hash(&mut hash);
-        [p.theta(t), p.velocity(t), p.acceleration(t), p.wrapped(t), p.small_angle(t)].hash(&mut hash);
+        [p.theta(t), p.velocity(t), p.acceleration(t), p.wrapped(t), p.small_angle(t), p.harmonic(t)].hash(&mut hash);
         p.time_at(p.theta(t)).ok().hash(&mut hash);
         paper.as_ref().map(|paper| paper.theta(t)).hash(&mut hash);
     }

@@ -5,6 +5,7 @@ mod truth;
 use pendula::pendulum;
 use pendula_stress::big::Big;
 use pendula_stress::motion::{Motion, Regime, Start};
+use pendula_stress::promised::worst;
 use pendula_stress::random::Random;
 use pendula_stress::reference::{Exact, bits, rows};
 use truth::{Swing, distance};
@@ -17,7 +18,7 @@ fn relative_error(start: &str, f: impl Fn(f64) -> f64) -> f64 {
         let t = swing.time_of(f64::from(i) / 4000.0);
         distance(f(t), swing.at(t).theta)
     });
-    errors.fold(0.0, f64::max) / swing.largest()[0]
+    worst(errors) / swing.largest()[0]
 }
 
 macro_rules! table {

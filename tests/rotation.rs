@@ -101,6 +101,17 @@ fn turning_the_other_way_is_the_mirror_image() {
     }
 }
 
+/// κ = 0.8, by mpmath; T = 2κK.
+#[test]
+fn constants_of_a_rotation() {
+    pendulum! {
+        struct Motion;
+        velocity0 = 2.5, outputs = [wrapped]
+    }
+    assert_eq!([Motion::MODULUS, Motion::K, Motion::K_PRIME], [0.8, 1.995_302_777_664_729_4, 1.750_753_802_915_752_6]);
+    assert_eq!([Motion::NOME, Motion::PERIOD], [0.063_510_393_400_745_82, 3.192_484_444_263_567]);
+}
+
 #[test]
 fn a_turn_takes_one_period() {
     pendulum! {

@@ -141,6 +141,18 @@ fn complements() {
     assert_eq!((on_separatrix.1, on_separatrix.2), (0.0, PI / 2.0));
 }
 
+/// Eq. 17 has the turning points and the passages of the motion, from any state.
+#[test]
+fn harmonic_approximations_in_motion() {
+    for (theta, velocity) in [(-1.0, 0.0), (0.5, 1.1), (-0.5, 1.1), (0.5, -1.1), (-0.5, -1.1)] {
+        let p = Pendulum::<f64>::from_state(theta, velocity, 2.5).unwrap();
+        for angle in [p.amplitude(), 0.0, -p.amplitude()] {
+            let found = p.harmonic(p.time_at(angle).unwrap());
+            assert!((found - angle).abs() <= 1e-15, "{theta} {velocity}: {found}, not {angle}");
+        }
+    }
+}
+
 /// Eq. 3 from any state, where ω isn't 1: θ cos ωt + (θ̇/ω) sin ωt.
 #[test]
 fn small_angles_in_motion() {

@@ -251,5 +251,8 @@ fn the_separatrix_is_the_gudermannian() {
         assert!((p.velocity(t) - 2.0 / t.cosh()).abs() <= 4.0 * UNIT);
     }
     assert_eq!(p.period(), f64::INFINITY);
-    assert!(p.harmonic(1.0).is_nan() && p.fourier::<3>().is_err());
+    for no_swing in [p, launched((0.0, 2.5))] {
+        assert!(no_swing.harmonic(1.0).is_nan());
+        assert_eq!(no_swing.fourier::<3>(), Err(Error::NotASwing));
+    }
 }

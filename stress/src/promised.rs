@@ -33,3 +33,9 @@ macro_rules! bound {
         $plan::MAX_POSITION_ERROR
     };
 }
+
+/// The largest of errors; NaN if one is no number.
+pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |worst: f64, error| if error <= worst || worst.is_nan() { worst } else { error };
+    errors.into_iter().fold(0.0, larger)
+}

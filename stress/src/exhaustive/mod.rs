@@ -76,7 +76,7 @@ impl Plan {
             let error = self.error(given, truth);
             if error > worst { error } else { worst }
         });
-        if worst > found.worst {
+        if worst > found.worst || worst > self.proven {
             self.look_closer(block, found);
         }
     }

@@ -9,6 +9,7 @@ use super::probe::{Probe, assert_tight, evenly, largest_error};
 use crate::fuzz::setting;
 use crate::parse::Float;
 use crate::plan::curve::{Curves as _, SwingCurves};
+use crate::plan::observed::{FOR_A_MOMENT, observed};
 use crate::plan::*;
 use crate::testing::{Random, scene, swing};
 use pendulum_runtime::double::Double;
@@ -287,6 +288,9 @@ fn margins() {
         let [of_proven, of_limit] = [proven, limit].map(|whole| seen / whole);
         println!("{of_proven:.3} {of_limit:.3} {share:.3} {start}{horizon} {float} {output} {description}");
         assert!(seen <= proven && of_limit <= 0.5, "{start}{horizon} {float} {output}: {of_limit}");
+        // The choice of plans rests on no more being observed of what is mostly proven.
+        let expected = if plan.reduction.is_time() { FOR_A_MOMENT } else { observed(scene.float) };
+        assert!(proven < 0.6 * limit || of_proven <= expected, "{start}{horizon} {float} {output}: {of_proven}");
     }
 }
 
