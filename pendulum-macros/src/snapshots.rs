@@ -58,7 +58,8 @@ snapshots! {
                theta0 = 1, velocity0 = -1/2, omega = 3, tol = 1e-6, outputs = [theta, acceleration]"
     separatrix: "pub struct Over;
                  velocity0 = 2, tol = 1e-3, float = f32"
-    rotation: "pub struct Loop;
+    rotation: "#[cfg_attr(all(), doc = \"Over the top.\")]
+               pub struct Loop;
                velocity0 = 2.5, tol = 1e-6, t_max = 1000, outputs = [theta, wrapped]"
     arc: "struct Instant;
           theta0 = 1, tol = 1e-9, t_max = 1, outputs = [theta, velocity]"

@@ -8,11 +8,14 @@ use crate::parse::{Method, Shape};
 use crate::plan::reduction::{Origin, Reduction};
 use crate::plan::{Function, Part, Plan};
 use crate::scene::{Goal, Scene};
+use syn::Attribute;
 
 /// The lines of the item's documentation: inputs, constants, plan, bounds.
 pub(super) fn motion(scene: &Scene, plan: &Plan) -> Vec<String> {
     let mut lines = Vec::new();
-    if matches!(&scene.shape, Shape::Item(item) if item.attributes.iter().any(|a| a.path().is_ident("doc"))) {
+    // What the user wrote, under a condition or not, is a paragraph of its own.
+    let may_document = |attribute: &Attribute| ["doc", "cfg_attr"].iter().any(|name| attribute.path().is_ident(name));
+    if matches!(&scene.shape, Shape::Item(item) if item.attributes.iter().any(may_document)) {
         lines.push(String::new());
     }
     lines.push(format!("The motion of a pendulum, θ̈ + ω² sin θ = 0, for `{}`.", scene.source));

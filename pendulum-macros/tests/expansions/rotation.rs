@@ -1,8 +1,11 @@
 // What this expands to; written by src/snapshots.rs.
 //
+//     #[cfg_attr(all(), doc = "Over the top.")]
 //     pub struct Loop;
 //     velocity0 = 2.5, tol = 1e-6, t_max = 1000, outputs = [theta, wrapped]
 
+#[cfg_attr(all(), doc = "Over the top.")]
+///
 /// The motion of a pendulum, θ̈ + ω² sin θ = 0, for `velocity0 = 2.5, tol = 1e-6, t_max = 1000, outputs = [theta, wrapped]`.
 ///
 /// * θ(0) = 0.0 rad, θ̇(0) = 2.5, ω = 1.0
