@@ -65,7 +65,9 @@ impl Aim {
         for _ in 0..rounds {
             let draft = round(self.limit - phase - rounding).map_err(|best| best.min(reached))?;
             let Draft { kernel, truncation, .. } = &*draft;
-            let evaluation = draft.rounding(reduction, room - phase - truncation);
+            // What of the phase isn't felt is room: a rounding cut short below what there is of it would count as proven.
+            let felt = kernel.finish.felt(reduction, phase);
+            let evaluation = draft.rounding(reduction, room - felt - truncation);
             let bound = Bound { truncation: *truncation, phase, evaluation };
             rounding = self.judged(kernel, bound, reduction).evaluation;
             match self.accept(kernel, bound, reduction) {

@@ -8,6 +8,7 @@
 use super::probe::{Probe, largest_error};
 use crate::fuzz::setting;
 use crate::parse::Float;
+use crate::plan::kernel::Core;
 use crate::plan::*;
 use crate::program::Op;
 use crate::supremum::norm;
@@ -79,6 +80,7 @@ fn planned(text: &str) -> Option<(Scene, Plan)> {
 /// Bound over largest error found, of a plan with a tolerance well above rounding.
 pub(super) fn tightness(text: &str, random: &mut Random, density: usize) -> Option<f64> {
     let (scene, plan) = planned(text)?;
+    assert_analysed_in_full(text, &plan);
     let (error, bound) = (largest_error(text, &scene, &plan, random, density), plan.parts[0].bound.total());
     let covered = match (scene.goal, scene.float) {
         // A tolerance is rounded down.
@@ -87,6 +89,19 @@ pub(super) fn tightness(text: &str, random: &mut Random, density: usize) -> Opti
         _ => false,
     };
     covered.then_some(bound / error)
+}
+
+/// No rounding of a plan of ours was cut short at what there is room for, which would bound nothing: with twice the room it is the same, but
+/// for another number of halvings.
+fn assert_analysed_in_full(text: &str, plan: &Plan) {
+    for Part { kernel, bound, description, .. } in &plan.parts {
+        let rounding = bound.evaluation - kernel.finish.rounding_of_turns(&plan.reduction, bound);
+        let by_halves = matches!(kernel.core, Core::Polynomial(_) | Core::Circle(_) | Core::Passage(_));
+        if by_halves && rounding > 0.1 * bound.evaluation {
+            let again = kernel.rounding(&plan.reduction, 2.0 * rounding);
+            assert!(again <= 1.05 * rounding, "{text}: {rounding:e} of {again:e}, {description}");
+        }
+    }
 }
 
 /// Checks the bounds of `scenes` scenes; the tightnesses, sorted.

@@ -2,7 +2,7 @@ use super::*;
 use crate::motion::Regime;
 use crate::plan::tests::probe::Probe;
 use crate::plan::tests::truth::State;
-use crate::plan::{Plan, Refusal, plan};
+use crate::plan::{Part, Plan, Refusal, plan};
 use crate::testing::scene;
 use std::f64::consts::{PI, TAU};
 
@@ -95,6 +95,23 @@ fn phases_of_means() {
     assert_near(turning.felt(&reduction, 1.0), 1e-9 * periodic.slope, 1e-12);
     assert_eq!(turning.felt(&reduction, 1e-12), 1e-12);
     assert_eq!(Turning { turns: Turns::Counted, ..turning }.felt(&reduction, 1.0), 1.0);
+}
+
+/// So the rounding of what is periodic is analysed as far as the error that isn't felt leaves room for it.
+#[test]
+fn rounding_next_to_means() {
+    for text in [
+        "velocity0 = 2.018572, t_max = 7.046, float = f32, tol = 2.760128611116164e-6",
+        "velocity0 = 2.020375, t_max = 6.717, float = f32, tol = 2.507793e-6",
+        "velocity0 = -2.020375, t_max = 6.717, float = f32, tol = 2.12765253507558e-6",
+        "velocity0 = 3.854662, t_max = 8.616, tol = 5.520124742626083e-15",
+    ] {
+        let plan = plan(&scene(&format!("struct Motion; {text}"))).unwrap();
+        let Part { kernel, bound, .. } = &plan.parts[0];
+        let evaluation = kernel.rounding(&plan.reduction, f64::INFINITY);
+        let turns = kernel.finish.rounding_of_turns(&plan.reduction, &Bound { evaluation, ..*bound });
+        assert!(bound.evaluation * (1.0 + 1e-6) >= evaluation + turns, "{text}: {bound:?}, {evaluation:e} {turns:e}");
+    }
 }
 
 /// Whether it is completed in the cheaper way, given the truncation, the error of the phase and a limit.
