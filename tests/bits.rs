@@ -165,7 +165,8 @@ fn runtime() -> String {
 /// All constants of a motion, and all its functions at times that `round` gives its type.
 fn motion<F: Scalar + Bits>(p: &Pendulum<F>, round: impl Fn(f64) -> F) -> u64 {
     let mut hash = Hash::EMPTY;
-    [p.period(), p.amplitude(), p.modulus(), p.complementary_modulus(), p.nome(), p.energy()].hash(&mut hash);
+    [p.period(), p.amplitude(), p.modulus(), p.nome(), p.complete_integral(), p.energy()].hash(&mut hash);
+    [p.omega(), p.complementary_modulus(), p.complementary_integral()].hash(&mut hash);
     let paper = p.fourier::<5>().ok();
     paper.as_ref().map(Fourier::max_error).hash(&mut hash);
     for t in times().map(round) {

@@ -52,7 +52,7 @@ fn the_harmonic_column_of_the_table() {
     }
 }
 
-/// At 10° the period of small angles is 0.190 % short of the pendulum's, θ by 0.907 % of θ0 within one period and 11.7 % within ten.
+/// At 10° the period of small angles is 0.190 % short, and θ is off by 0.907 % of θ0 within one period, by 11.7 % within ten.
 #[test]
 fn the_small_angle_approximation_at_ten_degrees() {
     let p = released(1.0 / 18.0);

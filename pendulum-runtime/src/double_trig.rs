@@ -92,7 +92,7 @@ mod tests {
     use crate::double::relative_error;
     use crate::kernel::two_to;
 
-    /// 2⁻¹⁰², as promised.
+    /// As promised.
     const BOUND: f64 = two_to(-102);
 
     /// Expected values by mpmath.

@@ -33,7 +33,7 @@ use crate::phase::{Phase, Reduced, is_odd};
 use crate::rotation::Rotation;
 use core::f64::consts::PI;
 
-/// 2⁻⁶⁴.
+/// Scales the quotient of the largest φ so that it isn't split beyond 2⁹⁹⁶.
 const SMALL: f64 = two_to(-64);
 
 /// One modulus, prepared for repeated evaluation of the functions of Jacobi: about as much work as
@@ -144,7 +144,6 @@ impl Jacobi {
         } else if self.kc.hi == 0.0 {
             halves.hi * f64::INFINITY
         } else {
-            // Scaled so that the quotient of the largest φ isn't split beyond 2⁹⁹⁶.
             let whole = halves.scale(SMALL) / agm_double(self.kc);
             (partial.scale(SMALL) + whole).to_f64() / SMALL
         }

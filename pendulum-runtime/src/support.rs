@@ -29,10 +29,10 @@ pub const ROOT_ERROR: f64 = 3.5;
 /// [`NEXT_TO_ZERO_SINGLE`]. Farther below neither is a number.
 pub const LEAST_UNDER_ROOT: f64 = -0.2;
 
-/// How near.
+/// How near to 0 [`root`] is then.
 pub const NEXT_TO_ZERO: f64 = two_to(-500);
 
-/// The same in single precision.
+/// How near [`rootf`] is.
 pub const NEXT_TO_ZERO_SINGLE: f64 = two_to(-50);
 
 const fn nearer(x: f64, r: f64) -> f64 {

@@ -1,5 +1,6 @@
 //! What the generated items say of themselves.
 
+use super::named;
 use super::outputs::Wording;
 use crate::decimals::at_most;
 use crate::exact::Real;
@@ -14,8 +15,8 @@ use syn::Attribute;
 pub(super) fn motion(scene: &Scene, plan: &Plan) -> Vec<String> {
     let mut lines = Vec::new();
     // What the user wrote, under a condition or not, is a paragraph of its own.
-    let may_document = |attribute: &Attribute| ["doc", "cfg_attr"].iter().any(|name| attribute.path().is_ident(name));
-    if matches!(&scene.shape, Shape::Item(item) if item.attributes.iter().any(may_document)) {
+    let documents = |attribute: &Attribute| named(&attribute.meta, "doc").is_some();
+    if matches!(&scene.shape, Shape::Item(item) if item.attributes.iter().any(documents)) {
         lines.push(String::new());
     }
     lines.push(format!("The motion of a pendulum, θ̈ + ω² sin θ = 0, for `{}`.", scene.source));

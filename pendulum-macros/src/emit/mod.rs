@@ -30,8 +30,7 @@ pub(crate) fn emit(scene: &Scene, plan: &Plan, root: &TokenStream) -> TokenStrea
 /// Clippy's lints that look into what macros generate and that arithmetic can't heed; and that a deprecated struct is used
 /// here. No more: a crate that forbids a lint takes no code that allows it.
 fn allowed(attributes: &[Attribute]) -> TokenStream {
-    let names_it = |attribute: &Attribute| attribute.to_token_stream().to_string().contains("deprecated");
-    let is_deprecated = attributes.iter().any(|attribute| !attribute.path().is_ident("doc") && names_it(attribute));
+    let is_deprecated = attributes.iter().any(|attribute| named(&attribute.meta, "deprecated").is_some());
     let deprecated = is_deprecated.then(|| quote!(deprecated,));
     quote!(#[allow(#deprecated clippy::approx_constant, clippy::float_arithmetic, clippy::neg_multiply)])
 }
@@ -82,27 +81,27 @@ fn structure(scene: &Scene, plan: &Plan, item: &Item, root: &TokenStream) -> Tok
 
 /// The conditions of the struct, which its `impl` has to share.
 fn conditions(attributes: &[Attribute]) -> impl Iterator<Item = TokenStream> {
-    attributes.iter().filter_map(|attribute| condition(&attribute.meta)).map(|condition| quote!(#[#condition]))
+    attributes.iter().filter_map(|attribute| named(&attribute.meta, "cfg")).map(|condition| quote!(#[#condition]))
 }
 
-/// `cfg(…)`, or what remains of `cfg_attr(…, cfg(…), …)`.
-fn condition(meta: &Meta) -> Option<TokenStream> {
-    if meta.path().is_ident("cfg") {
+/// An attribute of that name, such as `cfg(…)`, or what remains of `cfg_attr(…, cfg(…), …)`.
+fn named(meta: &Meta, name: &str) -> Option<TokenStream> {
+    if meta.path().is_ident(name) {
         return Some(meta.to_token_stream());
     }
     let list = meta.require_list().ok().filter(|list| list.path.is_ident("cfg_attr"))?;
-    list.parse_args_with(conditions_of_cfg_attr).ok().flatten()
+    list.parse_args_with(|input: ParseStream| named_in_cfg_attr(input, name)).ok().flatten()
 }
 
-fn conditions_of_cfg_attr(input: ParseStream) -> syn::Result<Option<TokenStream>> {
+fn named_in_cfg_attr(input: ParseStream, name: &str) -> syn::Result<Option<TokenStream>> {
     let mut predicate = TokenStream::new();
     while !input.peek(Token![,]) {
         predicate.extend([input.parse::<TokenTree>()?]);
     }
     input.parse::<Token![,]>()?;
     let all = Punctuated::<Meta, Token![,]>::parse_terminated(input)?;
-    let conditions: Vec<_> = all.iter().filter_map(condition).collect();
-    Ok((!conditions.is_empty()).then(|| quote!(cfg_attr(#predicate, #(#conditions),*))))
+    let of_name: Vec<_> = all.iter().filter_map(|meta| named(meta, name)).collect();
+    Ok((!of_name.is_empty()).then(|| quote!(cfg_attr(#predicate, #(#of_name),*))))
 }
 
 /// `const fn name(t: f64) -> f64 { … }`, to be inlined wherever it is called: only then do loops over it vectorise, and

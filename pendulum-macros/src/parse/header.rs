@@ -1,9 +1,11 @@
 //! `#[…] vis struct Name;`, which comes before the parameters of an item.
 
+use super::parameter::is;
 use super::words::Parameter;
 use crate::report::Report;
 use proc_macro2::{Delimiter, TokenTree};
 use quote::ToTokens as _;
+use syn::buffer::Cursor;
 use syn::parse::ParseStream;
 use syn::{Attribute, Error, Ident, Result, Token, Visibility};
 
@@ -30,14 +32,21 @@ pub(super) fn shape(input: ParseStream, report: &mut Report) -> Result<Shape> {
     let attributes = attributes(input)?;
     let visibility: Visibility = input.parse()?;
     let bare = attributes.is_empty() && matches!(visibility, Visibility::Inherited);
-    if bare && !input.peek(Token![struct]) {
+    let (name, mistake) = if bare && !input.peek(Token![struct]) {
         let Some((mistake, name)) = header_without_struct(input) else { return Ok(Shape::Expression) };
-        let name = name.ok_or_else(|| mistake.clone())?;
+        (name.ok_or_else(|| mistake.clone())?, Some(mistake))
+    } else {
+        header_with_struct(input, start)?
+    };
+    if let Some(mistake) = mistake {
         report.add(mistake);
         skip_to_parameters(input)?;
-        return Ok(Shape::Item(Item { attributes, visibility, name }));
     }
-    // What lacks at the end is told of where something is.
+    Ok(Shape::Item(Item { attributes, visibility, name }))
+}
+
+/// The name in `struct Name;`, and the mistake if no semicolon follows. What lacks at the end is told of where something is.
+fn header_with_struct(input: ParseStream, start: Cursor) -> Result<(Ident, Option<Error>)> {
     let expected = |what: &str| {
         let last = start.token_stream().into_iter().last().filter(|_| input.is_empty());
         Error::new(last.map_or_else(|| input.span(), |last| last.span()), format!("expected {what}"))
@@ -49,11 +58,9 @@ pub(super) fn shape(input: ParseStream, report: &mut Report) -> Result<Shape> {
         return Err(expected("the name of the struct: `struct Name;`"));
     }
     let name = input.parse()?;
-    if input.parse::<Option<Token![;]>>()?.is_none() {
-        report.add(expected("`;`: the struct is a unit struct, its parameters follow after the semicolon"));
-        skip_to_parameters(input)?;
-    }
-    Ok(Shape::Item(Item { attributes, visibility, name }))
+    let lacks_semicolon = input.parse::<Option<Token![;]>>()?.is_none();
+    let message = "`;`: the struct is a unit struct, its parameters follow after the semicolon";
+    Ok((name, lacks_semicolon.then(|| expected(message))))
 }
 
 /// `#[…]`, any number of them.
@@ -67,8 +74,7 @@ fn attributes(input: ParseStream) -> Result<Vec<Attribute>> {
 /// What comes before the first `name =`, or in a generic header before what follows its semicolon.
 fn skip_to_parameters(input: ParseStream) -> Result<()> {
     let trees: Vec<TokenTree> = input.cursor().token_stream().into_iter().collect();
-    let first =
-        |sign: char| trees.iter().position(|tree| matches!(tree, TokenTree::Punct(found) if found.as_char() == sign));
+    let first = |sign: char| trees.iter().position(|tree| is(Some(tree), sign));
     let behind_generics = first(';').filter(|_| first('<') == Some(0)).map(|semicolon| semicolon + 1);
     let skipped = behind_generics.or_else(|| Some(first('=')?.saturating_sub(1)));
     for _ in 0..skipped.unwrap_or(trees.len()) {

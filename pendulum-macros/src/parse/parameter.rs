@@ -72,7 +72,7 @@ fn is_of_header(word: &str) -> bool {
     matches!(word, "pub" | "struct")
 }
 
-fn is(tree: Option<&TokenTree>, sign: char) -> bool {
+pub(super) fn is(tree: Option<&TokenTree>, sign: char) -> bool {
     matches!(tree, Some(TokenTree::Punct(punct)) if punct.as_char() == sign)
 }
 

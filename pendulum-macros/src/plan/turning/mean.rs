@@ -100,6 +100,11 @@ mod tests {
         for (periodic, sum) in [(1e-17, 1e-17), (3e-16, 3e-16), (5e-16, 2.0 * below), (1e-9, 2.0 * below)] {
             assert_near(next(2e-16, 0.0, periodic), below + sum, 1e-3);
         }
+        // In `f32`, half a unit above it, 2⁻²², products may be rounded to the next number.
+        let single = Mean { rate: Double::new(4.0), start: Double::ZERO, turned: Double::new(4.0 + 2f64.powi(-22)) };
+        for (periodic, sum) in [(1e-9, 1e-9), (1e-3, 2f64.powi(-22))] {
+            assert_near(single.rounding(periodic, Float::F32), 2f64.powi(-22) + sum, 1e-3);
+        }
     }
 
     /// No sum loses more than what is periodic, if that is next to nothing.
