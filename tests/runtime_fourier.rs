@@ -189,6 +189,16 @@ fn coefficients_approach_one_and_nothing() {
     let [b1, b3, _] = Pendulum::<f64>::new(1e-5, 1.0).and_then(|p| p.fourier::<3>()).expect("a swing").coefficients();
     // b₁ = 1 + k²/16 + O(k⁴), b₃ = k²/16 + O(k⁴), k = 5e-6.
     assert!((b1 - 1.0 - 25e-12 / 16.0).abs() < 1e-15 && (b3 / (25e-12 / 16.0) - 1.0).abs() < 1e-10);
+    // Where √q = k/4 is subnormal, or its second word is.
+    for theta0 in [1e-323, 2e-323, 5e-323, 1e-310, 1e-307, 1e-290, 1e-162] {
+        let f = Pendulum::<f64>::new(theta0, 1.0).and_then(|p| p.fourier::<3>()).expect("a swing");
+        assert_eq!(f.coefficients(), [1.0, 0.0, 0.0]);
+        assert!(
+            (f.theta(0.0) - theta0).abs() <= 5e-324_f64.max(theta0 * f64::EPSILON),
+            "{theta0:e}: {:e}",
+            f.theta(0.0)
+        );
+    }
 }
 
 #[test]

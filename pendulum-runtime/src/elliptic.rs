@@ -1,12 +1,12 @@
 //! Elliptic integrals and functions in `f64`, by modulus k or (module [`complementary`]) by k′ = √(1 − k²).
 //!
 //! Packaged libraries take the modulus k or the parameter m = k² and lose what distinguishes k from 1; here k near 1 is
-//! best given by its complement, k′ = cos(θ0/2) for a pendulum of amplitude θ0, which may be as small as 10⁻²⁹⁰. Outside
-//! the domain 0 ≤ k ≤ 1 everything is NaN. u may be any finite number: periods are reduced in two words.
+//! best given by its complement, k′ = cos(θ0/2) for a pendulum of amplitude θ0. Either may be 0, or as small as 10⁻²⁹⁰.
+//! Outside the domain 0 ≤ k ≤ 1 everything is NaN. u may be any finite number: periods are reduced in two words.
 //!
 //! | | error at most |
 //! |---|---|
-//! | K, K′, q, F | 1 ulp (of q a subnormal one 1.5) |
+//! | K, K′, q, F | 1 ulp (of q below 10⁻³⁰⁷ 1.5) |
 //! | sn, dn | 6 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K; sn also 8 · 2⁻⁵³ \|sn\| near u = 0, down to 10⁻²⁹⁰ |
 //! | cn | 9 · 2⁻⁵³ for \|u\| up to 2⁴⁵ K, the most where it vanishes |
 //! | am | 6 · 2⁻⁵³ max(1, \|am\|); also 8 · 2⁻⁵³ \|am\| near u = 0, down to 10⁻²⁹⁰ |

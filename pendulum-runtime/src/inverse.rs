@@ -122,7 +122,7 @@ fn swing(motion: &Motion, way: &Way, beyond: f64) -> Option<Double> {
     let (reach, moduli) = (motion.amplitude, &motion.moduli);
     let target = way.target.hi;
     // Where the way is longer than any number the target isn't one.
-    if target.is_nan() || target.abs() > 2.0 * reach {
+    if target.is_nan() || target.abs() > 2.0 * reach + beyond {
         return None;
     }
     // Squares of tiny angles would underflow; a power of two times as large, they swing in the same time.

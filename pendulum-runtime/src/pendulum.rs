@@ -16,10 +16,11 @@ use core::marker::PhantomData;
 /// # Accuracy (`f64`)
 /// The numbers given are taken as exact. Released from rest, θ is within 2⁻⁵⁰·|θ0| for |θ0| from 1e-9 to π − 1e-12 and
 /// |t| up to 2⁴⁵ periods; from any other state within 2⁻⁴⁹·max(|θ|, 1), of which more than half is hardly ever met;
-/// velocity within 2⁻⁵⁰ of its largest value, acceleration within 2⁻⁴⁹ of its largest, position within 2⁻⁴⁹. Beyond 2⁴⁵
-/// periods accuracy falls off, yet for every finite t results are finite (of a rotation whose angle would overflow, the
-/// largest number) and swings stay within their amplitude. NaN and ±∞ give NaN. Released from rest, θ(−t) = θ(t), and
-/// −θ0 gives −θ(t), to the bit. The bits, those of NaN excepted, do not depend on platform or optimisation.
+/// velocity within 2⁻⁵⁰ of its largest value, acceleration within 2⁻⁴⁹ of its largest, position within 2⁻⁴⁹. All this
+/// where |θ| and |velocity|/ω are at first at least 10⁻²⁹⁰, or 0. Beyond 2⁴⁵ periods accuracy falls off, yet for every
+/// finite t results are finite (of a rotation whose angle would overflow, the largest number) and swings stay within
+/// their amplitude. NaN and ±∞ give NaN. Released from rest, θ(−t) = θ(t), and −θ0 gives −θ(t), to the bit. The bits,
+/// those of NaN excepted, do not depend on platform or optimisation.
 ///
 /// # Conditioning near the top
 /// At the top a small error of the *input* becomes a large one of the motion: the time spent near the top is (2/ω)
@@ -147,13 +148,13 @@ impl<F: Scalar> Pendulum<F> {
     ///
     /// By Carlson's RF in twice the working precision, of differences of angles that are exact: within one ulp of the t
     /// at which the motion has the given angle, at any amplitude and next to any turning point. This holds for
-    /// |velocity|/ω from 10⁻²⁹⁰ on, or none, and for t from 10⁻²⁹⁰/ω on; beside the separatrix of a state in motion
-    /// the last sentences under Conditioning hold of t, too.
+    /// |velocity|/ω from 10⁻²⁹⁰ on, or none, and for angles from 10⁻²⁹⁰ away from the start and t from 10⁻²⁹⁰/ω on; beside
+    /// the separatrix of a state in motion the last sentences under Conditioning hold of t, too.
     ///
     /// Near a turning point half an ulp of the *angle* moves t by √(ulp/|θ̈|). So that its turning points can be asked
     /// for, ± what [`amplitude`](Self::amplitude) returns stands for them, wherever it was rounded to; of a swing about a
-    /// whole number of turns, what is up to two ulps beyond them, as `turns * TAU ± amplitude` may be. The angle that the
-    /// motion was given to start in is reached at t = 0.
+    /// whole number of turns, what is beyond them by up to 2ε times the angle (two to four ulps), as may be what
+    /// `turns * TAU ± amplitude` gives. The angle that the motion was given to start in is reached at t = 0.
     ///
     /// # Errors
     /// [`Error::NeverReached`] if no t ≥ 0 qualifies, if it is more than 10¹⁵ turns away, or if it is beyond the
@@ -169,7 +170,8 @@ impl<F: Scalar> Pendulum<F> {
     pub fn time_at(&self, theta: F) -> Result<F, Error> {
         let (angle, amplitude) = (theta.widen(), self.motion.amplitude);
         // What `amplitude` returns is the turning point, wherever it was rounded to, but where the motion starts there.
-        let is_turning = self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
+        let about_zero = self.regime() == Regime::Swing && self.motion.base.hi == 0.0;
+        let is_turning = about_zero && angle.abs() == self.amplitude().widen();
         let target = if is_turning && angle != self.motion.theta { amplitude.copysign(angle) } else { angle };
         let beyond = if self.motion.base.hi == 0.0 { 0.0 } else { 2.0 * F::ULP * angle.abs() };
         let time = F::narrow_or_infinite(self.motion.time_at(target, beyond)?);

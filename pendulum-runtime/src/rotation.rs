@@ -11,7 +11,7 @@ use crate::double::Double;
 use crate::kernel::{double_angle, four_atan, horner, power, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{EvenCosine, EvenSine, OddCosine, OddSine};
-use crate::theta_polynomial::{alternate, jacobi_theta2, jacobi_theta3, jacobi_theta4, polynomial};
+use crate::theta_polynomial::{after_first, alternate, jacobi_theta2, jacobi_theta3, jacobi_theta4, polynomial};
 use crate::theta_quotient::{sech_quotient, tanh_quotient};
 use core::f64::consts::{LOG2_E, PI, TAU};
 
@@ -156,8 +156,8 @@ fn dual(p: f64, growth: f64) -> Series {
     Series::Dual {
         growth,
         angle: (
-            polynomial(OddSine, |j| [1.0, 1.0, -1.0, -1.0][j as usize % 4] * power(p, j * (j + 1))),
-            polynomial(OddCosine, |j| [1.0, -1.0, -1.0, 1.0][j as usize % 4] * power(p, j * (j + 1))),
+            after_first(OddSine, |j| [1.0, 1.0, -1.0, -1.0][j as usize % 4] * power(p, j * (j + 1))),
+            after_first(OddCosine, |j| [1.0, -1.0, -1.0, 1.0][j as usize % 4] * power(p, j * (j + 1))),
         ),
         rate: (jacobi_theta3(qc), jacobi_theta2(qc)),
     }

@@ -56,6 +56,11 @@ pub(crate) fn polynomial<const N: usize>(harmonics: Harmonics, weight: impl Fn(i
     sum
 }
 
+/// The same less its first harmonic, which is 1: rounded in proportion to what is left.
+pub(crate) fn after_first<const N: usize>(harmonics: Harmonics, weight: impl Fn(i32) -> f64) -> [f64; N] {
+    polynomial(harmonics, |j| if j == 0 { 0.0 } else { weight(j) })
+}
+
 /// ϑ₁(w; q)/(2q^¼ sin w).
 pub(crate) fn jacobi_theta1<const N: usize>(q: f64) -> [f64; N] {
     polynomial(Harmonics::OddSine, |j| alternate(j) * power(q, j * (j + 1)))

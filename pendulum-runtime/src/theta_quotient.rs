@@ -5,12 +5,13 @@
 
 use crate::kernel::{exp2_m1, horner};
 
-/// tanh X · N(η)/D(η) from 2X/ln 2.
+/// tanh X · N(η)/D(η) from 2X/ln 2, `n` and `d` being N − 1 and D − 1: of the 1 nothing is rounded but the sum with it.
 #[inline]
 pub(crate) fn tanh_quotient<const N: usize>(exponent: f64, (n, d): &([f64; N], [f64; N])) -> (f64, f64) {
     let g = exp2_m1(exponent);
     let eta = -(g * g) / (1.0 + g);
-    (g * horner(n, eta), (g + 2.0) * horner(d, eta))
+    let h = g + 2.0;
+    (g + g * horner(n, eta), h + h * horner(d, eta))
 }
 
 /// ½ sech X · N(η)/D(η) from X/ln 2.

@@ -15,7 +15,7 @@ mod cells;
 use self::cells::Cells;
 use crate::agm::agm_double;
 use crate::double::Double;
-use crate::kernel::{power, round, sin_turns};
+use crate::kernel::{power, round, sin_turns, two_to};
 use crate::nome::root_of_nome;
 use crate::phase::Reduced;
 use crate::rotation::Rotation;
@@ -105,10 +105,12 @@ impl FourierAnalysis {
         }
     }
 
-    /// b₂ₙ₋₁ = (2π/(kK)) q^{n−½}/(1 − q^{2n−1}) (Eq. 20) for n ≥ 1. As k → 0, 1 for n = 1 and 0 for the others.
+    /// b₂ₙ₋₁ = (2π/(kK)) q^{n−½}/(1 − q^{2n−1}) (Eq. 20) for n ≥ 1. As k → 0, 1 for n = 1 and 0 for the others, which
+    /// are no numbers from k = 6e-162 down, where k²/16, about the second, underflows.
     #[must_use]
     pub fn coefficient(&self, n: usize) -> Double {
-        if self.k.hi == 0.0 {
+        // Below 10⁻²⁷⁵ √q has less than two words.
+        if self.k.hi < two_to(-700) {
             return if n == 1 { Double::ONE } else { Double::ZERO };
         }
         let q = self.root * self.root;

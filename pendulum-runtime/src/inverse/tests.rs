@@ -238,6 +238,29 @@ fn turning_points_next_to_the_top_after_turns() {
     assert!(reached > 9000 && over > 200, "{reached} {over}");
 }
 
+/// An amplitude may be less than an ulp of the angle that a turning point is about.
+#[test]
+fn turning_points_of_tiny_swings_after_turns() {
+    let mut beyond_twice = 0;
+    for turns in 1..200 {
+        let bottom = f64::from(turns) * TAU;
+        for theta in
+            [bottom.next_down().next_down(), bottom.next_down(), bottom, bottom.next_up(), bottom.next_up().next_up()]
+        {
+            let motion = crate::launch::from_state(theta, 0.0, 1.0).expect("valid");
+            for angle in [bottom - motion.amplitude, bottom + motion.amplitude, theta.next_up(), theta.next_down()] {
+                let from_bottom = (reduce(theta).angle + Double::from_sum(angle, -theta)).hi.abs();
+                if from_bottom <= motion.amplitude + 2.0 * (angle.next_up() - angle) {
+                    beyond_twice += i32::from(from_bottom > 2.0 * motion.amplitude);
+                    let found = motion.time_at(angle, 2.0 * f64::EPSILON * angle.abs()).expect("reached");
+                    assert!((0.0..=motion.period()).contains(&found), "{theta} {angle}: {found}");
+                }
+            }
+        }
+    }
+    assert!(beyond_twice > 100, "{beyond_twice}");
+}
+
 /// The same in either type, as anyone would write it.
 #[test]
 fn turning_points_after_turns_by_the_interface() -> Result<(), Error> {
@@ -246,5 +269,14 @@ fn turning_points_after_turns_by_the_interface() -> Result<(), Error> {
     let p = crate::Pendulum::<f32>::from_state(7.0, 0.0, 1.0)?;
     assert!((p.time_at(core::f32::consts::TAU - p.amplitude())? - 0.5 * p.period()).abs() < 2e-3);
     assert!(p.time_at(5.56).is_err() && p.time_at(5.57).is_ok());
+    Ok(())
+}
+
+/// A swing about one turn passes the amplitude of one about none as any other angle. In `f32` this one's is rounded to
+/// more than π, and passed before the turning point; the time is from `mpmath`.
+#[test]
+fn amplitudes_of_other_turns_are_angles() -> Result<(), Error> {
+    let p = crate::Pendulum::<f32>::from_state(3.153_931_6, -196_146.0, 15_896_573.0)?;
+    assert_eq!(p.time_at(p.amplitude())?, 7.476_737_7e-7);
     Ok(())
 }
