@@ -147,7 +147,7 @@ impl Sum<'_> {
         {
             return self.whole(wanted, better);
         }
-        let evaluation = summed.rounding(&wanted.counted(reduction), f64::INFINITY);
+        let evaluation = self.evaluation(wanted, reduction, &summed);
         let phase = curve.size.phase_error(reduction);
         // Only of θ̂ itself something is promised.
         let promised = whole.as_ref().filter(|_| *output == Output::Theta);
@@ -163,6 +163,17 @@ impl Sum<'_> {
         }
         let (description, bound) = (summed.core.describe(), Bound { truncation: *bias, phase, evaluation });
         Part { share, ..wanted.part(summed, description, bound) }
+    }
+
+    /// What the recurrence is rounded by over what is met. A slope is divided by a root, which next to an overshoot may be 0
+    /// at a turning point: that is no number beyond the horizon, either, and then there is no bound.
+    fn evaluation(&self, wanted: &Wanted, reduction: &Reduction, summed: &Kernel) -> f64 {
+        let divided = self.method == Method::Fourier && wanted.output == Output::Velocity;
+        let is_number = || summed.rounding(reduction, f64::INFINITY).is_finite();
+        if divided && wanted.met.is_some() && !is_number() {
+            return f64::INFINITY;
+        }
+        summed.rounding(&wanted.counted(reduction), f64::INFINITY)
     }
 
     /// Whether a bound for a tolerance is mostly rounding, of more than a few units of the largest value: next to an

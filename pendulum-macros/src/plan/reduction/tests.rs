@@ -254,7 +254,7 @@ fn remainders_next_to_the_lowest_point() {
 fn launches_hardly_off_an_origin() {
     let context = Context::for_digits(60);
     let mut random = Random::new(13);
-    for (launch, float) in ["0.50000000000000000001", "-0.00000000000000000001", "0.25"]
+    for (launch, float) in ["0.50000000000000000001", "-0.00000000000000000001", "0.25", "0.507", "-0.0007"]
         .into_iter()
         .flat_map(|launch| [(launch, Float::F64), (launch, Float::F32)])
     {

@@ -91,3 +91,23 @@ fn phases_of_small_angles_over_a_moment() {
     });
     assert_eq!(is_met, [true, false], "{least} {farthest}");
 }
+
+/// Beyond a moment a slope is divided by a root that a turning point next to an overshoot makes 0, or next to it.
+#[test]
+fn slopes_beyond_a_moment() {
+    for (text, t) in [
+        (
+            "theta0 = 0.964778886843908, velocity0 = -1.767739383753302, tol = 0.7823, t_max = 2.64, float = f32",
+            -2_174.123_5,
+        ),
+        ("theta0 = 1, velocity0 = 1.751088215085365009069172, tol = 0.9, t_max = 0.3, float = f32", 3.682_978_9),
+        ("theta0 = 1, velocity0 = 1.551491793566870649331619, tol = 0.9, t_max = 0.3", 1.757_442_226_734_976_3),
+    ] {
+        let plan = planned(&format!("struct A; {text}, method = fourier, outputs = [velocity]")).expect("a plan");
+        let slopes = (0..100).flat_map(|k| plan.functions[0].program.run(t * (1.0 + f64::from(k) * 1e-8)));
+        assert!(slopes.clone().all(f64::is_finite), "{text}: {:?}", slopes.collect::<Vec<_>>());
+    }
+    let by_terms = "theta0 = 0.211251588389127, velocity0 = 1.970500993776005, n = 3, t_max = 1.637, float = f32";
+    assert!(planned(&format!("struct A; {by_terms}, outputs = [velocity]")).is_err());
+    assert!(planned(&format!("struct A; {by_terms}")).is_ok());
+}

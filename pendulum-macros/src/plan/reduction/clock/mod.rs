@@ -25,6 +25,10 @@ const SECOND_ORDER: f64 = 0.001;
 /// rounded.
 const WIDENED: f64 = 1.0 + SECOND_ORDER;
 
+/// Launches, in anchors from a half, up to which roundings of differences are counted in proportion, as without one. At half
+/// an anchor that may be twice as much as they are; so farther from there the largest is counted.
+const NEXT_TO_HALF: f64 = 1.0 / 64.0;
+
 /// What a rate in one word may differ by.
 const OF_RATE: f64 = 1.0 + ROUNDED;
 
@@ -225,16 +229,18 @@ impl<'a> Clock<'a> {
         let drift = (anchors * left + half_ulp(anchors * last, self.float) + escape) * rate * OF_RATE;
         let rounding = |anchors: f64| half_ulp(anchors / rate * WIDENED, self.float) * rate * OF_RATE;
         let farthest = 0.5 + self.misplaced(rate, origin, 0.0);
-        let (before, last) = if self.starts_on_half() {
-            (0.0, differences as f64)
-        } else {
-            // Another launch is added last: a constant, after differences that are farther from 0 by as much.
-            let launch = self.distance_from_half();
-            (differences as f64 * rounding(farthest + launch) + rounding(launch), 1.0)
-        };
+        // Another launch than a half is added last: a constant, after differences that are farther from 0 by as much.
+        let launch = self.distance_from_half();
+        let (of_launch, sums) = if self.starts_on_half() { (0.0, 0.0) } else { (rounding(launch), 1.0) };
+        let (differences, unit) = (differences as f64, self.float.rounding_unit() * WIDENED);
+        let of_all = drift + differences * rounding(farthest + launch) + of_launch;
         let errors = match origin {
-            Origin::Anchor => [drift + before + last * rounding(farthest), 0.0],
-            Origin::Lowest => [drift + before, last * self.float.rounding_unit() * WIDENED],
+            Origin::Anchor => [of_all + sums * rounding(farthest), 0.0],
+            // Each by a unit of the remainder and of the launch.
+            Origin::Lowest if launch < NEXT_TO_HALF => {
+                [drift + differences * unit * launch + of_launch, (differences + sums) * unit]
+            }
+            Origin::Lowest => [of_all, unit],
         };
         let overshoot = self.misplaced(rate, origin, errors[0] + errors[1]);
         Some(self.reduction(Scheme::CodyWaite { rate, words }, origin, errors, overshoot))

@@ -166,6 +166,26 @@ fn roundings_of_differences_from_launches() {
     assert_eq!([rounding(2.0), rounding(3e4)].map(f64::round), [1.0, 2.0]);
 }
 
+/// From the lowest point a launch next to a half adds its own unit to each difference, and a sum.
+#[test]
+fn roundings_of_differences_next_to_a_half() {
+    let u = Float::F64.rounding_unit();
+    for (half, first) in [(0.0, 1.0), (0.5, 0.0)] {
+        for (launch, count) in [(0.001, 2), (-0.001, 3), (0.015, 3)] {
+            let which = (count, Origin::Lowest);
+            let (reduction, rate) = cody_waite("0.7", half + launch, 3.0, which, Float::F64);
+            let (launch, differences) = (launch.abs(), count as f64 - 1.0 + first);
+            let excess = reduction.relative_error / ((differences + 1.0) * u) - 1.0;
+            assert!((0.0..2e-3).contains(&excess), "{reduction:?}: {excess:e}");
+            let expected = differences * u * launch + half_ulp(launch / rate.to_f64(), Float::F64) * rate.to_f64();
+            let excess = reduction.error / expected - 1.0;
+            assert!((0.0..2e-3).contains(&excess), "{reduction:?}: {excess:e}");
+        }
+        let (far, _) = cody_waite("0.7", half + 0.02, 3.0, (2, Origin::Lowest), Float::F64);
+        assert!((far.relative_error / u - 1.0).abs() < 2e-3 && far.error > u / 3.0, "{far:?}");
+    }
+}
+
 /// Over long horizons it is what the words leave, and the rounding of the last one's products.
 #[test]
 fn errors_of_words() {
