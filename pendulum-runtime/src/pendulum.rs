@@ -170,10 +170,10 @@ impl<F: Scalar> Pendulum<F> {
     pub fn time_at(&self, theta: F) -> Result<F, Error> {
         let (angle, amplitude) = (theta.widen(), self.motion.amplitude);
         // What `amplitude` returns is the turning point, wherever it was rounded to, but where the motion starts there.
-        let about_zero = self.regime() == Regime::Swing && self.motion.base.hi == 0.0;
-        let is_turning = about_zero && angle.abs() == self.amplitude().widen();
+        let about_zero = self.motion.base.hi == 0.0;
+        let is_turning = about_zero && self.regime() == Regime::Swing && angle.abs() == self.amplitude().widen();
         let target = if is_turning && angle != self.motion.theta { amplitude.copysign(angle) } else { angle };
-        let beyond = if self.motion.base.hi == 0.0 { 0.0 } else { 2.0 * F::ULP * angle.abs() };
+        let beyond = if about_zero { 0.0 } else { 2.0 * F::ULP * angle.abs() };
         let time = F::narrow_or_infinite(self.motion.time_at(target, beyond)?);
         if time.widen().is_finite() { Ok(time) } else { Err(Error::NeverReached { angle }) }
     }

@@ -150,7 +150,7 @@ fn direct(q: f64) -> Series {
     }
 }
 
-/// The dual series, in p = √q′; `growth` is 2X/ln 2 per turn.
+/// The dual series, in p = √q′; `growth` is 2X/ln 2 per turn, and `angle` lacks the 1 of either ([`tanh_quotient`]).
 fn dual(p: f64, growth: f64) -> Series {
     let qc = p * p;
     Series::Dual {

@@ -77,6 +77,7 @@ mod tests {
     /// Where rounding takes what is under a root to 0 or below, or next to it.
     #[test]
     fn next_to_nothing_under_the_root() {
+        const { assert!(NEXT_TO_ZERO < 1e-100 && NEXT_TO_ZERO_SINGLE < 1e-15) };
         let below = [-0.0, -f64::MIN_POSITIVE, -1e-200, -1e-17, -1e-3, -0.1, LEAST_UNDER_ROOT];
         let subnormal = (0..52).map(|bit| f64::from_bits(1 << bit));
         for x in below.into_iter().chain(subnormal) {

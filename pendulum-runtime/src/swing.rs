@@ -11,10 +11,11 @@
 
 use crate::agm::{agm, sqrt_nome};
 use crate::double::Double;
-use crate::kernel::{double_angle, four_atan, horner, power, sin_turns};
+use crate::kernel::{double_angle, four_atan, horner, sin_turns};
 use crate::phase::Reduced;
 use crate::theta_polynomial::Harmonics::{OddCosine, OddSine};
-use crate::theta_polynomial::{after_first, alternate, jacobi_theta1, jacobi_theta2, jacobi_theta3, jacobi_theta4};
+use crate::theta_polynomial::{after_first, theta1_weight, theta2_weight};
+use crate::theta_polynomial::{jacobi_theta1, jacobi_theta2, jacobi_theta3, jacobi_theta4};
 use crate::theta_quotient::{sech_quotient, sinh_quotient, tanh_quotient};
 
 /// k′ above which the direct series serve: √q = ½ at k′ = 0.1134.
@@ -175,15 +176,12 @@ fn direct(k: Double, kc: Double) -> Series {
     Series::Direct { angle: (numerator, denominator), rate: (jacobi_theta2(q), jacobi_theta4(q)) }
 }
 
-/// The dual series, in p = √q′.
+/// The dual series, in p = √q′; `angle` lacks the 1 of either ([`tanh_quotient`]).
 fn dual(k: f64, kc: f64, mean: f64) -> Series {
     let p = sqrt_nome(kc, k);
     let qc = p * p;
     let growth = core::f64::consts::PI * TWO_BY_LN_2 * (agm(k) / mean);
-    let angle = (
-        after_first(OddSine, |j| alternate(j) * power(p, j * (j + 1))),
-        after_first(OddCosine, |j| power(p, j * (j + 1))),
-    );
+    let angle = (after_first(OddSine, theta1_weight(p)), after_first(OddCosine, theta2_weight(p)));
     let rate = DualRate {
         crossing: (jacobi_theta4(qc), jacobi_theta2(qc)),
         turning: (jacobi_theta1(qc), jacobi_theta3(qc)),

@@ -63,12 +63,22 @@ pub(crate) fn after_first<const N: usize>(harmonics: Harmonics, weight: impl Fn(
 
 /// ϑ₁(w; q)/(2q^¼ sin w).
 pub(crate) fn jacobi_theta1<const N: usize>(q: f64) -> [f64; N] {
-    polynomial(Harmonics::OddSine, |j| alternate(j) * power(q, j * (j + 1)))
+    polynomial(Harmonics::OddSine, theta1_weight(q))
+}
+
+/// What its harmonics count.
+pub(crate) fn theta1_weight(q: f64) -> impl Fn(i32) -> f64 {
+    move |j| alternate(j) * power(q, j * (j + 1))
 }
 
 /// ϑ₂(w; q)/(2q^¼ cos w).
 pub(crate) fn jacobi_theta2<const N: usize>(q: f64) -> [f64; N] {
-    polynomial(Harmonics::OddCosine, |j| power(q, j * (j + 1)))
+    polynomial(Harmonics::OddCosine, theta2_weight(q))
+}
+
+/// What its harmonics count.
+pub(crate) fn theta2_weight(q: f64) -> impl Fn(i32) -> f64 {
+    move |j| power(q, j * (j + 1))
 }
 
 /// ϑ₃(w; q).
