@@ -213,6 +213,11 @@ fn turning_points_after_turns() {
     assert!(reached > 3000, "{reached}");
 }
 
+/// The number so many after `x`, or before it.
+fn neighbour(x: f64, steps: i32) -> f64 {
+    (0..steps.abs()).fold(x, |x, _| if steps > 0 { x.next_up() } else { x.next_down() })
+}
+
 /// Next to the top what is rounded of that sum may be on its other side.
 #[test]
 fn turning_points_next_to_the_top_after_turns() {
@@ -220,11 +225,7 @@ fn turning_points_next_to_the_top_after_turns() {
     for turns in 1..400 {
         let top = f64::from(2 * turns - 1) * PI;
         for steps in -6..=6 {
-            let theta = (0..6).fold(top, |theta, step| match steps {
-                0.. if step < steps => theta.next_up(),
-                ..0 if step < -steps => theta.next_down(),
-                _ => theta,
-            });
+            let theta = neighbour(top, steps);
             let motion = crate::launch::from_state(theta, 0.0, 1.0).expect("valid");
             let turn = (motion.base.hi / TAU).round() * TAU;
             for angle in [turn - motion.amplitude, turn + motion.amplitude] {
@@ -244,9 +245,7 @@ fn turning_points_of_tiny_swings_after_turns() {
     let mut beyond_twice = 0;
     for turns in 1..200 {
         let bottom = f64::from(turns) * TAU;
-        for theta in
-            [bottom.next_down().next_down(), bottom.next_down(), bottom, bottom.next_up(), bottom.next_up().next_up()]
-        {
+        for theta in (-2..=2).map(|steps| neighbour(bottom, steps)) {
             let motion = crate::launch::from_state(theta, 0.0, 1.0).expect("valid");
             for angle in [bottom - motion.amplitude, bottom + motion.amplitude, theta.next_up(), theta.next_down()] {
                 let from_bottom = (reduce(theta).angle + Double::from_sum(angle, -theta)).hi.abs();

@@ -108,6 +108,11 @@ impl Harmonics {
         }
     }
 
+    /// Whether it is a quotient, infinite where the root that it is over vanishes.
+    pub(super) fn is_quotient(&self) -> bool {
+        matches!(self.made, Made::Slope { .. })
+    }
+
     /// Whether the sum of cosines is that of the paper's formula.
     fn is_of_paper(&self) -> bool {
         matches!(self.made, Made::Slope { .. } | Made::OfSine(_))

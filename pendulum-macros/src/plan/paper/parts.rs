@@ -58,9 +58,15 @@ impl Wanted {
         self.curve.size.phase_error(in_pieces.as_ref().unwrap_or(reduction))
     }
 
-    /// The reduction to the phases of which rounding counts.
-    fn counted(&self, reduction: &Reduction) -> Reduction {
-        self.met.map_or_else(|| reduction.clone(), |met| reduction.meeting(met))
+    /// What a sum is rounded by over what is met. A quotient's root may be 0 next to an overshoot, which a moment needn't meet:
+    /// beyond it that is no number, either, and then there is no bound.
+    fn rounding(&self, summed: &Kernel, reduction: &Reduction, is_quotient: bool) -> f64 {
+        let by = |reduction: &Reduction| summed.rounding(reduction, f64::INFINITY);
+        match self.met {
+            Some(_) if is_quotient && !by(reduction).is_finite() => f64::INFINITY,
+            Some(met) => by(&reduction.meeting(met)),
+            None => by(reduction),
+        }
     }
 
     /// What the phase may be wrong by without a tolerance.
@@ -134,7 +140,9 @@ impl Sum<'_> {
     /// in as many as there are `rows`.
     fn part(&self, wanted: &Wanted, reduction: &Reduction, rows: Option<usize>) -> Part {
         let Wanted { output, curve, bias, whole, .. } = wanted;
-        let summed = Kernel::from(Core::Harmonics(Box::new(self.harmonics(*output, reduction))));
+        let harmonics = self.harmonics(*output, reduction);
+        let is_quotient = harmonics.is_quotient();
+        let summed = Kernel::from(Core::Harmonics(Box::new(harmonics)));
         let cost = cost(reduction, &summed);
         let candidate = whole.as_ref().and_then(|whole| whole.cheapest(reduction));
         let as_many = |own: Option<usize>| own.is_none() || rows.is_none() || own == rows;
@@ -147,7 +155,7 @@ impl Sum<'_> {
         {
             return self.whole(wanted, better);
         }
-        let evaluation = self.evaluation(wanted, reduction, &summed);
+        let evaluation = wanted.rounding(&summed, reduction, is_quotient);
         let phase = curve.size.phase_error(reduction);
         // Only of θ̂ itself something is promised.
         let promised = whole.as_ref().filter(|_| *output == Output::Theta);
@@ -163,17 +171,6 @@ impl Sum<'_> {
         }
         let (description, bound) = (summed.core.describe(), Bound { truncation: *bias, phase, evaluation });
         Part { share, ..wanted.part(summed, description, bound) }
-    }
-
-    /// What the recurrence is rounded by over what is met. A slope is divided by a root, which next to an overshoot may be 0
-    /// at a turning point: that is no number beyond the horizon, either, and then there is no bound.
-    fn evaluation(&self, wanted: &Wanted, reduction: &Reduction, summed: &Kernel) -> f64 {
-        let divided = self.method == Method::Fourier && wanted.output == Output::Velocity;
-        let is_number = || summed.rounding(reduction, f64::INFINITY).is_finite();
-        if divided && wanted.met.is_some() && !is_number() {
-            return f64::INFINITY;
-        }
-        summed.rounding(&wanted.counted(reduction), f64::INFINITY)
     }
 
     /// Whether a bound for a tolerance is mostly rounding, of more than a few units of the largest value: next to an
